@@ -1,0 +1,41 @@
+"""Teach a robot to write: letters from people's handwriting with dynamic movement primitives.
+
+The names below are loaded when they are first used (PEP 562): importing the package loads nothing heavy.
+"""
+
+from importlib import import_module
+from typing import Any
+
+__version__ = "0.1.0"
+
+_HOME = {
+    "TeachError": "errors",
+    "Trajectory": "trajectory",
+    "Recording": "ink.recording",
+    "read_recording": "ink.reader",
+    "recording_of": "ink.alphabet",
+    "Settings": "dmp.settings",
+    "DMP": "dmp.primitive",
+    "Letter": "letters.letter",
+    "Page": "robot.page",
+    "Motion": "robot.motion",
+    "Fetch": "robot.arm",
+    "view": "views.scene",
+    "explore": "classroom.explore",
+}
+
+__all__ = [*_HOME, "__version__"]
+
+
+def __getattr__(name: str) -> Any:
+    """Load a public name from its room when it is first used."""
+    if name not in _HOME:
+        raise AttributeError(f"dmp_teach has no {name!r}; it has: {', '.join(sorted(_HOME))}.")
+    value = getattr(import_module(f"dmp_teach.{_HOME[name]}"), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    """The public names, for the Tab key."""
+    return sorted(__all__)

@@ -1,0 +1,1 @@
+"""The primitive: phase, kernels, fit, settings and rollout."""

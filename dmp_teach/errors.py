@@ -1,0 +1,45 @@
+"""One family of errors: what it is, what it must be, what to do next.
+
+Every error of ours is a `TeachError` and also the built-in error that one would expect, so that
+`except ValueError` works for people who have never heard of us.
+"""
+
+
+class TeachError(Exception):
+    """The root of the family."""
+
+
+class SettingError(TeachError, ValueError):
+    """A setting is out of its range, or two settings do not go together."""
+
+
+class TrajectoryError(TeachError, ValueError):
+    """Times or positions cannot be a movement: not finite, not increasing, too few."""
+
+
+class RecordingError(TeachError, ValueError):
+    """A recording cannot be read; names the file, the row and the column."""
+
+
+class LetterError(TeachError, ValueError):
+    """A letter has no such stroke, start or goal; names those that it has."""
+
+
+class PageError(TeachError, ValueError):
+    """The page, or the letter on it, does not fit."""
+
+
+class ReachError(TeachError, ValueError):
+    """The arm cannot get to all of the page; says by how much, and which page works."""
+
+
+class JointError(TeachError, KeyError):
+    """No joint or frame of that name; names the nearest ones."""
+
+    def __str__(self) -> str:
+        """The sentence itself: a KeyError would print it in quotation marks."""
+        return " ".join(map(str, self.args))
+
+
+class MissingPartError(TeachError, ImportError):
+    """A library that this platform does not have; says what still works and how to get it."""

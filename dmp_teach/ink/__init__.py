@@ -1,0 +1,1 @@
+"""Recordings in every format, and the strokes in them."""

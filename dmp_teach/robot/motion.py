@@ -1,0 +1,49 @@
+"""What the robot will do: joints, pen tip and ink on one clock."""
+
+from dataclasses import dataclass, fields
+
+from dmp_teach.robot.page import Page
+from dmp_teach.trajectory import Array, Trajectory, locked
+
+
+@dataclass(frozen=True, eq=False)
+class Motion:
+    """A planned movement of the whole robot.
+
+    Args:
+        t: Times from 0, evenly spaced, shape (T,) [s].
+        q: Joint positions, shape (T, J) [rad, m].
+        joint_names: J names, in the order of the columns of `q`.
+        tip: Where the nib is, by forward kinematics of `assets/fetch.urdf`, in the world, shape (T, 3) [m].
+        target: Where the nib was asked to be, in the world, shape (T, 3) [m].
+        pen_down: True exactly while the nib is meant to be on the letter, shape (T,).
+        page: The sheet.
+        strokes: The strokes as they were placed on the page (page frame, origin at its centre) [m].
+        notes: What was changed on the way, in sentences ("slowed from 1.83 s to 2.10 s: elbow_flex_joint").
+    """
+
+    t: Array
+    q: Array
+    joint_names: tuple[str, ...]
+    tip: Array
+    target: Array
+    pen_down: Array
+    page: Page
+    strokes: tuple[Trajectory, ...]
+    notes: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        """Lock every array and tuple."""
+        for field in fields(self):
+            value = getattr(self, field.name)
+            if field.name in ("t", "q", "tip", "target"):
+                object.__setattr__(self, field.name, locked(value))
+            elif field.name == "pen_down":
+                object.__setattr__(self, field.name, locked(value, dtype=bool))
+            elif field.name in ("joint_names", "strokes", "notes"):
+                object.__setattr__(self, field.name, tuple(value))
+
+    @property
+    def duration(self) -> float:
+        """From the first sample to the last [s]."""
+        return float(self.t[-1] - self.t[0])

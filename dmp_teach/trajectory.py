@@ -1,0 +1,94 @@
+"""The value that flows through the house: where a pen is, and when."""
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from dmp_teach.errors import TrajectoryError
+
+Array = NDArray[np.float64]
+
+
+def locked(values: ArrayLike, dtype: Any = float) -> NDArray[Any]:
+    """A copy of `values` that nobody can change."""
+    array = np.array(values, dtype=dtype)
+    array.setflags(write=False)
+    return array
+
+
+@dataclass(frozen=True, eq=False)
+class Trajectory:
+    """A movement, sampled at increasing times.
+
+    A stroke keeps the clock of its recording, so that the lift between two strokes has a duration.
+
+    Args:
+        t: Times, strictly increasing, shape (T,), T at least 2 [s].
+        position: Positions, shape (T, D); shape (T,) is taken for one dimension [m].
+
+    Raises:
+        TrajectoryError: Shapes that do not match, fewer than 2 samples, a value that is not
+            finite, or a time that does not come after the one before.
+    """
+
+    t: Array
+    position: Array
+
+    def __post_init__(self) -> None:
+        """Copy, check and lock both arrays."""
+        t, position = _as_numbers("t", self.t), _as_numbers("position", self.position)
+        if position.ndim == 1:
+            position = position[:, None]
+        _check(t, position)
+        object.__setattr__(self, "t", locked(t))
+        object.__setattr__(self, "position", locked(position))
+
+    @property
+    def duration(self) -> float:
+        """From the first sample to the last [s]."""
+        return float(self.t[-1] - self.t[0])
+
+    @property
+    def dimensions(self) -> int:
+        """How many numbers a position has: D."""
+        return self.position.shape[1]
+
+    def __len__(self) -> int:
+        """How many samples there are: T."""
+        return len(self.t)
+
+    def __repr__(self) -> str:
+        """In one line, without the numbers."""
+        return f"Trajectory({len(self)} samples, {self.dimensions}-D, {self.duration:.3f} s)"
+
+
+def _as_numbers(name: str, values: ArrayLike) -> Array:
+    """`values` as floats, or a sentence that says they are not numbers."""
+    try:
+        return np.asarray(values, dtype=float)
+    except (TypeError, ValueError) as error:
+        raise TrajectoryError(f"{name} must be numbers in an array, but: {error}.") from None
+
+
+def _check(t: Array, position: Array) -> None:
+    """Raise a TrajectoryError that names the first sample that breaks a rule."""
+    if t.ndim != 1 or position.ndim != 2 or len(t) != len(position) or position.shape[1] < 1:
+        raise TrajectoryError(
+            f"t has shape {t.shape} and position {position.shape}, but they must be (T,) and (T, D): "
+            "one row of positions for every time."
+        )
+    if len(t) < 2:
+        raise TrajectoryError(f"A trajectory needs at least 2 samples, but has {len(t)}.")
+    for name, bad in (("t", ~np.isfinite(t)), ("position", ~np.isfinite(position).all(axis=1))):
+        if bad.any():
+            row = int(np.argmax(bad))
+            value = t[row] if name == "t" else position[row]
+            raise TrajectoryError(f"{name}[{row}] is {value}, but must be finite; fill or cut the gap first.")
+    stuck = np.diff(t) <= 0
+    if stuck.any():
+        row = int(np.argmax(stuck)) + 1
+        raise TrajectoryError(
+            f"t[{row}] is {t[row]} s and does not come after t[{row - 1}] = {t[row - 1]} s; times must increase."
+        )
