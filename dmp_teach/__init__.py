@@ -24,7 +24,7 @@ _HOME = {
     "explore": "classroom.explore",
 }
 
-__all__ = [*_HOME, "__version__"]
+__all__ = ["__version__", *_HOME]  # noqa: PLE0604 (the keys are strings)
 
 
 def __getattr__(name: str) -> Any:

@@ -8,8 +8,7 @@ from numpy.typing import ArrayLike
 from dmp_teach.errors import PageError
 from dmp_teach.trajectory import Array, locked
 
-A4_PORTRAIT = (0.210, 0.297)
-A4_LANDSCAPE = (0.297, 0.210)
+A4 = (0.210, 0.297)
 
 
 @dataclass(frozen=True, eq=False)
@@ -26,8 +25,8 @@ class Page:
     """
 
     X_world_page: Array
-    width: float = A4_LANDSCAPE[0]
-    height: float = A4_LANDSCAPE[1]
+    width: float = A4[0]
+    height: float = A4[1]
 
     def __post_init__(self) -> None:
         """Copy, check and lock."""
@@ -49,8 +48,8 @@ class Page:
         x: float = 0.70,
         y: float = 0.0,
         z: float = 0.72,
-        width: float = A4_LANDSCAPE[0],
-        height: float = A4_LANDSCAPE[1],
+        width: float = A4[0],
+        height: float = A4[1],
     ) -> "Page":
         """A sheet flat on a table: its right is the world's -y, its up is +x [m]."""
         return cls(_pose(right=(0, -1, 0), up=(1, 0, 0), centre=(x, y, z)), width, height)
@@ -61,8 +60,8 @@ class Page:
         x: float = 0.90,
         y: float = 0.0,
         z: float = 1.10,
-        width: float = A4_LANDSCAPE[0],
-        height: float = A4_LANDSCAPE[1],
+        width: float = A4[0],
+        height: float = A4[1],
     ) -> "Page":
         """A sheet on a whiteboard that faces the robot: its right is the world's -y, its up is +z [m]."""
         return cls(_pose(right=(0, -1, 0), up=(0, 0, 1), centre=(x, y, z)), width, height)
