@@ -1,0 +1,62 @@
+"""Simple solids that stand for each link where things touch: (kind, size, xyz, rpy) in the link's frame [m, rad].
+
+A box has three sides, a cylinder a radius and a length along its z, a sphere a radius.
+"""
+
+from math import pi
+
+ALONG_X, ALONG_Y, ALONG_Z = (0, pi / 2, 0), (pi / 2, 0, 0), (0, 0, 0)
+
+COLLISIONS: dict[str, tuple] = {
+    "base_link": (
+        ("cylinder", (0.264, 0.28), (0, 0, 0.15), ALONG_Z),
+        ("box", (0.34, 0.36, 0.34), (0, 0, 0.185), ALONG_Z),
+    ),
+    "r_wheel_link": (("cylinder", (0.0602, 0.05), (0, 0, 0), ALONG_Y),),
+    "l_wheel_link": (("cylinder", (0.0602, 0.05), (0, 0, 0), ALONG_Y),),
+    "torso_fixed_link": (("box", (0.136, 0.31, 0.46), (-0.1, 0, 0.212), ALONG_Z),),
+    "torso_lift_link": (
+        ("box", (0.26, 0.33, 0.30), (-0.05, 0, 0.445), ALONG_Z),
+        ("box", (0.24, 0.32, 0.26), (-0.06, 0, 0.165), ALONG_Z),
+        ("cylinder", (0.052, 0.08), (0.1195, 0, 0.255), ALONG_Z),
+    ),
+    "head_pan_link": (
+        ("cylinder", (0.12, 0.10), (0, 0, 0.05), ALONG_Z),
+        ("box", (0.16, 0.03, 0.10), (0.115, 0.126, 0.055), ALONG_Z),
+        ("box", (0.16, 0.03, 0.10), (0.115, -0.126, 0.055), ALONG_Z),
+    ),
+    "head_tilt_link": (("cylinder", (0.055, 0.21), (0, 0, 0), ALONG_Y),),
+    "shoulder_pan_link": (
+        ("cylinder", (0.052, 0.10), (0, 0, 0.002), ALONG_Z),
+        ("cylinder", (0.058, 0.074), (0.117, -0.0375, 0.06), ALONG_Y),
+        ("box", (0.09, 0.08, 0.09), (0.05, -0.01, 0.04), ALONG_Z),
+    ),
+    "shoulder_lift_link": (
+        ("cylinder", (0.0597, 0.070), (0, 0.0355, 0), ALONG_Y),
+        ("cylinder", (0.052, 0.13), (0.107, 0, 0), ALONG_X),
+    ),
+    "upperarm_roll_link": (
+        ("cylinder", (0.052, 0.11), (0.007, 0, 0), ALONG_X),
+        ("cylinder", (0.052, 0.070), (0.133, -0.0355, 0), ALONG_Y),
+    ),
+    "elbow_flex_link": (
+        ("cylinder", (0.052, 0.070), (0, 0.0355, 0), ALONG_Y),
+        ("cylinder", (0.052, 0.12), (0.106, 0, 0), ALONG_X),
+    ),
+    "forearm_roll_link": (
+        ("cylinder", (0.052, 0.09), (0.013, 0, 0), ALONG_X),
+        ("cylinder", (0.052, 0.080), (0.1245, -0.045, 0), ALONG_Y),
+    ),
+    "wrist_flex_link": (
+        ("cylinder", (0.052, 0.066), (0, 0.034, 0), ALONG_Y),
+        ("cylinder", (0.052, 0.08), (0.0765, 0, 0), ALONG_X),
+    ),
+    "wrist_roll_link": (("cylinder", (0.0519, 0.0425), (-0.00175, 0, 0), ALONG_X),),
+    "gripper_link": (("box", (0.122, 0.126, 0.079), (-0.093, 0, 0), ALONG_Z),),
+    "r_gripper_finger_link": (("box", (0.06, 0.0143, 0.0263), (0.001, -0.00855, 0), ALONG_Z),),
+    "l_gripper_finger_link": (("box", (0.06, 0.0143, 0.0263), (0.001, 0.00855, 0), ALONG_Z),),
+    "estop_link": (("cylinder", (0.018, 0.04), (0, 0, 0.007), ALONG_Z),),
+    "laser_link": (("cylinder", (0.035, 0.026), (-0.01, 0, 0.048), ALONG_Z),),
+    "pen_link": (("cylinder", (0.005, 0.135), (0, 0, 0.019), ALONG_Z),),
+    "pen_tip": (("sphere", (0.0015,), (0, 0, -0.0015), ALONG_Z),),
+}
