@@ -1,0 +1,251 @@
+// The start panel: a letter, the robot's copy of it, sliders, and the robot that writes what is seen.
+
+const SLEEPY = 4000;
+const LATE = 300;
+
+function render({ model, el }) {
+  const root = make("div", { class: "dt-panel dt-explore", "data-lm-suppress-shortcuts": "true" });
+  const parts = { ...head(model), ...stage(model), says: says(model), ...knobs(model) };
+  root.append(parts.head, parts.stage, make("div", { class: "dt-says" }, parts.says.node), parts.knobs, parts.more);
+  el.append(root);
+
+  const redraw = () => (drawLetter(model, parts), root.setAttribute("data-dt-drawing", model.get("drawing")));
+  const redrawWork = () => drawWork(model, parts);
+  model.on("change:drawing", redraw);
+  model.on("change:work", redrawWork);
+  model.on("change:older", () => drawOlder(model, parts));
+  model.on("change:choices change:letter", () => drawChoices(model, parts));
+  const stopWatching = watch(model, root, parts);
+  drawChoices(model, parts);
+  redraw();
+  redrawWork();
+  drawOlder(model, parts);
+  const child = robotView(model, parts.robotHost);
+  return () => (stopWatching(), child.then((view) => view?.remove()));
+}
+
+/** Ask Python for a new letter. The front end merges events by itself while the kernel is busy. */
+function ask(model, changes) {
+  for (const [name, value] of Object.entries(changes)) model.set(name, value);
+  model.set("asked", model.get("asked") + 1);
+  model.save_changes();
+}
+
+/** Dim the number when an answer is late; say so when the kernel sleeps. */
+function watch(model, root, parts) {
+  let since = null;
+  const asked = () => (since ??= performance.now());
+  const answered = () => (since = null);
+  model.on("change:asked", asked);
+  model.on("change:answered", answered);
+  const timer = setInterval(() => {
+    const waiting = since === null ? 0 : performance.now() - since;
+    root.classList.toggle("dt-late", waiting > LATE);
+    parts.asleep.hidden = waiting < SLEEPY;
+  }, 100);
+  return () => clearInterval(timer);
+}
+
+// Rows ---------------------------------------------------------------------------------------------------------------
+
+function head(model) {
+  const letters = make("div", { style: "display:contents" });
+  const key = (kind, words) => make("span", {}, make("svg", { "aria-hidden": "true" }, make("path", { class: kind, d: "M2 5H42" })), words);
+  const legend = make("div", { class: "dt-legend" }, key("dt-child-dots", "the person’s letter"), key("dt-robot-line", "the robot’s letter"));
+  return { head: make("div", { class: "dt-head" }, letters, legend), letters };
+}
+
+function drawChoices(model, parts) {
+  const options = model.get("choices").map(([value, label, name]) => ({ value, label, name }));
+  const focused = parts.letters.contains(document.activeElement);
+  const bar = choice({ legend: "Letter", kind: "dt-letters", options, value: model.get("letter"), onChange: (letter) => ask(model, { letter }) });
+  parts.letters.replaceChildren(bar.node);
+  if (focused) bar.node.querySelector("input:checked")?.focus();
+}
+
+function stage(model) {
+  const sheet = paper({
+    onPick: (stroke) => stroke !== model.get("stroke") && ask(model, { stroke }),
+    onHome: (stroke) => moveGoal(model, stroke, [0, 0]),
+    onGoal: (stroke, place) => {
+      const taught = taughtGoals(model)[stroke];
+      const [left, bottom, right, top] = sheet.bounds();
+      const inside = [Math.min(Math.max(place[0], left), right), Math.min(Math.max(place[1], bottom), top)];
+      moveGoal(model, stroke, [inside[0] - taught[0], inside[1] - taught[1]]);
+      drawLetter(model, sheet.parts);
+    },
+  });
+  const hint = make("span", {}, "drag the ring to move the goal");
+  const older = make("span", {}, "Fetch");
+  const robotHost = make("div", { class: "dt-robot" });
+  const left = make("div", {}, make("div", { class: "dt-caption" }, make("b", {}, "On paper"), hint), sheet.node);
+  const work = make("div", { class: "dt-work", hidden: true });
+  const right = make("div", { class: "dt-table" }, make("div", { class: "dt-caption" }, make("b", {}, "At the table"), older), robotHost, work);
+  return { stage: make("div", { class: "dt-stage" }, left, right), sheet, hint, older, robotHost, work };
+}
+
+function says(model) {
+  const bar = sentence();
+  const write = button("Robot, write it", { drawing: icon(ICONS.pen), main: true, onClick: () => model.get("work").state !== "working" && model.send({ kind: "write" }) });
+  write.classList.add("dt-write");
+  bar.node.append(write);
+  return { ...bar, write };
+}
+
+function knobs(model) {
+  const { n_kernels: n, kernel_width: width } = model.get("knobs");
+  const cm = (value) => `${value < -5e-5 ? "−" : value > 5e-5 ? "+" : ""}${Math.abs(100 * value).toFixed(1)} cm`;
+  const goal = (axis, label, term, [less, more]) =>
+    slider({ label, term, low: -0.1, high: 0.1, step: 0.001, zero: 0, mark: "as written", text: cm, onInput: (value) => moveAxis(model, axis, value),
+      spoken: (value) => (Math.abs(value) < 5e-5 ? "as written" : `${Math.abs(100 * value).toFixed(1)} centimetres ${value < 0 ? less : more}`) });
+  const parts = {
+    count: slider({ ...n, step: 1, text: String, spoken: (v) => `${v} bumps in each stroke`, icons: [bump("one"), bump("many")], onInput: (v) => ask(model, { n_kernels: v }) }),
+    width: slider({ ...width, step: 0.01, scale: LOG, text: widthText, spoken: widthSpoken, icons: [bump("narrow"), bump("one")], onInput: (v) => ask(model, { kernel_width: v }) }),
+    goalX: goal(0, "Goal, left and right", "x", ["to the left", "to the right"]),
+    goalY: goal(1, "Goal, down and up", "y", ["down", "up"]),
+  };
+  const strokes = make("div", { style: "display:contents" });
+  const home = button("Put the goals back", { drawing: icon(ICONS.back), onClick: () => ask(model, { goal_shifts: model.get("goal_shifts").map(() => [0, 0]) }) });
+  const asleep = make("div", { class: "dt-asleep", hidden: true, role: "status" }, "The robot does not answer. If it stays so, run the cell above again: Shift and Enter.");
+  const more = make("div", { class: "dt-more" }, strokes, home, fileButton(model), asleep, make("span", { class: "dt-quiet" }, "Arrow keys move a ring 1 mm, with Shift 1 cm"));
+  const rows = [parts.count, parts.width, parts.goalX, parts.goalY].map((part) => part.node);
+  return { knobs: make("div", { class: "dt-knobs" }, ...rows), ...parts, strokes, home, asleep, more };
+}
+
+const widthText = (value) => (value < 1 ? value.toFixed(2) : value.toFixed(1));
+function widthSpoken(value) {
+  if (value < 0.995) return `${widthText(value)}, with gaps between the bumps`;
+  if (value < 1.005) return "1.0, the bumps just touch";
+  return `${widthText(value)}, each bump covers the places of ${widthText(value)}`;
+}
+
+/** A person's own recording, read by the kernel of this notebook and kept nowhere. */
+function fileButton(model) {
+  const input = make("input", { type: "file", accept: ".csv,.json", "aria-label": "Open your own recording, a CSV or JSON file" });
+  const node = make("label", { class: "dt-button" }, icon(ICONS.file), make("span", {}, "Your own recording"), input);
+  input.addEventListener("change", async () => {
+    const file = input.files[0];
+    if (!file) return;
+    if (file.size > 8e6) model.send({ kind: "too large", name: file.name, size: file.size });
+    else model.send({ kind: "file", name: file.name }, undefined, [await file.arrayBuffer()]);
+    input.value = "";
+  });
+  return node;
+}
+
+// What is seen -------------------------------------------------------------------------------------------------------
+
+/** Bytes of float32 x, y, x, y ... [m], cut into strokes of `counts` points. */
+function strokesOf(model, name) {
+  const bytes = model.get(name);
+  const numbers = new Float32Array(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength));
+  let at = 0;
+  return model.get("counts").map((n) => Array.from({ length: n }, () => [numbers[at++], numbers[at++]]));
+}
+
+const taughtGoals = (model) => strokesOf(model, "demo").map((points) => points[points.length - 1]);
+
+function moveGoal(model, stroke, shift) {
+  const shifts = model.get("goal_shifts").map((pair, i) => (i === stroke ? shift.map((v) => Math.round(v * 1e4) / 1e4) : pair));
+  ask(model, { goal_shifts: shifts, stroke });
+}
+
+function moveAxis(model, axis, value) {
+  const stroke = model.get("stroke");
+  const shift = [...model.get("goal_shifts")[stroke]];
+  shift[axis] = value;
+  moveGoal(model, stroke, shift);
+}
+
+function drawLetter(model, parts) {
+  const { sheet } = parts;
+  sheet.parts = parts;
+  const [taught, shifts, stroke] = [taughtGoals(model), model.get("goal_shifts"), model.get("stroke")];
+  if (shifts.length !== taught.length) return;
+  const many = taught.length > 1;
+  const names = shifts.map(([x, y], i) => ringName(many ? `Goal of stroke ${i + 1}` : "Goal", x, y));
+  sheet.sheet(model.get("sheet"));
+  sheet.draw({
+    demo: strokesOf(model, "demo"), robot: strokesOf(model, "robot"), taught, stroke, names, title: model.get("title"),
+    goals: taught.map(([x, y], i) => [x + shifts[i][0], y + shifts[i][1]]),
+  });
+  parts.hint.textContent = many ? "drag a number to move that stroke’s goal" : "drag the ring to move the goal";
+  parts.says.show(model.get("message"));
+  showKnobs(model, parts, taught[stroke], shifts[stroke]);
+}
+
+function ringName(label, x, y) {
+  const side = (value, less, more) => (Math.abs(value) < 5e-5 ? "" : `${Math.abs(100 * value).toFixed(1)} centimetres ${value < 0 ? less : more}`);
+  const text = [side(x, "left", "right"), side(y, "down", "up")].filter(Boolean).join(", ") || "as written";
+  return { label: `${label}. Arrow keys move it, Home puts it back.`, now: Math.round(1000 * x), text };
+}
+
+function showKnobs(model, parts, taught, shift) {
+  const [left, bottom, right, top] = parts.sheet.bounds();
+  const mm = (value) => Math.round(value * 1000) / 1000;
+  const high = Math.min(model.get("knobs").n_kernels.high, model.get("most_kernels"));
+  parts.count.show(model.get("n_kernels"), model.get("knobs").n_kernels.low, high);
+  parts.width.show(model.get("kernel_width"));
+  parts.goalX.show(shift[0], Math.min(mm(left - taught[0]), shift[0]), Math.max(mm(right - taught[0]), shift[0]));
+  parts.goalY.show(shift[1], Math.min(mm(bottom - taught[1]), shift[1]), Math.max(mm(top - taught[1]), shift[1]));
+  const strokes = model.get("counts").length;
+  if (parts.strokes.dataset.strokes !== String(strokes)) {
+    const options = Array.from({ length: strokes }, (_, i) => ({ value: String(i), label: `stroke ${i + 1}`, name: `Goal sliders move stroke ${i + 1}` }));
+    parts.picker = strokes > 1 ? choice({ legend: "Which stroke’s goal", options, value: model.get("stroke"), onChange: (v) => ask(model, { stroke: Number(v) }) }) : null;
+    parts.strokes.replaceChildren(...(parts.picker ? [parts.picker.node] : []));
+    parts.strokes.dataset.strokes = strokes;
+  }
+  parts.picker?.show(model.get("stroke"));
+}
+
+function drawOlder(model, parts) {
+  parts.older.textContent = model.get("older") ? "older letter" : "Fetch";
+  parts.robotHost.toggleAttribute("data-dt-older", model.get("older"));
+}
+
+/** Named steps with a bar while the robot plans; or what cannot be done, by how much, and the cure. */
+function drawWork(model, parts) {
+  const [work, host] = [model.get("work"), parts.work];
+  host.hidden = work.state === "idle";
+  host.className = `dt-work ${work.state === "cannot" ? "dt-cannot" : ""}`;
+  change(parts.says.write, { "aria-disabled": work.state === "working" ? "true" : null });
+  if (work.state === "working") host.replaceChildren(stepList(work), workFooter(model));
+  if (work.state === "cannot") {
+    const words = make("span", {}, make("b", {}, work.strong), ` ${work.text}`);
+    const cure = work.cure ? button(work.cure, { main: true, onClick: () => model.send({ kind: "cure" }) }) : null;
+    host.replaceChildren(make("p", { role: "alert" }, icon(ICONS.warning), words), ...(cure ? [cure] : []));
+  }
+}
+
+function stepList(work) {
+  const items = work.steps.map((words, i) => {
+    const [done, now] = [i < work.at, i === work.at];
+    const drawing = icon(done ? ICONS.tick : now ? ICONS.arrow : ICONS.later);
+    if (done) drawing.classList.add("dt-done");
+    const figure = done ? "yes" : now ? `${Math.round(100 * work.fraction)} %` : "";
+    const item = make("li", { "aria-current": now ? "step" : null }, drawing, make("span", {}, words), make("span", {}, figure));
+    if (now) item.append(progressBar(words, work.fraction));
+    return item;
+  });
+  return make("ol", { class: "dt-steps" }, ...items);
+}
+
+function progressBar(words, fraction) {
+  const inner = make("div", { style: `width:${100 * fraction}%` });
+  return make("div", { class: "dt-bar", role: "progressbar", "aria-label": words, "aria-valuemin": 0, "aria-valuemax": 100, "aria-valuenow": Math.round(100 * fraction) }, inner);
+}
+
+function workFooter(model) {
+  return make("footer", {}, make("span", { class: "dt-quiet" }, ""), button("Stop", { onClick: () => model.send({ kind: "stop" }) }));
+}
+
+/** The 3-D view is a widget of its own; here it stands inside this card. */
+async function robotView(model, host) {
+  const manager = model.widget_manager;
+  const child = await manager.get_model(model.get("scene").slice("IPY_MODEL_".length));
+  const view = await manager.create_view(child);
+  host.append(view.el);
+  return view;
+}
+
+export default { render };
