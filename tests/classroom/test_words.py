@@ -1,0 +1,77 @@
+"""Numbers as a child reads them."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from dmp_teach.classroom import words
+from dmp_teach.trajectory import Trajectory
+
+
+@pytest.mark.parametrize(
+    ("metres", "shown"),
+    [
+        (0.0, "under 0.1"),
+        (0.00004, "under 0.1"),
+        (0.00006, "0.1"),
+        (0.0078, "7.8"),
+        (0.00994, "9.9"),
+        (0.00996, "10"),
+        (0.024, "24"),
+    ],
+)
+def test_a_length_is_shown_in_tenths_below_ten_millimetres_and_whole_above(metres, shown):
+    assert words.millimetres(metres) == shown
+
+
+@pytest.mark.parametrize(
+    ("metres", "thing"),
+    [
+        (0.00002, "less than a hair"),
+        (0.0001, "a hair"),
+        (0.001, "a pen line"),
+        (0.0078, "a pencil"),
+        (0.013, "a finger"),
+        (0.09, "a hand"),
+    ],
+)
+def test_a_length_is_compared_with_a_thing_of_that_size(metres, thing):
+    assert thing in words.as_wide_as(metres)
+
+
+@given(st.floats(0, 10), st.floats(0, 10))
+def test_a_longer_distance_is_never_compared_with_a_smaller_thing(a, b):
+    order = ["less than", "a hair is", "pen line", "pencil", "finger", "hand"]
+    rank = [next(i for i, word in enumerate(order) if word in words.as_wide_as(x)) for x in sorted((a, b))]
+    assert rank[0] <= rank[1]
+
+
+@given(st.floats(1e-6, 0.1), st.integers(1, 80), st.floats(0.2, 40))
+def test_every_fit_has_a_number_a_sentence_and_something_to_try(error, n, width):
+    message = words.fit_message(error, n, width)
+    assert message["number"]
+    assert message["strong"].endswith(".")
+    assert message["after"].strip().endswith(".")
+
+
+def test_a_moved_goal_is_judged_by_where_the_pen_stops():
+    message = words.goal_message(moved=0.07, miss=0.0031, error=0.0004, stroke=1)
+    assert message["number"] == "3.1"
+    assert "goal of stroke 2" in message["text"]
+    assert "7.0 cm" in message["text"]
+    assert "0.4 mm" in message["after"]
+
+
+def test_the_distance_of_a_letter_to_itself_moved_by_a_centimetre_is_a_centimetre():
+    stroke = Trajectory(np.linspace(0, 1, 9), np.random.default_rng(1).normal(size=(9, 2)))
+    moved = Trajectory(stroke.t, stroke.position + (0.006, 0.008))
+    assert words.rms_distance((stroke,), (moved,)) == pytest.approx(0.01)
+
+
+def test_the_largest_gap_names_the_stroke_and_the_place():
+    t = np.linspace(0, 1, 11)
+    straight = Trajectory(t, np.zeros((11, 2)))
+    bent = Trajectory(t, np.where(np.arange(11)[:, None] == 9, 0.01, 0.0) * np.ones(2))
+    assert words.largest_gap((straight, straight), (straight, bent)) == "most near the end of stroke 2"
+    assert words.largest_gap((straight,), (bent,)) == "most near its end"
