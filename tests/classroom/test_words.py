@@ -65,7 +65,7 @@ def test_a_moved_goal_is_judged_by_where_the_pen_stops():
 
 def test_the_distance_of_a_letter_to_itself_moved_by_a_centimetre_is_a_centimetre():
     stroke = Trajectory(np.linspace(0, 1, 9), np.random.default_rng(1).normal(size=(9, 2)))
-    moved = Trajectory(stroke.t, stroke.position + (0.006, 0.008))
+    moved = Trajectory(stroke.t, stroke.position + np.array([0.006, 0.008]))
     assert words.rms_distance((stroke,), (moved,)) == pytest.approx(0.01)
 
 
