@@ -36,6 +36,6 @@ def __getattr__(name: str) -> Any:
     return value
 
 
-def __dir__() -> list[str]:
+def __dir__() -> list:
     """The public names, for the Tab key."""
     return sorted(__all__)

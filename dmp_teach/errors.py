@@ -43,3 +43,7 @@ class JointError(TeachError, KeyError):
 
 class MissingPartError(TeachError, ImportError):
     """A library that this platform does not have; says what still works and how to get it."""
+
+
+class SetupError(TeachError, RuntimeError):
+    """This computer lacks what the launcher needs; says what to type."""
