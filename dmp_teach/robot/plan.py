@@ -1,0 +1,169 @@
+"""The pen's way: hover above the start, touch, write, lift, and over to the next stroke.
+
+The path of the ink is the letter's own. Only the clock changes: every stroke begins and ends at rest, because
+strokes that were cut at a lift start at up to half a metre a second, and no arm can do that.
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.interpolate import CubicSpline, PchipInterpolator
+
+from dmp_teach.trajectory import Array, Trajectory, locked
+
+RATE = 240
+"""Samples a second [Hz]."""
+
+HOVER = 0.025
+"""How high the nib waits and travels over the paper [m]."""
+
+RAMP = 0.2
+"""How long a stroke takes to get from rest to the speed of the recording, and back at its end [s]."""
+
+LIFT = 0.3
+"""How long the pen takes up to the hover, or down [s]."""
+
+LONGEST_LIFT = 1.5
+"""Longer pauses between strokes are shortened to this [s]."""
+
+_TRAVEL_SPEED = 0.3  # at most this fast over the paper [m/s]
+
+
+@dataclass(frozen=True, eq=False)
+class PenPlan:
+    """Where the nib is meant to be.
+
+    Args:
+        t: Times from 0, evenly spaced, shape (T,) [s].
+        position: On the page, and the height over it, shape (T, 3) [m].
+        pen_down: True exactly while the nib is on the letter, shape (T,).
+    """
+
+    t: Array
+    position: Array
+    pen_down: Array
+
+    def __post_init__(self) -> None:
+        """Lock the arrays."""
+        object.__setattr__(self, "t", locked(self.t))
+        object.__setattr__(self, "position", locked(self.position))
+        object.__setattr__(self, "pen_down", locked(self.pen_down, dtype=bool))
+
+    @property
+    def duration(self) -> float:
+        """From the first sample to the last [s]."""
+        return float(self.t[-1])
+
+
+def plan_pen(strokes: tuple[Trajectory, ...], stretch: float = 1.0) -> PenPlan:
+    """The pen's way over strokes that lie on the page.
+
+    A stroke takes its own duration and `RAMP` more. A lift takes as long as it did on the recording's clock,
+    but no less than the pen needs and no more than `LONGEST_LIFT`.
+
+    Args:
+        strokes: On the page, as `place` gives them [m].
+        stretch: Everything takes this many times as long; the path stays.
+
+    Returns:
+        The plan, sampled at `RATE`.
+    """
+    pieces = [_move([_above(strokes[0].position[0]), _on(strokes[0].position[0])], LIFT, stretch)[:-1]]
+    down = [False]
+    for number, stroke in enumerate(strokes):
+        if number:
+            pieces.append(_over(strokes[number - 1], stroke, stretch))
+            down.append(False)
+        pieces.append(_written(stroke, stretch))
+        down.append(True)
+    last = strokes[-1].position[-1]
+    pieces.append(_move([_on(last), _above(last)], LIFT, stretch)[1:])
+    down.append(False)
+    position = np.concatenate(pieces)
+    t = np.arange(len(position)) / RATE
+    return PenPlan(t, position, np.repeat(down, [len(piece) for piece in pieces]))
+
+
+def _written(stroke: Trajectory, stretch: float) -> Array:
+    """A stroke on the paper (n, 3), first and last sample at rest on its ends."""
+    curve = interpolated(stroke)
+    lasts, clock = from_rest_to_rest(stroke.duration)
+    times = np.linspace(0, lasts, _steps(lasts * stretch) + 1)
+    return _on(curve(np.clip(stroke.t[0] + clock(times), stroke.t[0], stroke.t[-1])))
+
+
+def interpolated(stroke: Trajectory) -> Callable[[Array], Array]:
+    """A smooth curve through every sample of a stroke.
+
+    A cubic spline (Fritsch and Carlson's monotone one where the times are so uneven that the cubic would swing
+    out between two samples by half a step or more).
+    """
+    cubic = CubicSpline(stroke.t, stroke.position)
+    swing = np.linalg.norm(
+        cubic((stroke.t[:-1] + stroke.t[1:]) / 2) - (stroke.position[:-1] + stroke.position[1:]) / 2, axis=1
+    )
+    step = np.linalg.norm(np.diff(stroke.position, axis=0), axis=1)
+    near = np.maximum(step, np.maximum(np.append(step[1:], 0), np.append(0, step[:-1])))
+    if (swing > near / 2 + 1e-6).any():
+        return PchipInterpolator(stroke.t, stroke.position)
+    return cubic
+
+
+def from_rest_to_rest(duration: float, ramp: float = RAMP) -> tuple[float, Callable[[Array], Array]]:
+    """A clock that starts and stops gently: its speed rises from 0 as 3 u^2 - 2 u^3, u = t / ramp, and falls so too.
+
+    Args:
+        duration: What the clock shows in the end [s].
+        ramp: How long the rise takes, and the fall [s].
+
+    Returns:
+        How long the clock runs (duration + ramp, at least 2 ramp), and what it shows at times (T,) [s].
+    """
+    speed = min(1.0, duration / ramp)
+    lasts = 2 * ramp + (duration - speed * ramp) / speed
+
+    def clock(t: Array) -> Array:
+        rise, fall = np.clip(t / ramp, 0, 1), np.clip((lasts - t) / ramp, 0, 1)
+        shown = _risen(rise) + np.clip(t / ramp - 1, 0, lasts / ramp - 2) + 0.5 - _risen(fall)
+        return speed * ramp * shown
+
+    return lasts, clock
+
+
+def _risen(u: Array) -> Array:
+    """The integral of 3 u^2 - 2 u^3."""
+    return u**3 - u**4 / 2
+
+
+def _over(before: Trajectory, after: Trajectory, stretch: float) -> Array:
+    """Lift, travel, touch between two strokes (n, 3), without the samples on the paper."""
+    start, end = before.position[-1], after.position[0]
+    travel = 1.875 * np.linalg.norm(end - start) / _TRAVEL_SPEED  # a minimum-jerk move peaks at 1.875 of its mean speed
+    needed = 2 * LIFT + travel
+    longer = np.clip(after.t[0] - before.t[-1], needed, max(needed, LONGEST_LIFT)) / needed * stretch
+    up = _move([_on(start), _above(start)], LIFT, longer)
+    over = _move([_above(start), _above(end)], travel, longer)
+    touch = _move([_above(end), _on(end)], LIFT, longer)
+    return np.concatenate([up[1:], over[1:], touch[1:-1]])
+
+
+def _move(ends: list[Array], duration: float, stretch: float) -> Array:
+    """A straight move from rest to rest with least jerk (Flash and Hogan 1985), shape (n, 3) with both ends."""
+    s = np.linspace(0, 1, _steps(duration * stretch) + 1)[:, None]
+    return ends[0] + (ends[1] - ends[0]) * (10 * s**3 - 15 * s**4 + 6 * s**5)
+
+
+def _steps(duration: float) -> int:
+    """How many samples a piece of the plan takes, at least one; it lasts no less than asked."""
+    return max(1, int(np.ceil(duration * RATE - 1e-6)))
+
+
+def _on(points: Array) -> Array:
+    """Points of the page (..., 2) on the paper (..., 3)."""
+    return np.concatenate([points, np.zeros((*points.shape[:-1], 1))], axis=-1)
+
+
+def _above(points: Array) -> Array:
+    """Points of the page (..., 2) at the hover height (..., 3)."""
+    return _on(points) + np.array([0, 0, HOVER])
