@@ -13,6 +13,9 @@ from pathlib import Path
 from xml.etree import ElementTree as ET
 
 from collisions import COLLISIONS
+from meshing import write_obj
+from shells_arm import arm_shells
+from shells_body import body_shells
 
 HERE = Path(__file__).resolve().parent
 PEN_TILT = math.pi / 4  # between the pen and the gripper's x [rad]
@@ -22,6 +25,7 @@ PRESSED = 0.004  # how much further out it rests than the fixed pen [m]
 NOTE = " Made by make_fetch.py from measured facts of the Fetch; do not edit. "
 NOT_DRIVEN = {"bellows_joint"}  # drawn, never moved
 
+SHELLS = body_shells() | arm_shells()
 PEN_LINKS = {  # name: mass [kg], middle along the pen [m], radius [m], length [m]
     "pen_holder_link": (0.015, 0.0, 0.008, 0.030),
     "pen_link": (0.012, 0.020, 0.005, 0.140),
@@ -80,16 +84,19 @@ def add_collisions(link: ET.Element) -> None:
         ET.SubElement(ET.SubElement(collision, "geometry"), kind, dict(zip(names, values, strict=True)))
 
 
-def add_visuals(link: ET.Element, row: dict[str, str]) -> None:
-    """The shell of a link."""
-    if not row.get("xmin"):
-        return
-    low, high = ([float(row[axis + end]) for axis in "xyz"] for end in ("min", "max"))
-    visual = ET.SubElement(link, "visual")
-    add_origin(visual, tuple((a + b) / 2 for a, b in zip(low, high, strict=True)))
-    ET.SubElement(
-        ET.SubElement(visual, "geometry"), "box", size=words(*(b - a for a, b in zip(low, high, strict=True)))
-    )
+def add_visuals(link: ET.Element) -> None:
+    """The pieces of a link's shell, each with its colour."""
+    for piece, (color, _) in SHELLS.get(link.get("name"), {}).items():
+        visual = ET.SubElement(link, "visual")
+        add_origin(visual)
+        ET.SubElement(ET.SubElement(visual, "geometry"), "mesh", filename=f"meshes/{file_of(link.get('name'), piece)}")
+        material = ET.SubElement(visual, "material", name="_".join(f"{round(255 * part):02x}" for part in color))
+        ET.SubElement(material, "color", rgba=words(*color, 1.0))
+
+
+def file_of(link: str, piece: str) -> str:
+    """The name of a piece's mesh."""
+    return f"{link.removesuffix('_link')}_{piece}.obj"
 
 
 def add_joint(robot: ET.Element, row: dict[str, str]) -> None:
@@ -130,14 +137,16 @@ def urdf(sprung: bool) -> str:
     for row in read("fetch_links.csv"):
         link = ET.SubElement(robot, "link", name=row["link"])
         add_inertial(link, *inertia_of(row))
-        add_visuals(link, row)
+        add_visuals(link)
         add_collisions(link)
     for name, (mass, middle, radius, length) in PEN_LINKS.items():
         link = ET.SubElement(robot, "link", name=name)
         add_inertial(link, mass, (0, 0, middle), box_inertia(mass, (2 * radius, 2 * radius, length)))
+        add_visuals(link)
         add_collisions(link)
     skirt = ET.SubElement(robot, "link", name="bellows_skirt_link")
     add_inertial(skirt, 0.1, (0.005, 0, 0.03), box_inertia(0.1, (0.06, 0.28, 0.12)))
+    add_visuals(skirt)
     for row in read("fetch_joints.csv") + extra_joints(sprung):
         add_joint(robot, row)
     ET.indent(robot)
@@ -149,7 +158,10 @@ def main() -> None:
     parser = argparse.ArgumentParser(description="Make fetch.urdf, fetch_sprung.urdf and meshes/.")
     parser.add_argument("--out", type=Path, default=HERE, help="the folder to write to (default: beside this script)")
     out = parser.parse_args().out
-    out.mkdir(parents=True, exist_ok=True)
+    (out / "meshes").mkdir(parents=True, exist_ok=True)
+    for link, pieces in SHELLS.items():
+        for piece, (_, mesh) in pieces.items():
+            write_obj(mesh, out / "meshes" / file_of(link, piece))
     for name, sprung in (("fetch", False), ("fetch_sprung", True)):
         (out / f"{name}.urdf").write_text(urdf(sprung), encoding="utf-8", newline="\n")
 
