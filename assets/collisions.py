@@ -57,6 +57,6 @@ COLLISIONS: dict[str, tuple] = {
     "l_gripper_finger_link": (("box", (0.06, 0.0143, 0.0263), (0.001, 0.00855, 0), ALONG_Z),),
     "estop_link": (("cylinder", (0.018, 0.04), (0, 0, 0.007), ALONG_Z),),
     "laser_link": (("cylinder", (0.035, 0.026), (-0.01, 0, 0.048), ALONG_Z),),
-    "pen_link": (("cylinder", (0.005, 0.135), (0, 0, 0.019), ALONG_Z),),
+    "pen_link": (("cylinder", (0.005, 0.115), (0, 0, 0.0255), ALONG_Z),),
     "pen_tip": (("sphere", (0.0015,), (0, 0, -0.0015), ALONG_Z),),
 }

@@ -1,9 +1,9 @@
 """Make the robot: `python3 assets/make_fetch.py` writes fetch.urdf, fetch_sprung.urdf and meshes/ beside itself.
 
-The facts (where joints are, what links weigh, how large their shells are) stand in `fetch_joints.csv`
-and `fetch_links.csv`, measured on the Fetch in metres, radians, kilograms and newtons. The shapes are our own,
-made in `shells_arm.py` and `shells_body.py` to fill those boxes. What this script adds to the real robot is a pen,
-its holder, and a skirt that the bellows slide over. Running it twice gives the same bytes.
+The facts (where joints are, what links weigh, how large their shells are) stand in `fetch_joints.csv` and
+`fetch_links.csv`, measured on the Fetch in metres, radians, kilograms and newtons. The shapes are our own and fill
+those boxes: `shells_base.py`, `shells_torso.py`, `shells_arm.py`. What we add to the real robot is a pen in a holder
+between the fingers, and a skirt that the bellows slide over. Running it twice gives the same bytes.
 """
 
 import argparse
@@ -15,7 +15,8 @@ from xml.etree import ElementTree as ET
 from collisions import COLLISIONS
 from meshing import write_obj
 from shells_arm import arm_shells
-from shells_body import body_shells
+from shells_base import base_shells
+from shells_torso import torso_shells
 
 HERE = Path(__file__).resolve().parent
 PEN_TILT = math.pi / 4  # between the pen and the gripper's x [rad]
@@ -25,10 +26,10 @@ PRESSED = 0.004  # how much further out it rests than the fixed pen [m]
 NOTE = " Made by make_fetch.py from measured facts of the Fetch; do not edit. "
 NOT_DRIVEN = {"bellows_joint"}  # drawn, never moved
 
-SHELLS = body_shells() | arm_shells()
+SHELLS = base_shells() | torso_shells() | arm_shells()
 PEN_LINKS = {  # name: mass [kg], middle along the pen [m], radius [m], length [m]
     "pen_holder_link": (0.015, 0.0, 0.008, 0.030),
-    "pen_link": (0.012, 0.020, 0.005, 0.140),
+    "pen_link": (0.012, 0.029, 0.005, 0.130),
     "pen_tip": (0.001, -0.0015, 0.0015, 0.003),
 }
 

@@ -95,7 +95,7 @@ def sections(rows: Iterable[tuple[float, ...]], around: int = 32) -> Mesh:
     """A loft along x: each row is x, the middle's y and z, the half width and half height, and a power."""
     rings = []
     for x, y, z, half_y, half_z, power in rows:
-        outline = superellipse(half_y, half_z, power, around) + (y, z)
+        outline = superellipse(half_y, half_z, power, around) + np.array([y, z])
         rings.append(np.column_stack([np.full(around, x), outline]))
     return loft(rings)
 

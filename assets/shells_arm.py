@@ -1,19 +1,12 @@
 """The arm's shells: drums that bend, tubes that turn, the gripper and the pen. All in the links' own frames [m]."""
 
 import numpy as np
+from look import BLACK, BLUE, DARK, GREY, WHITE, smooth
 from meshing import Mesh, extrude, lathe, rounded, sections
 
-BLUE, WHITE = (0.086, 0.506, 0.767), (0.96, 0.96, 0.96)
-GREY, DARK, BLACK = (0.356, 0.361, 0.376), (0.16, 0.165, 0.175), (0.05, 0.05, 0.055)
 RADIUS = 0.052  # of every tube of the arm
 SEAM = 0.0008  # half of the gap in the middle of a bending joint
 AROUND = 32
-
-
-def smooth(x: float) -> float:
-    """From 0 to 1 without corners."""
-    x = min(max(x, 0.0), 1.0)
-    return x * x * (3 - 2 * x)
 
 
 def drum(radius: float, out: float, inner: float) -> Mesh:
@@ -29,7 +22,7 @@ def neck(out: float, radius: float, start: float, end: float) -> list[tuple[floa
     """Sections from the heart of a drum (beside the seam, on +y) to a round tube on the axis."""
     rows = []
     inside, half = (SEAM + out - 0.010) / 2, (out - 0.010 - SEAM) / 2
-    for x in (0.0, *np.linspace(start, end, 7)):
+    for x in (0.0, *np.linspace(start, end, 6)):
         s = smooth((x - start) / (end - start))
         height = radius - 0.006 + s * (RADIUS - radius + 0.006)
         rows.append((x, (1 - s) * inside, 0.0, half + s * (RADIUS - half), height, 4.5 - 2.5 * s))
@@ -103,23 +96,19 @@ def finger() -> Mesh:
     return extrude(outline, profile).turned("xzy")
 
 
-def pen() -> dict[str, tuple[tuple[float, ...], Mesh]]:
-    """A pen that looks along its z, its nib where `pen_tip` is, 95 mm out: a barrel, a dark grip and nib, a cap."""
-    barrel = [(0.0, -0.046), (0.0030, -0.046), (0.0050, -0.043), (0.0050, 0.066), (0.0044, 0.068), (0.0, 0.068)]
-    nib = [
-        (0.0, 0.064),
-        (0.0040, 0.066),
-        (0.0040, 0.071),
-        (0.0017, 0.086),
-        (0.0008, 0.0935),
-        (0.0004, 0.095),
-        (0.0, 0.095),
-    ]
-    clip = [(0.0, -0.052), (0.0034, -0.052), (0.0040, -0.050), (0.0040, -0.044), (0.0, -0.044)]
-    return {"barrel": (BLUE, lathe(barrel, 16)), "nib": (DARK, lathe(nib, 16) + lathe(clip, 16))}
+def pen() -> dict:
+    """A pen that looks along its z; its nib ends at `pen_tip`, 95 mm out, which carries the last 2 mm."""
+    barrel = [(0.0, -0.031), (0.0030, -0.031), (0.0050, -0.028), (0.0050, 0.066), (0.0044, 0.068), (0.0, 0.068)]
+    nib = [(0.0, 0.064), (0.0040, 0.066), (0.0040, 0.071), (0.0017, 0.086), (0.0009, 0.0935), (0.0, 0.0935)]
+    cap = [(0.0, -0.036), (0.0034, -0.036), (0.0040, -0.034), (0.0040, -0.030), (0.0, -0.030)]
+    ball = [(0.0, -0.002), (0.0008, -0.002), (0.0007, -0.0006), (0.0004, -0.0001), (0.0, 0.0)]
+    return {
+        "pen_link": {"barrel": (BLUE, lathe(barrel, 16)), "nib": (DARK, lathe(nib, 16) + lathe(cap, 16))},
+        "pen_tip": {"ball": (BLACK, lathe(ball, 8))},
+    }
 
 
-def arm_shells() -> dict[str, dict[str, tuple[tuple[float, ...], Mesh]]]:
+def arm_shells() -> dict:
     """Link to name of the piece to its colour and its mesh."""
     sleeve = [(0.0, -0.015), (0.0068, -0.015), (0.008, -0.0138), (0.008, 0.0138), (0.0068, 0.015), (0.0, 0.015)]
     right = finger()
@@ -135,5 +124,4 @@ def arm_shells() -> dict[str, dict[str, tuple[tuple[float, ...], Mesh]]]:
         "r_gripper_finger_link": {"shell": (GREY, right)},
         "l_gripper_finger_link": {"shell": (GREY, right.mirrored("y"))},
         "pen_holder_link": {"shell": (BLACK, lathe(sleeve, 16))},
-        "pen_link": pen(),
-    }
+    } | pen()

@@ -14,6 +14,9 @@ from dmp_teach.errors import JointError, TrajectoryError
 from dmp_teach.paths import ASSETS
 from dmp_teach.trajectory import Array, locked
 
+GRIP = 0.0083  # where the fingers touch the pen's holder [m]
+REST = {"r_gripper_finger_joint": GRIP, "l_gripper_finger_joint": GRIP}  # joints that are not named; all others at 0
+
 
 @dataclass(frozen=True, eq=False)
 class Joint:
@@ -139,7 +142,8 @@ class Model:
 
         Args:
             q: Joint positions, shape (T, J), or (J,) for one moment [rad, m].
-            joint_names: J names, one a column of q. Joints that are not named stay at 0.
+            joint_names: J names, one a column of q. Of joints that are not named, the fingers hold the pen
+                (`REST`) and all others stay at 0.
 
         Returns:
             X_world_link for each link, each of shape (T, 4, 4) [m].
@@ -155,10 +159,11 @@ class Model:
             if name not in self.joint_names:
                 raise JointError(unknown("joint that moves", name, self.joint_names))
         columns = dict(zip(joint_names, q.T, strict=True))
-        at_rest = np.zeros(len(q))
+        still = {joint.name: np.full(len(q), REST.get(joint.name, 0.0)) for joint in self.joints}
+        columns = still | columns
         poses = {self.root: np.broadcast_to(np.eye(4), (len(q), 4, 4)).copy()}
         for joint in self.joints:
-            poses[joint.child] = poses[joint.parent] @ joint.pose(columns.get(joint.name, at_rest))
+            poses[joint.child] = poses[joint.parent] @ joint.pose(columns[joint.name])
         return poses
 
     def frame(self, name: str, q: ArrayLike, joint_names: Sequence[str]) -> Array:
