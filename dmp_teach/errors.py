@@ -47,3 +47,11 @@ class MissingPartError(TeachError, ImportError):
 
 class SetupError(TeachError, RuntimeError):
     """This computer lacks what the launcher needs; says what to type."""
+
+
+class ViewError(TeachError, TypeError):
+    """Something that cannot be shown; says what can."""
+
+
+class PathError(TeachError, OSError):
+    """A place that cannot be written; says why, and what was there before stays."""

@@ -1,0 +1,151 @@
+"""Where to look from: three cameras, found from the pose of the page and of the robot."""
+
+from dataclasses import asdict, dataclass
+
+import numpy as np
+
+from dmp_teach.errors import SettingError
+from dmp_teach.robot.page import Page
+from dmp_teach.trajectory import Array
+
+CAMERAS = ("whole robot", "over the shoulder", "page from above")
+"""Their names say what is seen; a view opens over the shoulder, because the letter can be read from there."""
+
+ASPECT = 1.5
+"""Width over height of the picture that the cameras are fitted to."""
+
+_FIELD_OF_VIEW = 34.0
+_SIDEWAYS = np.radians([0, 15, -15, 30, -30, 45, -45, 60, -60, 75, -75])
+_UPWARDS = np.radians([0, 10, -10, 20])
+_STEEPEST = np.radians(75)
+_HEAD = np.array([0.1, 0.0, 1.45])
+_ROOM = 1.5
+_CELLS = 24
+"""Half the width of the coarse picture in which the hidden part of a letter is counted."""
+
+
+@dataclass(frozen=True)
+class Camera:
+    """A place to look from, in the world.
+
+    Args:
+        eye: Where the camera is (3,) [m].
+        target: What is in the middle of the picture (3,) [m].
+        up: What points up in the picture (3,).
+        field_of_view: From the bottom to the top of the picture [degrees].
+    """
+
+    eye: tuple[float, float, float]
+    target: tuple[float, float, float]
+    up: tuple[float, float, float]
+    field_of_view: float = _FIELD_OF_VIEW
+
+    def as_dict(self) -> dict[str, object]:
+        """For JSON."""
+        return asdict(self)
+
+
+def known_camera(name: str) -> str:
+    """The name itself, in small letters.
+
+    Raises:
+        SettingError: No camera of that name; lists those that there are.
+    """
+    if str(name).lower() not in CAMERAS:
+        raise SettingError(f"camera is {name!r}, but must be one of: {', '.join(map(repr, CAMERAS))}.")
+    return str(name).lower()
+
+
+def cameras(page: Page, robot: Array, letter: Array) -> dict[str, Camera]:
+    """The three cameras for a page.
+
+    Args:
+        page: The sheet.
+        robot: Points all over the robot at a few moments, shape (M, P, 3) [m].
+        letter: Points of the letter in the world, shape (L, 3), L at least 1 [m].
+
+    Returns:
+        A `Camera` for each name in `CAMERAS`.
+    """
+    corners = page.to_world([(x * page.width / 2, y * page.height / 2) for x in (-1, 1) for y in (-1, 1)])
+    return {
+        "whole robot": _whole(np.vstack([robot.reshape(-1, 3), corners])),
+        "over the shoulder": _shoulder(page, robot, letter, corners),
+        "page from above": _above(page, corners),
+    }
+
+
+def _whole(points: Array) -> Camera:
+    """From the front and the right, so that all of the robot and the page is seen."""
+    middle = (points.min(axis=0) + points.max(axis=0)) / 2
+    return _fit(middle, _direction((1, 0, 0), (0, 0, 1), np.radians(-52), np.radians(17)), (0, 0, 1), points, 1.06)
+
+
+def _above(page: Page, corners: Array) -> Camera:
+    """Straight at the page, its up pointing up."""
+    return _fit(page.X_world_page[:3, 3], page.normal, page.X_world_page[:3, 1], corners, 1.15)
+
+
+def _shoulder(page: Page, robot: Array, letter: Array, corners: Array) -> Camera:
+    """From where the robot's eyes are: of many directions the one from which the arm hides least of the letter."""
+    centre = page.X_world_page[:3, 3]
+    ahead = _HEAD - centre
+    rise = np.arctan2(ahead[2], np.hypot(*ahead[:2]))
+    level = np.array([*ahead[:2], 0.0]) / (np.hypot(*ahead[:2]) or 1.0)
+    over = [moment[(moment - centre) @ page.normal > 0.005] for moment in robot]
+    best, least = None, np.inf
+    for side, more in ((side, more) for more in _UPWARDS for side in _SIDEWAYS):
+        direction = _direction(level, (0, 0, 1), side, min(rise + more, _STEEPEST))
+        camera = _fit(centre, direction, (0, 0, 1), corners, _ROOM)
+        hidden = max(_hidden(camera, moment, letter) for moment in over)
+        cost = hidden + 0.12 * abs(side) + 0.12 * abs(more) + max(0.0, 0.5 - direction @ page.normal)
+        if cost < least:
+            best, least = camera, cost
+    return best
+
+
+def _direction(ahead: Array, up: Array, side: float, rise: float) -> Array:
+    """A unit vector: `ahead` turned by `side` about `up`, then lifted by `rise` [rad]."""
+    ahead, up = np.asarray(ahead, float), np.asarray(up, float)
+    level = np.cos(side) * ahead + np.sin(side) * np.cross(up, ahead)
+    return np.cos(rise) * level + np.sin(rise) * up
+
+
+def _frame(eye: Array, target: Array, up: Array) -> Array:
+    """Rows: right, up and backwards of a camera, shape (3, 3)."""
+    back = (eye - target) / np.linalg.norm(eye - target)
+    right = np.cross(up, back)
+    right /= np.linalg.norm(right)
+    return np.array([right, np.cross(back, right), back])
+
+
+def _fit(target: Array, direction: Array, up: Array, points: Array, room: float) -> Camera:
+    """The nearest camera in a direction that has all points in its picture, with some room around them."""
+    target, direction, up = (np.asarray(v, float) for v in (target, direction, up))
+    R = _frame(target + direction, target, up)
+    right, high, near = R @ (points - target).T
+    slope = np.tan(np.radians(_FIELD_OF_VIEW / 2))
+    distance = np.max(near + room * np.maximum(np.abs(high), np.abs(right) / ASPECT) / slope)
+    return Camera(*(tuple(map(float, v)) for v in (target + distance * direction, target, up)))
+
+
+def _hidden(camera: Camera, robot: Array, letter: Array) -> float:
+    """Which part of the letter's points has a point of the robot in front of it, seen from the camera."""
+    if not len(robot):
+        return 0.0
+    eye = np.array(camera.eye)
+    R = _frame(eye, np.array(camera.target), np.array(camera.up))
+    covered = np.zeros((2 * _CELLS + 3, 2 * _CELLS + 3), bool)
+    column, row = _cells(robot, eye, R)
+    for right in (-1, 0, 1):
+        for high in (-1, 0, 1):
+            covered[column + right, row + high] = True
+    return float(covered[_cells(letter, eye, R)].mean())
+
+
+def _cells(points: Array, eye: Array, R: Array) -> tuple[Array, Array]:
+    """The cell of a coarse picture in which each point is seen; those outside are in the cells of its edge."""
+    right, high, back = R @ (points - eye).T
+    scale = _CELLS / (0.6 * np.maximum(-back, 0.05))
+    cells = (np.clip(np.rint(v * scale), -_CELLS, _CELLS).astype(int) + _CELLS + 1 for v in (right, high))
+    return tuple(cells)

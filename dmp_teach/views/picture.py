@@ -1,0 +1,67 @@
+"""The view as a PNG, for places that run no scripts."""
+
+import io
+
+import numpy as np
+
+from dmp_teach.errors import SettingError
+from dmp_teach.robot.physics import Mesh, picture
+from dmp_teach.trajectory import Array
+from dmp_teach.views.cameras import ASPECT, known_camera
+from dmp_teach.views.ribbon import TRIANGLES_PER_DOT, Ribbon
+from dmp_teach.views.stage import Stage
+
+INK_COLOR, PLAN_COLOR = (0.0, 0.447, 0.698, 1.0), (0.62, 0.64, 0.67, 1.0)
+_SIZES = (64, 4000)
+
+
+def png(stage: Stage, time: float | None, camera: str, width: int, height: int) -> bytes:
+    """The scene at a moment, as the bytes of a PNG file.
+
+    Args:
+        stage: What is to be seen.
+        time: The moment [s]; None for the end.
+        camera: "whole robot", "over the shoulder" or "page from above".
+        width: Of the picture [pixels].
+        height: Of the picture [pixels].
+
+    Raises:
+        SettingError: A time outside of the motion, a camera that there is not, a size that cannot be drawn.
+        MissingPartError: pybullet is not installed.
+    """
+    time = stage.duration if time is None else time
+    if not 0 <= time <= stage.duration:
+        raise SettingError(f"time is {time} s, but must be between 0 and {stage.duration:.3f} s, when the motion ends.")
+    for name, size in (("width", width), ("height", height)):
+        if not (isinstance(size, int | np.integer) and _SIZES[0] <= size <= _SIZES[1]):
+            raise SettingError(f"{name} is {size!r}, but must be a whole number of pixels from {_SIZES[0]} to {_SIZES[1]}.")
+    seen = stage.cameras[known_camera(camera)]
+    slope = np.tan(np.radians(seen.field_of_view / 2)) * max(1.0, ASPECT * height / width)
+    field = 2 * np.degrees(np.arctan(slope))
+    return _encoded(picture(_meshes(stage, time), seen.eye, seen.target, seen.up, field, width, height))
+
+
+def _meshes(stage: Stage, time: float) -> list[Mesh]:
+    """Everything in the world at a time [s], the ink as far as it is written."""
+    shapes = (*stage.robot(time), *stage.around)
+    meshes = [(shape.vertices, shape.normals, shape.faces, shape.color) for shape in shapes]
+    meshes.append(_flat(stage, stage.plan, PLAN_COLOR, len(stage.plan.faces)))
+    meshes.append(_flat(stage, stage.ink, INK_COLOR, stage.ink.triangles(time)))
+    return meshes
+
+
+def _flat(stage: Stage, line: Ribbon, color: tuple, triangles: int) -> Mesh:
+    """A ribbon on the page, its first triangles only."""
+    faces = line.faces[:triangles]
+    corners = line.vertices[: 12 * triangles // TRIANGLES_PER_DOT]
+    up = np.tile(stage.page.normal, (len(corners), 1))
+    return stage.page.to_world(corners), up, faces, color
+
+
+def _encoded(pixels: Array) -> bytes:
+    """As PNG."""
+    from PIL import Image  # noqa: PLC0415 (only pictures need it)
+
+    file = io.BytesIO()
+    Image.fromarray(pixels).save(file, format="PNG", optimize=True)
+    return file.getvalue()

@@ -1,0 +1,326 @@
+"""The robot at its page in three dimensions: live in a notebook, as one file, as a picture.
+
+Stock meshcat starts a web server that everybody in the room can reach. Here its Python API only records the
+commands, and its viewer script gets them in the browser over the kernel's own channel, or from the file itself.
+"""
+
+import gzip
+from functools import lru_cache
+from importlib import resources
+from pathlib import Path
+from typing import Any
+
+import anywidget
+import meshcat
+import numpy as np
+import traitlets
+import umsgpack
+from meshcat.animation import Animation, AnimationClip
+
+from dmp_teach.errors import ViewError
+from dmp_teach.robot.model import Joint
+from dmp_teach.robot.motion import Motion
+from dmp_teach.trajectory import Array
+from dmp_teach.views.cameras import CAMERAS, known_camera
+from dmp_teach.views.packing import PackedMesh, Track, bundle, quaternions
+from dmp_teach.views.files import write_whole
+from dmp_teach.views.page_file import page, read_beside
+from dmp_teach.views.picture import png
+from dmp_teach.views.ribbon import Ribbon
+from dmp_teach.views.shapes import Shape, floor
+from dmp_teach.views.stage import Stage, robot_model
+
+INK, PLAN = 0x0072B2, 0x9AA1A9
+_SCRIPT = read_beside("scene_3d.js") + read_beside("scene.js")
+_STYLE = read_beside("scene.css")
+
+
+class Recorder:
+    """A window for meshcat that opens nothing: it keeps the packed commands."""
+
+    def __init__(self) -> None:
+        self.commands: list[bytes] = []
+
+    def send(self, command: Any) -> None:
+        """Keep one command, as the viewer in the browser wants it."""
+        self.commands.append(umsgpack.packb(command.lower(), force_float_precision="single"))
+
+
+class _Mesh(meshcat.geometry.Geometry):
+    """A mesh in few bytes, with the normals that make it smooth."""
+
+    def __init__(self, name: str, vertices: Array, normals: Array | None, faces: Array) -> None:
+        self.uuid = name  # meshcat would take the machine's address and the time
+        self.mesh = PackedMesh(vertices, normals, faces)
+
+    def intrinsic_transform(self) -> Array:
+        """Transposed: three.js reads columns where meshcat writes rows."""
+        return self.mesh.X.T
+
+    def lower(self, object_data: dict) -> dict:
+        """As three.js reads it."""
+        return self.mesh.lower(self.uuid)
+
+
+class _Shadow(meshcat.geometry.GenericMaterial):
+    """Shows nothing but the shadows that fall on it."""
+
+    _type = "ShadowMaterial"
+
+
+def robot_commands() -> tuple[bytes, ...]:
+    """The robot's shell, the floor and the lights: the same for every motion."""
+    recorder = Recorder()
+    viewer = meshcat.Visualizer(window=recorder)
+    _light(viewer)
+    model, paths = robot_model(), link_paths()
+    for joint in model.joints:
+        viewer[paths[joint.child]].set_transform(joint.pose(np.zeros(1))[0])
+    for number, piece in enumerate(model.visuals):
+        X = piece.X_link_visual
+        vertices, normals = piece.vertices @ X[:3, :3].T + X[:3, 3], piece.normals @ X[:3, :3].T
+        shape = Shape(f"piece{number}", vertices, normals, piece.faces, tuple(piece.color))
+        _put(viewer[paths[piece.link]], shape)
+    ground = floor()
+    _put(viewer, ground, _Shadow(color=0x000000, opacity=ground.color[3], transparent=True))
+    return tuple(recorder.commands)
+
+
+def run_commands(stage: Stage) -> tuple[bytes, ...]:
+    """The page and what carries it, the letter, where the robot stands, and last one animation of all."""
+    recorder = Recorder()
+    viewer = meshcat.Visualizer(window=recorder)
+    viewer["around"].delete()
+    for shape in stage.around:
+        _put(viewer["around"], shape)
+    _put_ribbon(viewer["plan"], "plan", stage.plan, stage, PLAN)
+    _put_ribbon(viewer["ink"], "ink", stage.ink, stage, INK)
+    model, paths = robot_model(), link_paths()
+    times, q = stage.keys
+    clips = {}
+    for name, column in zip(stage.joint_names, q.T, strict=True):
+        joint = model.joint(name)
+        node = viewer[paths[joint.child]]
+        node.set_transform(joint.pose(column[:1])[0])
+        if np.ptp(column) > 0:
+            clips[node.path] = _clip(_joint_track(joint, times, column))
+    if len(stage.ink.t):
+        clips[viewer["ink/<object>"].path] = _clip(_ink_track(stage.ink))
+    viewer.set_animation(Animation(clips), play=False)
+    return tuple(recorder.commands)
+
+
+@lru_cache(maxsize=1)
+def link_paths() -> dict[str, str]:
+    """Where each link stands in the viewer's tree: under the link that carries it."""
+    model = robot_model()
+    paths = {model.root: f"robot/{model.root}"}
+    for joint in model.joints:
+        paths[joint.child] = f"{paths[joint.parent]}/{joint.child}"
+    return paths
+
+
+def _light(viewer: meshcat.Visualizer) -> None:
+    """A lamp high on the left that throws soft shadows, light from all sides, no grid and no axes."""
+    for path, key, value in (
+        ("/Grid", "visible", False),
+        ("/Axes", "visible", False),
+        ("/Lights/SpotLight", "visible", True),
+        ("/Lights/SpotLight/<object>", "position", [1.2, 2.2, 3.6]),
+        ("/Lights/SpotLight/<object>", "intensity", 0.55),
+        ("/Lights/SpotLight/<object>", "castShadow", True),
+        ("/Lights/PointLightNegativeX/<object>", "intensity", 0.12),
+        ("/Lights/PointLightPositiveX/<object>", "intensity", 0.18),
+        ("/Lights/AmbientLight/<object>", "intensity", 0.52),
+        ("/Lights/FillLight/<object>", "intensity", 0.22),
+    ):
+        viewer[path].set_property(key, value)
+
+
+def _put(parent: meshcat.Visualizer, shape: Shape, material: Any = None) -> None:
+    """A mesh of one colour under a node."""
+    red, green, blue = (round(255 * part) for part in shape.color[:3])
+    if material is None:
+        color = (red << 16) + (green << 8) + blue
+        material = meshcat.geometry.MeshPhongMaterial(color=color, shininess=30, specular=0x1C1C1C)
+    _set(parent[shape.name], _Mesh(shape.name, shape.vertices, shape.normals, shape.faces), material)
+
+
+def _put_ribbon(node: meshcat.Visualizer, name: str, ribbon: Ribbon, stage: Stage, color: int) -> None:
+    """A ribbon on the page, in a colour that no lamp changes."""
+    _set(node, _Mesh(name, ribbon.vertices, None, ribbon.faces), meshcat.geometry.MeshBasicMaterial(color=color))
+    node.set_transform(stage.page.X_world_page)
+
+
+def _set(node: meshcat.Visualizer, mesh: _Mesh, material: Any) -> None:
+    """Put a mesh at a node, named by what it is and not by the machine's address."""
+    material.uuid = f"{mesh.uuid} material"
+    piece = meshcat.geometry.Mesh(mesh, material)
+    piece.uuid = f"{mesh.uuid} object"
+    node.set_object(piece)
+
+
+def _clip(track: Track) -> AnimationClip:
+    """A clip of one track, its times in seconds."""
+    return AnimationClip(tracks={track.name: track}, fps=1)
+
+
+def _joint_track(joint: Joint, times: Array, positions: Array) -> Track:
+    """How one joint moves its link."""
+    poses = joint.pose(positions)
+    if joint.type == "prismatic":
+        return Track("position", "vector3", times, poses[:, :3, 3])
+    return Track("quaternion", "quaternion", times, quaternions(poses[:, :3, :3]))
+
+
+def _ink_track(ink: Ribbon) -> Track:
+    """How many corners of triangles are drawn: up to the dot that the pen has reached."""
+    times = np.unique(np.append(0.0, ink.t))
+    counts = np.array([3 * ink.triangles(t) for t in times])
+    return Track("drawRange[count]", "number", times, counts, stepped=True)
+
+
+@lru_cache(maxsize=1)
+def _robot_bundle() -> bytes:
+    """The robot for the browser."""
+    return bundle(robot_commands())
+
+
+@lru_cache(maxsize=1)
+def _viewer_script() -> bytes:
+    """Meshcat's own viewer, as it is installed, compressed."""
+    script = resources.files("meshcat").joinpath("viewer/dist/main.min.js").read_bytes()
+    return gzip.compress(script, 9, mtime=0)
+
+
+def _as_bytes() -> traitlets.Bytes:
+    """Bytes for the browser; from it they come as a memoryview, which traitlets would refuse."""
+    return traitlets.Bytes().tag(sync=True, from_json=lambda value, widget: bytes(value))
+
+
+class SceneView(anywidget.AnyWidget):
+    """The live view of a motion, in a cell of its own or inside another widget.
+
+    Args:
+        motion: What the robot does; without one it waits at an empty page.
+        compact: Without a frame and with one row of controls, to stand inside a panel.
+
+    Raises:
+        ViewError: Something that is not a motion.
+    """
+
+    _esm = _SCRIPT
+    _css = _STYLE
+
+    viewer = _as_bytes()
+    robot = _as_bytes()
+    run = _as_bytes()
+    facts = traitlets.Dict().tag(sync=True)
+    motion_id = traitlets.Unicode().tag(sync=True)
+    time = traitlets.Float(0.0).tag(sync=True)
+    playing = traitlets.Bool(False).tag(sync=True)
+    speed = traitlets.Float(1.0).tag(sync=True)
+    camera = traitlets.Enum(CAMERAS, default_value="over the shoulder").tag(sync=True)
+    compact = traitlets.Bool(False).tag(sync=True)
+
+    def __init__(self, motion: Motion | None = None, **traits: Any) -> None:
+        self._count = 0
+        start = _traits(_stage(motion))
+        super().__init__(viewer=_viewer_script(), robot=_robot_bundle(), motion_id="0", **start, **traits)
+        self._motion = motion
+
+    @property
+    def motion(self) -> Motion | None:
+        """What the robot does in this view."""
+        return self._motion
+
+    def show(self, motion: Motion | None, play: bool = True) -> None:
+        """Another motion in the same view; the camera stays where it is.
+
+        Args:
+            motion: What the robot does now; None lets it wait at an empty page.
+            play: Whether it starts at once. Where people ask for less movement it shows the written letter instead.
+
+        Raises:
+            ViewError: Something that is not a motion.
+        """
+        start = _traits(_stage(motion), play)
+        self._motion, self._count = motion, self._count + 1
+        with self.hold_sync():
+            self.set_trait("playing", False)
+            for name, value in start.items():
+                self.set_trait(name, value)
+            self.motion_id = str(self._count)
+
+    def html(self, path: str | Path) -> Path:
+        """Write the view as one file that opens from disk, without network or kernel; at most 0.8 MB.
+
+        Args:
+            path: Where to, ending with .html; its folder must exist.
+
+        Returns:
+            The path.
+
+        Raises:
+            PathError: A path that cannot be written; what was there before stays.
+        """
+        parts = {"viewer": self.viewer, "robot": self.robot, "run": self.run}
+        state = {"facts": self.facts, "time": 0.0, "playing": True, "speed": 1.0, "camera": self.camera}
+        text = page("A robot writes a letter", _STYLE, _SCRIPT, state | {"compact": False, "motion_id": "0"}, parts)
+        return write_whole(path, text, ".html")
+
+    def png(
+        self,
+        path: str | Path,
+        time: float | None = None,
+        camera: str = "over the shoulder",
+        width: int = 900,
+        height: int = 600,
+    ) -> Path:
+        """Write a picture of one moment, drawn without a browser.
+
+        Args:
+            path: Where to, ending with .png; its folder must exist.
+            time: The moment [s]; None for the end.
+            camera: "whole robot", "over the shoulder" or "page from above".
+            width: Of the picture [pixels].
+            height: Of the picture [pixels].
+
+        Returns:
+            The path.
+
+        Raises:
+            SettingError: A time, camera or size that cannot be drawn.
+            PathError: A path that cannot be written.
+            MissingPartError: pybullet is not installed.
+        """
+        return write_whole(path, png(_stage(self._motion), time, camera, width, height), ".png")
+
+
+def view(motion: Motion) -> SceneView:
+    """Show a motion: live in a notebook; `.html(path)` and `.png(path)` write it to a file.
+
+    Raises:
+        ViewError: Something that is not a motion.
+    """
+    if motion is None:
+        raise ViewError(_not_a_motion(motion))
+    return SceneView(motion)
+
+
+def _stage(motion: Any) -> Stage:
+    """What is to be seen of a motion."""
+    if motion is not None and not isinstance(motion, Motion):
+        raise ViewError(_not_a_motion(motion))
+    return Stage(motion)
+
+
+def _not_a_motion(value: Any) -> str:
+    """What can be shown, and how to get it."""
+    return f"A {type(value).__name__} cannot be shown here; a Motion can: Fetch().write(strokes, Page.table()) gives one."
+
+
+def _traits(stage: Stage, play: bool = True) -> dict[str, Any]:
+    """The traits of a view that change with the motion."""
+    playing = play and stage.duration > 0
+    return {"run": bundle(run_commands(stage)), "facts": stage.facts(), "time": 0.0, "playing": playing}
