@@ -1,0 +1,80 @@
+"""A demonstration made ready for learning: even times, no trembling, enough samples for the spring."""
+
+import math
+
+import numpy as np
+from scipy.interpolate import Akima1DInterpolator
+from scipy.signal import lfilter
+
+from dmp_teach.trajectory import Array, Trajectory
+
+EVEN = 0.01  # times are even if none is off by more than this part of a step
+LEAST_RATE, LEAST_SAMPLES = 25.0, 20  # smoothing cannot work below these
+
+
+def prepared(trajectory: Trajectory, cutoff: float | None, least_steps: float) -> tuple[Array, tuple[str, ...]]:
+    """The path at even times.
+
+    Args:
+        trajectory: What was shown.
+        cutoff: Where smoothing begins [Hz], or None.
+        least_steps: How many steps the path must have at least.
+
+    Returns:
+        Positions, shape (M + 1, D) with M a multiple of the demonstration's own steps, and notes on
+        what was done or could not be done. First and last sample are the demonstrated ones.
+    """
+    path, steps, notes = trajectory.position, len(trajectory) - 1, []
+    rate = steps / trajectory.duration
+    if not has_even_times(trajectory.t):
+        path = _between(trajectory.t - trajectory.t[0], path, steps)
+        least_steps = max(least_steps, 4 * steps)
+        notes.append(f"Times were uneven: resampled at {rate:.4g} samples a second.")
+    if cutoff is not None:
+        if rate < max(LEAST_RATE, 2.2 * cutoff) or len(path) < LEAST_SAMPLES:
+            need = f"{LEAST_SAMPLES} samples and {max(LEAST_RATE, 2.2 * cutoff):g} a second are needed"
+            notes.append(f"Not smoothed: {len(path)} samples, {rate:.4g} a second; {need}.")
+        else:
+            path = smoothed(path, cutoff / rate)
+    if steps < least_steps:
+        path = _between(np.arange(steps + 1.0), path, steps * math.ceil(least_steps / steps))
+    return path, tuple(notes)
+
+
+def has_even_times(t: Array) -> bool:
+    """Whether every sample is where an even clock would have taken it, to a hundredth of a step."""
+    steps = len(t) - 1
+    step = (t[-1] - t[0]) / steps
+    return bool(np.abs(t - t[0] - step * np.arange(steps + 1)).max() <= EVEN * step)
+
+
+def smoothed(path: Array, cutoff: float) -> Array:
+    """`path` (T, D) without what is faster than `cutoff` [cycles a sample], moved neither in time nor at its ends.
+
+    A Butterworth filter of second order, run forwards and backwards over the path and its odd extension
+    (turned half around each end), so that the ends stay. Its coefficients by the bilinear transform:
+    with k = tan(pi cutoff) and q = 1 / (1 + sqrt(2) k + k^2),
+
+        b = k^2 q [1, 2, 1],   a = [1, 2 (k^2 - 1) q, (1 - sqrt(2) k + k^2) q]
+    """
+    k = math.tan(math.pi * cutoff)
+    q = 1 / (1 + math.sqrt(2) * k + k * k)
+    b = np.array([k * k * q, 2 * k * k * q, k * k * q])
+    a = np.array([1.0, 2 * (k * k - 1) * q, (1 - math.sqrt(2) * k + k * k) * q])
+    settled = np.array([[1 - b[0]], [b[2] - a[2]]])  # the filter's memory after a long constant 1
+    pad = min(len(path) - 1, math.ceil(3 / cutoff))
+    x = np.concatenate([2 * path[0] - path[pad:0:-1], path, 2 * path[-1] - path[-2 : -pad - 2 : -1]])
+    for _ in range(2):
+        x, _ = lfilter(b, a, x, axis=0, zi=settled * x[0])
+        x = x[::-1]
+    x = x[pad:-pad]
+    along = np.linspace(0, 1, len(x))[:, None]
+    return x + (path[0] - x[0]) * (1 - along) + (path[-1] - x[-1]) * along
+
+
+def _between(t: Array, path: Array, steps: int) -> Array:
+    """`path` at `steps` + 1 even times, by Akima's curve, which does not swing out beside a crooked sample."""
+    curve = Akima1DInterpolator(t, path, method="makima")
+    even = curve(np.linspace(t[0], t[-1], steps + 1))
+    even[0], even[-1] = path[0], path[-1]
+    return even

@@ -1,0 +1,121 @@
+"""A letter: strokes learned from a person, written again with other starts and goals."""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any, Self
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from dmp_teach.dmp.primitive import DMP
+from dmp_teach.dmp.settings import Settings
+from dmp_teach.errors import LetterError
+from dmp_teach.trajectory import Trajectory
+
+
+@dataclass(frozen=True, eq=False)
+class Letter:
+    """A letter as one primitive for each stroke.
+
+    Args:
+        strokes: The demonstration, on the clock of its recording.
+        primitives: One for each stroke, in the same order.
+    """
+
+    strokes: tuple[Trajectory, ...]
+    primitives: tuple[DMP, ...]
+
+    @classmethod
+    def learn(cls, recording: Any, settings: Settings | None = None) -> Self:
+        """Learn a letter.
+
+        Args:
+            recording: A `Recording`, or strokes as trajectories, in the order in which they were written.
+            settings: `Settings.star()` unless given; the same for every stroke.
+
+        Raises:
+            LetterError: There is no stroke in it, or a stroke begins before the one before it has ended.
+        """
+        strokes = _strokes_of(recording)
+        return cls(strokes, tuple(DMP.imitate(stroke, settings) for stroke in strokes))
+
+    def write(
+        self,
+        goals: Mapping[int, ArrayLike] | None = None,
+        starts: Mapping[int, ArrayLike] | None = None,
+        goal_shifts: Mapping[int, ArrayLike] | None = None,
+        duration: float | None = None,
+    ) -> tuple[Trajectory, ...]:
+        """Write the letter, one trajectory for each stroke, all on the recording's clock.
+
+        Args:
+            goals: Where strokes end, absolute, by the number of the stroke, counted from 0 [m].
+            starts: Where strokes begin, absolute [m].
+            goal_shifts: How far the ends of strokes move [m].
+            duration: How long the whole letter takes, with its lifts [s]; its clock is stretched evenly.
+
+        Raises:
+            LetterError: No stroke of that number, a goal and a shift for one stroke, or a duration that is
+                not a time.
+            TrajectoryError: A start or goal that is not a point of the stroke.
+        """
+        goals, starts, goal_shifts = dict(goals or {}), dict(starts or {}), dict(goal_shifts or {})
+        for name, of in (("goals", goals), ("starts", starts), ("goal_shifts", goal_shifts)):
+            self._check_numbers(name, of)
+        for number in goals.keys() & goal_shifts.keys():
+            raise LetterError(f"Stroke {number} has a goal and a goal shift; give one of them.")
+        for number, shift in goal_shifts.items():
+            goals[number] = self._shifted(number, shift)
+        drawn = [p.rollout(starts.get(i), goals.get(i)) for i, p in enumerate(self.primitives)]
+        return tuple(drawn) if duration is None else self._stretched(drawn, duration)
+
+    @property
+    def duration(self) -> float:
+        """From the first sample of the first stroke to the last of the last, lifts included [s]."""
+        return float(self.strokes[-1].t[-1] - self.strokes[0].t[0])
+
+    def _stretched(self, drawn: list[Trajectory], duration: float) -> tuple[Trajectory, ...]:
+        """The same on a clock that runs evenly slower or faster, from the same beginning."""
+        try:
+            factor = float(duration) / self.duration
+        except (TypeError, ValueError):
+            factor = np.nan
+        if not (np.isfinite(factor) and factor > 0):
+            raise LetterError(f"duration is {duration!r}, but it must be a time longer than 0 s.")
+        begin = drawn[0].t[0]
+        return tuple(Trajectory(begin + (stroke.t - begin) * factor, stroke.position) for stroke in drawn)
+
+    def _check_numbers(self, name: str, of: Mapping[int, ArrayLike]) -> None:
+        for number in of:
+            if number not in range(len(self.strokes)):
+                have = ", ".join(map(str, range(len(self.strokes))))
+                raise LetterError(f"{name} names stroke {number!r}, but this letter has stroke {have}.")
+
+    def _shifted(self, number: int, shift: ArrayLike) -> np.ndarray:
+        goal = self.primitives[number].goal
+        try:
+            return goal + np.broadcast_to(np.asarray(shift, dtype=float), goal.shape)
+        except (TypeError, ValueError):
+            raise LetterError(
+                f"The goal shift of stroke {number} is {shift!r}, but it must be {len(goal)} numbers [m]."
+            ) from None
+
+
+def _strokes_of(recording: Any) -> tuple[Trajectory, ...]:
+    """The strokes of whatever was given."""
+    if isinstance(recording, Trajectory):
+        return (recording,)
+    given = recording.strokes() if callable(getattr(recording, "strokes", None)) else recording
+    strokes = tuple(given) if isinstance(given, Iterable) else (given,)
+    wrong = [each for each in strokes if not isinstance(each, Trajectory)]
+    if wrong or not strokes:
+        what = f"a {type(wrong[0]).__name__}" if wrong else "nothing"
+        raise LetterError(f"A letter is learned from a recording or from strokes (Trajectory), but got {what}.")
+    for number, (before, after) in enumerate(pairwise(strokes), start=1):
+        if after.t[0] < before.t[-1]:
+            raise LetterError(
+                f"Stroke {number} begins at {after.t[0]} s, before stroke {number - 1} ends at {before.t[-1]} s; "
+                "put strokes in the order in which they were written, on one clock."
+            )
+    return strokes
