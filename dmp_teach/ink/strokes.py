@@ -1,8 +1,182 @@
-"""Where the pen touched the paper, told from its height alone."""
+"""Where the pen touched the paper, told from its height and its speed.
 
+No fixed height tells a lift from writing: the marker rides on a finger, 16 to 85 mm over the paper, and wanders.
+So a lift is measured from its own foot. In order:
+
+1. height low-passed at 12 Hz, path at 10 Hz, on an even clock;
+2. a lift begins where the height rises faster than `theta`, walked back to the foot of that rise, and counts if it
+   gets `sigma` above that foot; it lasts until the height is back near the foot and falls no more;
+3. between lifts the pen is on the paper; each such span is cut to the part where it moves, after the last fall of
+   the landing (people hover and pause while they land), and a span that never moves like writing is dropped.
+"""
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.signal import butter, filtfilt
+
+from dmp_teach.errors import RecordingError, SettingError
 from dmp_teach.trajectory import Array
+
+CREEP = 0.015  # slower than this the height stands still [m/s]
+NEAR = 0.005  # a landed pen is this near to the foot of its lift, or nearer than a quarter of the lift [m]
+SKIN = 0.0007  # a foot is walked up again while the pen is less than this above it [m]
+IDLE = 0.02  # slower than this a pen of ordinary speed rests [m/s]
+AFLOAT = 0.006  # a span begins and ends no higher than this over its own middle [m]
+STEP = 0.0005  # a hand that sinks or rises by more than this beside its writing is still landing, or leaves [m]
+BRISK = 0.2  # writing is faster than this share of the letter's pace
+TAP = (0.05, 1.5)  # a pen that is down this long between two lifts, and hardly moves, made a dot [s]
+TWITCH = 0.01  # a move at either end that is shorter than this share of the stroke is no writing
+SWING = 0.05  # the same for one that runs into the lift: a hand takes a swing after a rest
+STEEP = 0.25  # nor is one that goes up or down by more than this share of its length
+
+
+@dataclass(frozen=True)
+class _Motion:
+    """The recording on an even clock: height, its rate, speed over the page, each of shape (K,)."""
+
+    dt: float
+    z: Array
+    rise: Array
+    speed: Array
+    path: Array
 
 
 def find_strokes(t: Array, position: Array, theta: float = 0.10, sigma: float = 0.006) -> tuple[tuple[int, int], ...]:
-    """Strokes as runs of samples `start:end`; to come."""
-    raise NotImplementedError("strokes from the height are not built yet")
+    """The strokes of a recording, in the order in which they were written.
+
+    Args:
+        t: Times, strictly increasing, shape (T,) [s].
+        position: The pen in its page's frame, z out of the page, shape (T, 3) [m].
+        theta: A lift rises faster than this somewhere [m/s].
+        sigma: A lift gets this far above its own foot [m].
+
+    Returns:
+        Pairs (start, end): a stroke is the samples `start:end`, at least 2 of them.
+
+    Raises:
+        SettingError: theta or sigma is not a positive number.
+        RecordingError: Nothing was written.
+    """
+    for name, value, unit in (("theta", theta, "m/s"), ("sigma", sigma, "m")):
+        if not (np.isfinite(value) and value > 0):
+            raise SettingError(f"{name} is {value}, but it must be a positive number [{unit}].")
+    motion, clock = _evenly(t, position)
+    spans = _written(motion, _touching(motion, theta, sigma))
+    edges = [(int(np.searchsorted(t, clock[a])), int(np.searchsorted(t, clock[b - 1], side="right"))) for a, b in spans]
+    strokes = tuple((a, b) for a, b in edges if b - a >= 2)
+    if not strokes:
+        raise RecordingError("There is no writing here: the pen never moves along the page while it is down.")
+    return strokes
+
+
+def smoothed(values: Array, dt: float, cutoff: float) -> Array:
+    """`values` (K, ...) without what is faster than `cutoff` [Hz], not delayed."""
+    if len(values) < 12:
+        return values
+    b, a = butter(2, min(cutoff * 2 * dt, 0.8))
+    return filtfilt(b, a, values, axis=0, padlen=min(9, len(values) - 1))
+
+
+def _evenly(t: Array, position: Array) -> tuple[_Motion, Array]:
+    """The motion on an even clock (K,), whatever the jitter of the recording's own."""
+    dt = float(np.median(np.diff(t)))
+    clock = np.linspace(t[0], t[-1], max(2, round((t[-1] - t[0]) / dt) + 1))
+    dt = float(clock[1] - clock[0])
+    even = np.column_stack([np.interp(clock, t, axis) for axis in position.T])
+    z, path = smoothed(even[:, 2], dt, 12.0), smoothed(even[:, :2], dt, 10.0)
+    speed = np.linalg.norm(np.gradient(path, dt, axis=0), axis=1)
+    return _Motion(dt, z, np.gradient(z, dt), speed, path), clock
+
+
+def _touching(motion: _Motion, theta: float, sigma: float) -> list[tuple[int, int]]:
+    """Spans between lifts, cut at the feet: the pen is on the paper, resting or writing."""
+    spans, landed, n = [], 0, len(motion.z)
+    for start, end in runs(motion.rise > theta):
+        if start < landed:
+            continue
+        foot = _foot(motion, start, landed)
+        peak, landing = _landing(motion, foot, end)
+        if motion.z[peak] - motion.z[foot] > sigma:
+            spans.append((landed, foot + 1))
+            landed = landing
+    return [*spans, (landed, n)] if landed < n else spans
+
+
+def _foot(motion: _Motion, start: int, earliest: int) -> int:
+    """The last sample on the paper before the rise that is fast at `start`."""
+    foot = start
+    while foot > earliest and motion.rise[foot] > CREEP:
+        foot -= 1
+    skin = motion.z[foot] + SKIN
+    while foot < start and motion.z[foot + 1] < skin:
+        foot += 1
+    return foot
+
+
+def _landing(motion: _Motion, foot: int, risen: int) -> tuple[int, int]:
+    """The highest sample of a lift, and the first on the paper after it (the end, if it flies away)."""
+    z, peak = motion.z, foot
+    for k in range(foot, len(z)):
+        peak = k if z[k] > z[peak] else peak
+        near = z[foot] + max(NEAR, 0.25 * (z[peak] - z[foot]))
+        if k > max(peak, risen) and z[k] < near and motion.rise[k] > -CREEP:
+            return peak, k
+    return peak, len(z)
+
+
+def _written(motion: _Motion, spans: list[tuple[int, int]]) -> list[tuple[int, int]]:
+    """Each span cut to its writing; spans that hold none are dropped, by speed and never by length."""
+    landed = [_landed(motion, a, b) for a, b in spans]
+    pace = max((_pace(motion.speed[a:b]) for a, b in landed), default=0.0)
+    kept = []
+    for (a, b), (_, lift) in zip(landed, spans, strict=True):
+        if pace > 0 and _pace(motion.speed[a:b]) > BRISK * pace:
+            kept.append(_cropped(motion, a, b))
+        elif kept and lift < len(motion.z) and TAP[0] < (b - a) * motion.dt < TAP[1]:
+            kept.append((a, b))
+    return kept
+
+
+def _pace(speed: Array) -> float:
+    """The speed at which most of the way is made [m/s]: rests, however long, do not count."""
+    way = float(speed.sum())
+    return float(speed @ speed) / way if way > 0 else 0.0
+
+
+def _landed(motion: _Motion, a: int, b: int) -> tuple[int, int]:
+    """The span without what is left of its landing and of a flight at the end.
+
+    A hand that hovers, or pauses while it lands, sinks once more before it writes.
+    """
+    z, rise = motion.z, motion.rise
+    pace = _pace(motion.speed[a:b])
+    low = np.flatnonzero(z[a:b] <= np.median(z[a:b]) + AFLOAT) + a
+    first, last = int(low[0]), int(low[-1])
+    brisk = np.flatnonzero(motion.speed[first : last + 1] > 0.5 * pace) + first
+    if not len(brisk):
+        return first, last + 1
+    for k, end in runs(rise[a:b] < -CREEP):
+        if k + a <= max(brisk[0], first) and z[a + k] - z[a + end - 1] > STEP:
+            first = max(first, a + end)
+    for k, end in runs(rise[a:b] > CREEP):
+        if a + end >= min(brisk[-1], last) and z[a + end - 1] - z[a + k] > STEP:
+            last = min(last, a + k)
+    return first, last + 1
+
+
+def _cropped(motion: _Motion, a: int, b: int) -> tuple[int, int]:
+    """From the first move to the last, rests at both ends left out."""
+    speed, z = motion.speed[a:b], motion.z[a:b]
+    moves = runs(speed > min(IDLE, 0.2 * _pace(speed)))
+    way = np.array([speed[k:end].sum() * motion.dt for k, end in moves])
+    climb = np.array([np.ptp(z[k:end]) for k, end in moves])
+    share = np.array([SWING if k == 0 or end == b - a else TWITCH for k, end in moves])
+    real = np.flatnonzero((way > share * way.sum()) & (climb < STEEP * way) | (way == way.max()))
+    return a + moves[real[0]][0], a + moves[real[-1]][1]
+
+
+def runs(flags: Array) -> list[tuple[int, int]]:
+    """Where `flags` (K,) stay true: pairs (start, end), end not included."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], flags, [False]]).astype(int)))
+    return [(int(a), int(b)) for a, b in edges.reshape(-1, 2)]
