@@ -1,6 +1,8 @@
 """A smooth curve through a few points: J. D. Hobby, "Smooth, easy to compute interpolating splines" (1986).
 
 Between two points the curve is a cubic; the headings at the points are chosen so that the bend hardly jumps there.
+A point is (x, y), (x, y, heading) or, at a corner, (x, y, heading in, heading out). The writing line is y = 0, a small
+letter is 1 high; headings are in degrees, 0 to the right, 90 up, None where the curve may choose.
 """
 
 import math
@@ -8,7 +10,9 @@ from itertools import pairwise
 
 import numpy as np
 
-Point = tuple[float | None, ...]  # (x, y), (x, y, heading) or, at a corner, (x, y, heading in, heading out); degrees
+Point = tuple[float | None, ...]
+Letter = list[list[Point]]  # the points of each stroke
+E, N, W, S = 0, 90, 180, 270  # headings: right, up, left, down
 CUBIC = np.linspace(0, 1, 101)[:, None]
 CORNER = 4
 

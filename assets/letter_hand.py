@@ -12,7 +12,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
-from letter_curves import Point, pieces
+from letter_curves import Letter, Point, pieces
 from scipy.ndimage import gaussian_filter1d
 
 RATE = 120  # samples a second of the recordings
@@ -50,7 +50,7 @@ class Hand:
     lift: float
 
 
-def write(character: str, strokes: list[list[Point]], hand: Hand) -> tuple[np.ndarray, list[tuple[float, float]]]:
+def write(character: str, strokes: Letter, hand: Hand) -> tuple[np.ndarray, list[tuple[float, float]]]:
     """One letter as it is written, and when each of its strokes is on the paper.
 
     Args:

@@ -1,6 +1,6 @@
 """Write our alphabets: `python3 assets/make_alphabets.py` makes alphabets/round and alphabets/slanted beside itself.
 
-What the letters are stands in `letter_shapes.py`: for every stroke a few points placed by hand, in the order and
+What the letters are stands in `shapes_*.py`: for every stroke a few points placed by hand, in the order and
 direction that are taught at school. How a hand moves along them stands in `letter_curves.py` and `letter_hand.py`.
 Running it twice gives the same bytes.
 """
@@ -10,7 +10,9 @@ import sys
 from pathlib import Path
 
 from letter_hand import Hand, write
-from letter_shapes import ROUND, SLANTED
+from shapes_digits import DIGITS
+from shapes_round import ROUND
+from shapes_slanted import SLANTED
 
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))  # the script also runs where dmp_teach is not installed
@@ -21,11 +23,11 @@ from dmp_teach.ink.recording import Recording  # noqa: E402
 ALPHABETS = {
     "round": (
         Hand("writer-1", 0.072, 0.98, slant=0.03, pace=0.112, haste=0.8, softness=0.035, wobble=0.0006, lift=0.022),
-        ROUND,
+        ROUND | DIGITS,
     ),
     "slanted": (
         Hand("writer-2", 0.062, 0.76, slant=0.26, pace=0.132, haste=1.0, softness=0.032, wobble=0.0005, lift=0.026),
-        SLANTED,
+        SLANTED | DIGITS,
     ),
 }
 
