@@ -19,7 +19,7 @@ _HOME = {
     "Letter": "letters.letter",
     "Page": "robot.page",
     "Motion": "robot.motion",
-    "Fetch": "robot.arm",
+    "Fetch": "robot.fetch",
     "view": "views.scene",
     "explore": "classroom.explore",
 }

@@ -1,0 +1,247 @@
+"""The arm in PlaCo's hands: joints that put the pen where it should be. Nothing else of this house knows of PlaCo."""
+
+import contextlib
+import os
+import sys
+import threading
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any
+from xml.etree import ElementTree as ET
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from dmp_teach.errors import MissingPartError
+from dmp_teach.paths import ASSETS
+from dmp_teach.robot.model import Model
+from dmp_teach.robot.plan import RATE
+from dmp_teach.trajectory import Array
+
+JOINTS = (
+    "torso_lift_joint",
+    "shoulder_pan_joint",
+    "shoulder_lift_joint",
+    "upperarm_roll_joint",
+    "elbow_flex_joint",
+    "forearm_roll_joint",
+    "wrist_flex_joint",
+    "wrist_roll_joint",
+)
+"""The joints that write; all others stand still."""
+
+_here = threading.local()
+
+
+class Solver:
+    """PlaCo's robot and its solver in one hand: the solver does not keep its robot alive.
+
+    Every method starts from what it is given, never from what was done before.
+    """
+
+    def __init__(self) -> None:
+        placo = _placo()
+        self.model = Model.load()
+        joints = [self.model.joint(name) for name in JOINTS]
+        self.lower, self.upper = np.array([(joint.lower, joint.upper) for joint in joints]).T
+        self.fastest = np.array([joint.velocity for joint in joints])
+        with _quiet():
+            self._robot = placo.RobotWrapper("", 0, _bare_urdf())
+        self._solver = solver = self._robot.make_solver()
+        self._columns = [self._robot.get_joint_offset(name) for name in JOINTS]
+        self._round = [self._robot.get_joint_size(name) == 2 for name in JOINTS]  # held as (cos, sin)
+        self._speeds = [self._robot.get_joint_v_offset(name) for name in JOINTS]
+        solver.dt = 1 / RATE
+        solver.mask_fbase(True)  # otherwise the robot flies to the page
+        for name in self.model.joint_names:
+            if name not in JOINTS:
+                self.mask(name)
+        solver.enable_joint_limits(True)
+        self._tip = solver.add_position_task("pen_tip", np.zeros(3))
+        self._axis = solver.add_axisalign_task("pen_tip", np.array([0.0, 0.0, 1.0]), np.array([0.0, 0.0, -1.0]))
+        self._posture = solver.add_joints_task()
+        solver.add_regularization_task(1e-4)
+        self.verdicts: dict[Any, Any] = {}
+
+    def mask(self, name: str, masked: bool = True) -> None:
+        """Hold a joint still, or let it go.
+
+        Raises:
+            JointError: No such joint; PlaCo takes any name, in silence or with a crash.
+        """
+        (self._solver.mask_dof if masked else self._solver.unmask_dof)(self.model.joint(name).name)
+
+    def stand(self, q: ArrayLike, normal: Array, torso: bool, upright: float = 0.1) -> None:
+        """Take a posture and like it.
+
+        Args:
+            q: Joint positions, shape (J,) [rad, m].
+            normal: Out of the paper, shape (3,); the pen looks the other way, turned by 1e-9 rad
+                because PlaCo knows no way from an axis to its exact opposite.
+            torso: Whether the torso may move.
+            upright: How much the pen's axis weighs against 1 m of its tip.
+        """
+        self._robot.reset()
+        for name, value in zip(JOINTS, q, strict=True):
+            self._robot.set_joint(self.model.joint(name).name, float(value))
+        self._robot.update_kinematics()
+        self.mask("torso_lift_joint", not torso)
+        self._solver.enable_velocity_limits(False)
+        self._axis.targetAxis_world = -normal + 1e-9 * np.array([normal[1], normal[2], normal[0]])
+        self._tip.configure("tip", "soft", 1.0)
+        self._axis.configure("axis", "soft", upright)
+        self._posture.set_joints({name: float(value) for name, value in zip(JOINTS, q, strict=True)})
+        self._posture.configure("posture", "soft", 1e-6)
+
+    def go(self, target: Array, steps: int) -> None:
+        """Take some steps to a place in the world (3,) [m]."""
+        self._tip.target_world = target
+        for _ in range(steps):
+            self._solver.solve(True)
+            self._robot.update_kinematics()
+
+    def approach(self, target: Array, finer: Sequence[float] = (0.1,)) -> None:
+        """Go to a place (3,) [m], or as near as the arm gets, in steps that cannot run away.
+
+        Far from its target a full step of the solver throws the arm about. Speed limits bound the step:
+        by what a joint does in 0.1 s, then in each finer time.
+        """
+        self._solver.enable_velocity_limits(True)
+        for self._solver.dt in finer:
+            self.go(target, 50)
+        self._solver.dt = 1 / RATE
+        self._solver.enable_velocity_limits(False)
+
+    def glide(self, target: Array) -> None:
+        """Go straight to a place (3,) [m], 2 cm at a time."""
+        start = self.pen()[:3, 3]
+        steps = int(np.ceil(np.linalg.norm(target - start) / 0.02)) + 1
+        for part in np.arange(1, steps + 1) / steps:
+            self.go(start + part * (target - start), 3)
+        self.go(target, 10)
+
+    def settle(self, target: Array) -> None:
+        """Wait at a place (3,) [m] until the posture has come to rest.
+
+        A posture that weighs more than a tenth of the regularisation never does: it goes round in circles of 3 mm.
+        """
+        self._posture.configure("posture", "soft", 1e-5)
+        self.go(target, 120)
+        self._posture.configure("posture", "soft", 1e-6)
+        self.go(target, 20)
+
+    def joints(self) -> Array:
+        """Where the joints are, shape (J,) [rad, m]."""
+        return self._unpacked(self._robot.state.q[None, :])[0]
+
+    def pen(self) -> Array:
+        """Pose of the pen's tip in the world, shape (4, 4) [m]."""
+        return self._robot.get_T_world_frame("pen_tip")
+
+    def base(self) -> Array:
+        """Pose of the robot's base in the world, shape (4, 4) [m]: always the identity."""
+        return self._robot.get_T_world_fbase()
+
+    def place_of(self, link: str) -> Array:
+        """Where a link's origin is in the world, shape (3,) [m]."""
+        return self._robot.get_T_world_frame(link)[:3, 3]
+
+    def touching(self) -> set[tuple[str, str]]:
+        """Pairs of links whose solids touch."""
+        return {
+            (hit.bodyA.rpartition("_")[0], hit.bodyB.rpartition("_")[0]) for hit in self._robot.self_collisions(False)
+        }
+
+    def jacobian(self) -> Array:
+        """Velocity and turning of the pen's tip in the world for each joint's speed, shape (6, J)."""
+        return self._robot.frame_jacobian("pen_tip", "local_world_aligned")[:, self._speeds]
+
+    def speeds(self, q: Array) -> Array:
+        """The greatest speed of each joint along a motion (T, J), as a part of its limit, shape (J,)."""
+        return np.abs(np.diff(q, axis=0)).max(axis=0) * RATE / self.fastest
+
+    def follow(
+        self, q: ArrayLike, normal: Array, path: Array, limited: bool, report: Callable[[str, float], Any]
+    ) -> Array:
+        """The joints along a path: one solution and one update for every sample.
+
+        Args:
+            q: Where the arm stands before, shape (J,) [rad, m]; the torso stays as it is.
+            normal: Out of the paper, shape (3,).
+            path: In the world, shape (T, 3) [m].
+            limited: Whether the joints' speeds are limited.
+            report: Told "joints" and how much is done.
+
+        Returns:
+            Joint positions, unwrapped, shape (T, J) [rad, m].
+        """
+        self.stand(q, normal, torso=False)
+        self.glide(path[0])
+        self.settle(path[0])
+        self._solver.enable_velocity_limits(limited)
+        states = np.empty((len(path), len(self._robot.state.q)))
+        tip, robot, solve, update = self._tip, self._robot, self._solver.solve, self._robot.update_kinematics
+        for row, target in enumerate(path):
+            if row % 60 == 0:
+                report("joints", row / len(path))
+            tip.target_world = target
+            solve(True)
+            update()
+            states[row] = robot.state.q
+        report("joints", 1.0)
+        return self._unpacked(states)
+
+    def _unpacked(self, states: Array) -> Array:
+        """PlaCo's states (T, n) as joint positions (T, J); those that turn for ever do not jump at half a turn."""
+        q = states[:, self._columns]
+        for column, (first, is_round) in enumerate(zip(self._columns, self._round, strict=True)):
+            if is_round:
+                q[:, column] = np.unwrap(np.arctan2(states[:, first + 1], states[:, first]))
+        return q
+
+
+def solver_here() -> Solver:
+    """The solver of this thread: PlaCo's are not safe to share, and each one that is made leaks 0.35 MB."""
+    if not hasattr(_here, "solver"):
+        _here.solver = Solver()
+    return _here.solver
+
+
+def _placo() -> Any:
+    """PlaCo itself."""
+    try:
+        import placo  # noqa: PLC0415 (loaded when a robot is needed, not before)
+    except (ImportError, OSError) as error:
+        raise MissingPartError(
+            f"The robot's joints are solved by PlaCo, which is not here ({error}). Letters, sliders and plots work "
+            "without it. On Linux and macOS: python3 -m pip install placo; on Windows use WSL, or a notebook hub."
+        ) from None
+    return placo
+
+
+def _bare_urdf() -> str:
+    """The robot's URDF without shells, and with solids only where the arm could touch."""
+    root = ET.parse(ASSETS / "fetch.urdf").getroot()
+    solid = ("base", "torso", "head", "shoulder", "upperarm", "elbow", "forearm", "wrist", "gripper_link")
+    for link in root.iter("link"):
+        for kind in ("visual", "collision"):
+            for element in link.findall(kind):
+                if kind == "visual" or not link.attrib["name"].startswith(solid):
+                    link.remove(element)
+    return ET.tostring(root, encoding="unicode")
+
+
+@contextlib.contextmanager
+def _quiet() -> Iterator[None]:
+    """Silence PlaCo's C++, which prints past Python: on the two file descriptors themselves."""
+    sys.stdout.flush()
+    sys.stderr.flush()
+    kept = [os.dup(1), os.dup(2)]
+    try:
+        with open(os.devnull, "wb") as nowhere:
+            os.dup2(nowhere.fileno(), 1)
+            os.dup2(nowhere.fileno(), 2)
+        yield
+    finally:
+        for number, copy in zip((1, 2), kept, strict=True):
+            os.dup2(copy, number)
+            os.close(copy)
