@@ -53,7 +53,7 @@ def level_axes(up: str = "+y", right: str = "-x") -> Array:
 
 
 def find_page(t: Array, points: Array, up: str = "+y", right: str = "-x") -> PageFrame:
-    """The frame of the page that a pen wrote on; its origin is the lower left corner of the ink.
+    """The frame of the page that a pen wrote on; its origin is some point of its plane.
 
     The plane is first the one that most moving samples are near (RANSAC with fixed draws), then the one through the
     strokes that it gives. Where the ink says little (a single bar), the page is taken for level.
@@ -79,9 +79,7 @@ def find_page(t: Array, points: Array, up: str = "+y", right: str = "-x") -> Pag
         raise RecordingError(
             f"With up={up!r} the pen goes {-seen[:, 2].min():.3f} m under the paper; try up={other!r}."
         )
-    ink = seen[_ink(t, seen)]
-    corner = np.array([*ink[:, :2].min(axis=0), np.median(ink[:, 2])])
-    return PageFrame(frame.axes, frame.origin + frame.axes @ corner)
+    return frame
 
 
 def _moving(t: Array, flat: Array) -> Array:

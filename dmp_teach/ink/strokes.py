@@ -171,7 +171,8 @@ def _cropped(motion: _Motion, a: int, b: int) -> tuple[int, int]:
     moves = runs(speed > min(IDLE, 0.2 * _pace(speed)))
     way = np.array([speed[k:end].sum() * motion.dt for k, end in moves])
     climb = np.array([np.ptp(z[k:end]) for k, end in moves])
-    share = np.array([SWING if k == 0 or end == b - a else TWITCH for k, end in moves])
+    lifts = (a > 0, b < len(motion.z))
+    share = np.array([SWING if (k == 0 and lifts[0]) or (end == b - a and lifts[1]) else TWITCH for k, end in moves])
     real = np.flatnonzero((way > share * way.sum()) & (climb < STEEP * way) | (way == way.max()))
     return a + moves[real[0]][0], a + moves[real[-1]][1]
 

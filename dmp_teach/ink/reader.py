@@ -1,0 +1,135 @@
+"""Read a recording: find the pen, fill its gaps, lay it on its page, cut it to its writing."""
+
+import re
+from dataclasses import replace
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+
+from dmp_teach.errors import RecordingError
+from dmp_teach.ink.motive import Take, read_take
+from dmp_teach.ink.plane import find_page, level_axes
+from dmp_teach.ink.recording import Recording
+from dmp_teach.ink.strokes import find_strokes
+from dmp_teach.trajectory import Array
+
+SHORT = 0.1  # a gap up to this long is filled with a straight line anywhere; a longer one only off the ink [s]
+FEWEST = 20  # fewer samples are no letter
+JUMP = 0.004  # a step that is this much longer than its neighbours was no pen ...
+PEN = 8.0  # ... unless the samples are so far apart that a pen could do it [m/s2]
+LARGEST_INK = 2.0  # nobody writes larger [m]
+SMALLEST_INK = 0.002  # or smaller [m]
+
+
+def read_recording(path: str | Path, marker: str | None = None, up: str = "+y", right: str = "-x") -> Recording:
+    """The letter that somebody wrote, from a file.
+
+    Motive CSV files of motion capture, and JSON files of ours. The recording stands in the frame of its page: x to
+    the right, y up the page, z out of it, the origin at the lower left corner of the ink. It keeps the file's clock,
+    begins with the first stroke and ends with the last one. Gaps are filled with straight lines; nothing is smoothed.
+
+    Args:
+        path: The file. From a name such as `a_w01.csv` come the letter "a" and the writer "w01".
+        marker: The name of the marker at the pen; None finds it.
+        up: The direction out of the paper in the cameras' world, one of +x -x +y -y +z -z.
+        right: The direction to the right on the page.
+
+    Raises:
+        RecordingError: What is wrong, in which file, row and column, and what would work.
+    """
+    if Path(path).suffix.lower() == ".json":
+        from dmp_teach.ink.alphabet import read_json  # noqa: PLC0415 (alphabets are built on recordings)
+
+        return read_json(path)
+    level_axes(up, right)
+    take = _seen(read_take(path, marker))
+    filled = replace(take, position=_filled(take))
+    try:
+        position = find_page(filled.t, filled.position, up, right).of(filled.position)
+        strokes = _settled(filled.t, position)
+    except RecordingError as error:
+        raise RecordingError(f"{take.name}, marker {take.marker!r}: {error}") from None
+    ink = np.concatenate([position[a:b] for a, b in strokes])
+    _check_size(take, float(np.ptp(ink[:, :2], axis=0).max()))
+    _check_gaps(take, strokes)
+    _check_jumps(filled, strokes)
+    start, end = strokes[0][0], strokes[-1][1]
+    position = position - [*ink[:, :2].min(axis=0), np.median(ink[:, 2])]
+    character, writer = _labels(take.name)
+    return Recording(take.t[start:end], position[start:end], character, writer)
+
+
+def _settled(t: Array, position: Array) -> list[tuple[int, int]]:
+    """The strokes, cut until a recording that begins and ends with them has the same ones."""
+    start, end = 0, len(t)
+    while True:
+        strokes = [(a + start, b + start) for a, b in find_strokes(t[start:end], position[start:end])]
+        if (strokes[0][0], strokes[-1][1]) == (start, end):
+            return strokes
+        start, end = strokes[0][0], strokes[-1][1]
+
+
+def _seen(take: Take) -> Take:
+    """The take from the first sample that the cameras saw to the last."""
+    seen = np.flatnonzero(np.isfinite(take.position[:, 0]))
+    if len(seen) < FEWEST:
+        raise RecordingError(
+            f"{take.name}: marker {take.marker!r} was seen in {len(seen)} frames, but a letter needs {FEWEST}; "
+            "name another marker with marker=..., or record again."
+        )
+    return take.part(int(seen[0]), int(seen[-1]) + 1)
+
+
+def _filled(take: Take) -> Array:
+    """Positions (T, 3) with straight lines across the gaps."""
+    seen = np.isfinite(take.position[:, 0])
+    return np.column_stack([np.interp(take.t, take.t[seen], axis[seen]) for axis in take.position.T])
+
+
+def _check_gaps(take: Take, strokes: list[tuple[int, int]]) -> None:
+    """Raise where a long gap, of empty cells or of missing rows, leaves a hole in a stroke."""
+    seen = np.flatnonzero(np.isfinite(take.position[:, 0]))
+    for before, after in pairwise(seen):
+        if take.t[after] - take.t[before] > SHORT + np.median(np.diff(take.t)):
+            for number, (a, b) in enumerate(strokes):
+                if before < b - 1 and after > a:
+                    raise RecordingError(
+                        f"{take.name}: marker {take.marker!r} is lost for {take.t[after] - take.t[before]:.2f} s after "
+                        f"{take.at(before)}, inside stroke {number}; gaps up to {SHORT} s can be filled. Fill it in "
+                        "Motive, name another marker with marker=..., or record again."
+                    )
+
+
+def _check_size(take: Take, size: float) -> None:
+    """Raise where the ink is far larger or smaller than a letter."""
+    if not SMALLEST_INK < size < LARGEST_INK:
+        raise RecordingError(
+            f"{take.name}: the ink is {size:.4g} m large, but must be between {SMALLEST_INK} and {LARGEST_INK} m. Is "
+            f"'Length Units' in row 1 right, and {take.marker!r} the pen?"
+        )
+
+
+def _check_jumps(take: Take, strokes: list[tuple[int, int]]) -> None:
+    """Raise where the marker leaps inside a stroke, as it does when the cameras take another one for it.
+
+    A leap is a step far from the mean of its neighbours; where the marker flickers all the time it is noise.
+    """
+    step = np.diff(take.position, axis=0)
+    off = np.zeros(len(take.t))
+    off[2:-1] = np.linalg.norm(step[1:-1] - (step[:-2] + step[2:]) / 2, axis=1)
+    limit = JUMP + PEN * float(np.median(np.diff(take.t))) ** 2
+    for a, b in strokes:
+        for k in np.flatnonzero(off[a:b] > limit) + a:
+            near = np.concatenate([off[max(a, k - 15) : max(a, k - 2)], off[k + 3 : k + 16]])
+            if not len(near) or off[k] > 4 * np.quantile(near, 0.9):
+                raise RecordingError(
+                    f"{take.name}, {take.at(k)}: {take.marker!r} jumps by {off[k] * 1e3:.1f} mm inside a stroke, "
+                    "which no pen does. Mend the take in Motive, or name another marker with marker=..."
+                )
+
+
+def _labels(name: str) -> tuple[str | None, str | None]:
+    """Letter and pseudonym from a file name such as `a_w01.csv`; other names stay private."""
+    match = re.fullmatch(r"(\S)_(w\d+)(?:[_ .-].*)?", Path(name).stem)
+    return match.groups() if match else (None, None)
