@@ -21,7 +21,6 @@ ROOT = Path(__file__).resolve().parent.parent.parent
 STATE = ROOT / ".jupyter"  # Jupyter's settings, tabs and log: ours, so that nobody's own are read or changed
 FIRST_NOTEBOOK = "notebooks/00_start_here.ipynb"
 WINDOWS = os.name == "nt"
-SIGNALS = [getattr(signal, name) for name in ("SIGINT", "SIGTERM", "SIGHUP") if hasattr(signal, name)]
 
 # Ends a process and all that it has started; psutil lives in the environment, so the environment's Python runs it.
 END_FAMILY = """
@@ -32,6 +31,13 @@ first.terminate()
 for straggler in psutil.wait_procs(family, timeout=10)[1]:
     straggler.kill()
 """
+
+
+def answer_signals(how):
+    """Set what Ctrl-C and its kin do; set, not inherited: a shell's background jobs ignore Ctrl-C."""
+    for name in ("SIGINT", "SIGTERM", "SIGHUP"):
+        if hasattr(signal, name):
+            signal.signal(getattr(signal, name), how)
 
 
 def say(line):
@@ -60,6 +66,7 @@ def lab(python, port=None, browser=True):
             say("Ending JupyterLab ...")
             return 0
         finally:
+            answer_signals(signal.SIG_IGN)  # impatience does not leave kernels behind
             end_family(python, process)
 
 
@@ -77,6 +84,7 @@ def lab_command(python, root, port):
         "LabApp.extension_manager": "readonly",  # the other one asks an index on the network
         "LabApp.check_for_updates_class": "jupyterlab.NeverCheckForUpdate",
         "LabApp.news_url": None,
+        "LanguageServerManager.autodetect": False,  # it would start npm to look for language servers
     }
     return [python, "-m", "jupyterlab"] + ["--{}={}".format(*pair) for pair in settings.items()]
 
@@ -145,8 +153,6 @@ def apart():
 
 def end_family(python, process):
     """End a process and every process that it has started, gently and then firmly."""
-    for number in SIGNALS:
-        signal.signal(number, signal.SIG_IGN)  # impatience does not leave kernels behind
     if process.poll() is None:
         subprocess.call([python, "-c", END_FAMILY, str(process.pid)], **apart())
     process.wait()

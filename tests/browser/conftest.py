@@ -1,0 +1,215 @@
+"""A real JupyterLab in a real Chromium, for tests that look at what a child sees.
+
+    def test_something(open_notebook, ask, shot):
+        page = open_notebook("00_start_here.ipynb")      # every cell has been run, the kernel is idle
+        page.get_by_role("slider", name="...").press("ArrowRight")
+        assert ask(page, "panel.width") == "1.5"          # what Python thinks: the repr of an expression
+        shot(page, "start")                               # a PNG, where DMP_TEACH_SHOTS names a folder
+
+When the test ends, no page error, console error, failed request, request to another computer, cell error or broken
+widget may have been seen, unless the test has named its beginning: `page.expects.append("cell error: ZeroDiv")`.
+"""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+import time
+from pathlib import Path
+from types import SimpleNamespace
+from urllib.parse import urlsplit
+
+import pytest
+
+from dmp_teach.classroom import lab as launcher
+
+ROOT = Path(__file__).parents[2]
+TOKEN = "a-token-for-tests"
+PATIENCE = 60_000  # [ms] for what may be slow on a busy machine
+FLAGS = [
+    "--use-angle=swiftshader",
+    "--enable-unsafe-swiftshader",
+    "--no-first-run",
+    "--disable-background-networking",
+    "--disable-component-update",
+    "--disable-sync",
+]
+
+STATE = """() => {
+    const panel = window.jupyterapp?.shell?.currentWidget;
+    const kernel = panel?.sessionContext?.session?.kernel;
+    if (!panel?.content?.model || !kernel) return null;
+    const cells = [...panel.content.model.cells].filter(c => c.type === 'code' && c.sharedModel.source.trim());
+    const outputs = cells.flatMap(c => c.outputs.toJSON());
+    return {
+        status: kernel.status,
+        todo: cells.filter(c => c.executionCount === null || c.executionState === 'running').length,
+        errors: outputs.filter(o => o.output_type === 'error').map(o => `cell error: ${o.ename}: ${o.evalue}`),
+    };
+}"""
+
+ASK = """async (code) => {
+    const kernel = window.jupyterapp.shell.currentWidget.sessionContext.session.kernel;
+    const reply = await kernel.requestExecute({code: '', silent: true, user_expressions: {it: code}}).done;
+    const it = reply.content.user_expressions.it;
+    return it.status === 'ok' ? it.data['text/plain'] : `${it.ename}: ${it.evalue}`;
+}"""
+
+
+def chromium_path():
+    names = ("chromium", "chromium-browser", "google-chrome", "chrome")
+    return os.environ.get("DMP_TEACH_CHROMIUM") or next(filter(None, map(shutil.which, names)), None)
+
+
+@pytest.fixture(scope="module")
+def chromium():
+    """The system's Chromium under Playwright; nothing is ever downloaded."""
+    path = chromium_path()
+    if path is None:
+        pytest.skip("no Chromium here: install it, or set DMP_TEACH_CHROMIUM to one")
+    sync_api = pytest.importorskip("playwright.sync_api")
+    flags = [*FLAGS, "--no-sandbox"] if hasattr(os, "geteuid") and os.geteuid() == 0 else FLAGS
+    with sync_api.sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=path, args=flags)
+        yield browser
+        browser.close()
+
+
+@pytest.fixture(scope="module")
+def lab(tmp_path_factory):
+    """The launcher's own server on a copy of the notebooks: .url, .folder (of the copy), .process, .log()."""
+    home = tmp_path_factory.mktemp("lab")
+    folder = home / "notebooks"
+    folder.mkdir()
+    for notebook in sorted((ROOT / "notebooks").glob("*.ipynb")):
+        content = json.loads(notebook.read_text(encoding="utf-8"))
+        for cell in content["cells"]:
+            if cell["cell_type"] == "code":
+                cell.update(execution_count=None, outputs=[])
+        (folder / notebook.name).write_text(json.dumps(content), encoding="utf-8")
+    port = launcher.free_port()
+    command = launcher.lab_command(sys.executable, home, port)
+    command += ["--ServerApp.open_browser=False", "--LabApp.expose_app_in_browser=True"]
+    surroundings = launcher.lab_environment(home / ".jupyter", TOKEN)
+    surroundings.update(PYTHONPATH=str(ROOT), JUPYTER_DATA_DIR=str(home / "data"))
+    with open(home / "lab.log", "wb") as log:
+        process = subprocess.Popen(
+            command, cwd=home, env=surroundings, stdin=subprocess.DEVNULL, stdout=log, stderr=log, **launcher.apart()
+        )
+    try:
+        deadline = time.monotonic() + PATIENCE / 1000
+        while not launcher.is_up(port):
+            if process.poll() is not None or time.monotonic() > deadline:
+                pytest.fail((home / "lab.log").read_text())
+            time.sleep(0.1)
+        yield SimpleNamespace(
+            url=f"http://127.0.0.1:{port}",
+            folder=folder,
+            process=process,
+            command=command,
+            surroundings=surroundings,
+            log=(home / "lab.log").read_text,
+        )
+    finally:
+        launcher.end_family(sys.executable, process)
+
+
+def listen(page):
+    """Gather all that goes wrong on a page into `page.troubles`."""
+    page.troubles = troubles = []
+    page.expects = []
+
+    def visit(address):
+        parts = urlsplit(address)
+        if parts.scheme not in ("data", "blob") and parts.hostname not in ("127.0.0.1", "localhost"):
+            troubles.append(f"request to another computer: {address}")
+
+    def answer(response):
+        if response.status >= 400:
+            troubles.append(f"request answered {response.status}: {response.url}")
+
+    def console(message):
+        if message.type == "error" and "Failed to load resource" not in message.text:
+            troubles.append(f"console error: {message.text}")
+
+    def failed(request):
+        if "ERR_ABORTED" not in str(request.failure):
+            troubles.append(f"request failed, {request.failure}: {request.url}")
+
+    page.on("pageerror", lambda error: troubles.append(f"page error: {error}"))
+    page.on("console", console)
+    page.on("request", lambda request: visit(request.url))
+    page.on("websocket", lambda socket: visit(socket.url))
+    page.on("response", answer)
+    page.on("requestfailed", failed)
+
+
+def seen_in_cells(page):
+    """The errors among the outputs of the cells, and widgets that cannot be shown."""
+    state = page.evaluate(STATE)
+    broken = page.locator(".jupyter-widgets-error-widget").count()
+    return (state["errors"] if state else []) + ["a widget that cannot be shown"] * broken
+
+
+def run_all(page):
+    """Run all cells from the menu; wait until every code cell has run and the kernel rests."""
+    page.get_by_role("menuitem", name="Run", exact=True).click()
+    page.get_by_role("menuitem", name="Run All Cells", exact=True).click()
+    page.wait_for_function(
+        f"() => {{ const s = ({STATE})(); return s && s.status === 'idle' && s.todo === 0; }}", timeout=PATIENCE
+    )
+
+
+@pytest.fixture
+def open_notebook(chromium, lab, shot):
+    """Open a notebook of the copy in JupyterLab, run all its cells, return the page; watches it to the end."""
+    pages = []
+
+    def open_it(name, run=True, **context):
+        surroundings = {"viewport": {"width": 1280, "height": 1400}, **context}
+        page = chromium.new_context(**surroundings).new_page()
+        listen(page)
+        pages.append(page)
+        page.set_default_timeout(PATIENCE / 4)
+        page.goto(f"{lab.url}/lab/tree/notebooks/{name}?reset&token={TOKEN}")
+        try:
+            page.wait_for_function(f"() => ({STATE})()?.status === 'idle'", timeout=PATIENCE)
+            if run:
+                run_all(page)
+        except Exception:
+            shot(page, "trouble")
+            raise
+        return page
+
+    yield open_it
+    found = []
+    for number, page in enumerate(pages):
+        troubles = page.troubles + seen_in_cells(page)
+        unexpected = [trouble for trouble in troubles if not trouble.startswith(tuple(page.expects))]
+        missing = [f"not seen: {start}" for start in page.expects if not any(t.startswith(start) for t in troubles)]
+        if unexpected or missing:
+            shot(page, f"trouble_{number}")
+        page.evaluate("() => window.jupyterapp?.shell?.currentWidget?.sessionContext?.shutdown()")
+        page.context.close()
+        found += unexpected + missing
+    assert found == []
+
+
+@pytest.fixture
+def ask():
+    """What Python answers in the notebook's kernel: the repr of an expression."""
+    return lambda page, expression: page.evaluate(ASK, expression)
+
+
+@pytest.fixture
+def shot():
+    """Save a picture of the page where DMP_TEACH_SHOTS names a folder."""
+
+    def save(page, name):
+        if os.environ.get("DMP_TEACH_SHOTS"):
+            folder = Path(os.environ["DMP_TEACH_SHOTS"])
+            folder.mkdir(parents=True, exist_ok=True)
+            page.screenshot(path=folder / f"{name}.png")
+
+    return save
