@@ -64,11 +64,13 @@ def lathe(profile: Sequence[tuple[float, float]], around: int = 32) -> Mesh:
 
 
 def superellipse(a: float, b: float, power: float = 2.0, around: int = 32) -> Array:
-    """An outline between an ellipse (power 2) and a box (large power), half axes a and b, shape (N, 2)."""
+    """An outline between an ellipse (power 2) and a box (large power), half axes a and b, shape (N, 2).
+
+    The points crowd where the outline bends.
+    """
     angles = np.arange(around) * 2 * np.pi / around
-    c, s = np.cos(angles), np.sin(angles)
-    long = (np.abs(c) ** power + np.abs(s) ** power) ** (-1 / power)
-    return np.stack([a * c * long, b * s * long], -1)
+    c, s = np.round([np.cos(angles), np.sin(angles)], 12)
+    return np.stack([a * np.sign(c) * np.abs(c) ** (2 / power), b * np.sign(s) * np.abs(s) ** (2 / power)], -1)
 
 
 def rounded(low: tuple[float, float], high: tuple[float, float], radii: Sequence[float], steps: int = 4) -> Array:
