@@ -19,7 +19,7 @@ RATE = 120  # samples a second of the recordings
 FINE = 10  # steps of the plan for each of them
 STEP = 0.0002  # between points along the plan [m]
 BEND = 0.030  # the radius at which a hand has its own pace [m]
-FLAT = 0.150  # flatter bends than this are no faster [m]
+FLAT = 0.300  # flatter bends than this are no faster [m]
 SLOWEST = 0.008  # at which the plan leaves a stop [m/s]
 
 
