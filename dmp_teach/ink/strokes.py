@@ -24,6 +24,7 @@ SKIN = 0.0007  # a foot is walked up again while the pen is less than this above
 IDLE = 0.02  # slower than this a pen of ordinary speed rests [m/s]
 AFLOAT = 0.006  # a span begins and ends no higher than this over its own middle [m]
 STEP = 0.0005  # a hand that sinks or rises by more than this beside its writing is still landing, or leaves [m]
+SETTLE = 0.15  # a fall that begins so soon after the last one belongs to the same landing [s]
 BRISK = 0.2  # writing is faster than this share of the letter's pace
 TAP = (0.05, 1.5)  # a pen that is down this long between two lifts, and hardly moves, made a dot [s]
 TWITCH = 0.01  # a move at either end that is shorter than this share of the stroke is no writing
@@ -90,37 +91,49 @@ def _evenly(t: Array, position: Array) -> tuple[_Motion, Array]:
 
 
 def _touching(motion: _Motion, theta: float, sigma: float) -> list[tuple[int, int]]:
-    """Spans between lifts, cut at the feet: the pen is on the paper, resting or writing."""
-    spans, landed, n = [], 0, len(motion.z)
-    for start, end in runs(motion.rise > theta):
+    """Spans between lifts, cut at the feet: the pen is on the paper, resting or writing.
+
+    A second look runs backwards in time: a landing is a lift seen backwards, and may be the only fast part of it.
+    """
+    spans = []
+    for a, b in _between_lifts(motion.z, motion.rise, theta, sigma):
+        back = _between_lifts(motion.z[a:b][::-1], -motion.rise[a:b][::-1], theta, sigma)
+        spans += [(b - end, b - start) for start, end in reversed(back)]
+    return spans
+
+
+def _between_lifts(z: Array, rise: Array, theta: float, sigma: float) -> list[tuple[int, int]]:
+    """Spans of height (K,) between the rises that are lifts."""
+    spans, landed = [], 0
+    for start, end in runs(rise > theta):
         if start < landed:
             continue
-        foot = _foot(motion, start, landed)
-        peak, landing = _landing(motion, foot, end)
-        if motion.z[peak] - motion.z[foot] > sigma:
+        foot = _foot(z, rise, start, landed)
+        peak, landing = _landing(z, rise, foot, end)
+        if z[peak] - z[foot] > sigma:
             spans.append((landed, foot + 1))
             landed = landing
-    return [*spans, (landed, n)] if landed < n else spans
+    return [*spans, (landed, len(z))] if landed < len(z) else spans
 
 
-def _foot(motion: _Motion, start: int, earliest: int) -> int:
+def _foot(z: Array, rise: Array, start: int, earliest: int) -> int:
     """The last sample on the paper before the rise that is fast at `start`."""
     foot = start
-    while foot > earliest and motion.rise[foot] > CREEP:
+    while foot > earliest and rise[foot] > CREEP:
         foot -= 1
-    skin = motion.z[foot] + SKIN
-    while foot < start and motion.z[foot + 1] < skin:
+    skin = z[foot] + SKIN
+    while foot < start and z[foot + 1] < skin:
         foot += 1
     return foot
 
 
-def _landing(motion: _Motion, foot: int, risen: int) -> tuple[int, int]:
+def _landing(z: Array, rise: Array, foot: int, risen: int) -> tuple[int, int]:
     """The highest sample of a lift, and the first on the paper after it (the end, if it flies away)."""
-    z, peak = motion.z, foot
+    peak = foot
     for k in range(foot, len(z)):
         peak = k if z[k] > z[peak] else peak
         near = z[foot] + max(NEAR, 0.25 * (z[peak] - z[foot]))
-        if k > max(peak, risen) and z[k] < near and motion.rise[k] > -CREEP:
+        if k > max(peak, risen) and z[k] < near and rise[k] > -CREEP:
             return peak, k
     return peak, len(z)
 
@@ -145,24 +158,33 @@ def _pace(speed: Array) -> float:
 
 
 def _landed(motion: _Motion, a: int, b: int) -> tuple[int, int]:
-    """The span without what is left of its landing and of a flight at the end.
+    """The span without what is left of its landing, and of a flight at the end that was too slow for a lift.
 
     A hand that hovers, or pauses while it lands, sinks once more before it writes.
     """
-    z, rise = motion.z, motion.rise
-    pace = _pace(motion.speed[a:b])
-    low = np.flatnonzero(z[a:b] <= np.median(z[a:b]) + AFLOAT) + a
+    z, rise, speed = motion.z[a:b], motion.rise[a:b], motion.speed[a:b]
+    moving = speed >= 0.5 * _pace(speed)
+    low = np.flatnonzero(z <= np.median(z[moving]) + AFLOAT)
     first, last = int(low[0]), int(low[-1])
-    brisk = np.flatnonzero(motion.speed[first : last + 1] > 0.5 * pace) + first
+    brisk = np.flatnonzero(moving[first : last + 1]) + first
     if not len(brisk):
-        return first, last + 1
-    for k, end in runs(rise[a:b] < -CREEP):
-        if k + a <= max(brisk[0], first) and z[a + k] - z[a + end - 1] > STEP:
-            first = max(first, a + end)
-    for k, end in runs(rise[a:b] > CREEP):
-        if a + end >= min(brisk[-1], last) and z[a + end - 1] - z[a + k] > STEP:
-            last = min(last, a + k)
-    return first, last + 1
+        return a + first, a + last + 1
+    for start, end in _slopes(z, -rise, speed * motion.dt):
+        if start <= max(brisk[0], first + SETTLE / motion.dt):
+            first = max(first, end)
+    for start, _ in _slopes(z, rise, speed * motion.dt):
+        if start >= brisk[-1]:
+            last = min(last, start)
+    return a + first, a + last + 1
+
+
+def _slopes(z: Array, rise: Array, way: Array) -> list[tuple[int, int]]:
+    """Runs (start, end) of climbing that are steep for the `way` (K,) that the pen makes along the page meanwhile."""
+    return [
+        (start, end)
+        for start, end in runs(rise > CREEP / 2)
+        if abs(z[end - 1] - z[start]) > max(STEP, STEEP * way[start:end].sum())
+    ]
 
 
 def _cropped(motion: _Motion, a: int, b: int) -> tuple[int, int]:
