@@ -42,13 +42,16 @@ def place(
     strokes = checked(strokes)
     points = np.concatenate([stroke.position for stroke in strokes])
     low, high = points.min(axis=0), points.max(axis=0)
+    _check_metres(high - low)
+    for number, stroke in enumerate(strokes):
+        _check_jump(number, stroke)
     scale = _scale(high - low, page, size)
     middle = _spot(at, (high - low) * scale, page)
     return tuple(Trajectory(s.t, (s.position - (low + high) / 2) * scale + middle) for s in strokes)
 
 
 def checked(strokes: Iterable[Trajectory] | Trajectory) -> tuple[Trajectory, ...]:
-    """The strokes as a tuple, each of them fit to be written; see `place`."""
+    """The strokes as a tuple, each of them a 2-D Trajectory; see `place`."""
     try:
         strokes = (strokes,) if isinstance(strokes, Trajectory) else tuple(strokes)
     except TypeError:
@@ -67,8 +70,16 @@ def checked(strokes: Iterable[Trajectory] | Trajectory) -> tuple[Trajectory, ...
                 f"Stroke {number} has {stroke.dimensions} dimensions, but ink has 2: "
                 "Trajectory(stroke.t, stroke.position[:, :2]) keeps x and y."
             )
-        _check_jump(number, stroke)
     return strokes
+
+
+def _check_metres(extent: Array) -> None:
+    """Raise where ink (2,) is so large that its numbers must be millimetres."""
+    if extent.max() > _HUGE:
+        raise PageError(
+            f"The ink is {extent[0]:.0f} x {extent[1]:.0f} m. Positions are in metres: "
+            "if yours are in millimetres, divide them by 1000."
+        )
 
 
 def _check_jump(number: int, stroke: Trajectory) -> None:
@@ -90,11 +101,6 @@ def _check_jump(number: int, stroke: Trajectory) -> None:
 def _scale(extent: Array, page: Page, size: float | None) -> float:
     """By how much the ink must grow, or a PageError that says what would fit."""
     room = page.size - 2 * MARGIN
-    if extent.max() > _HUGE:
-        raise PageError(
-            f"The ink is {extent[0]:.0f} x {extent[1]:.0f} m. Positions are in metres: "
-            "if yours are in millimetres, divide them by 1000."
-        )
     if size is not None and extent[1] < 1e-9:
         raise PageError("The ink has no height (a dot, or a level line), so size cannot set it; leave size out.")
     scale = 1.0 if size is None else _number("size", size, "a height in metres, such as 0.1") / extent[1]
@@ -102,7 +108,7 @@ def _scale(extent: Array, page: Page, size: float | None) -> float:
         raise PageError(f"size is {size} m, but the ink's height must be more than 0.")
     if (extent * scale > room + 1e-9).any():
         fits = (room / np.maximum(extent, 1e-12)).min()
-        cure = f"size={np.floor(1000 * fits * extent[1]) / 1000:.3f}"
+        cure = f"size={np.floor(1000 * fits * extent[1] + 1e-6) / 1000:.3f}"
         cure = cure if extent[1] * fits >= 0.001 else f"a stroke {1000 * room[0]:.0f} mm wide"
         raise PageError(
             f"The ink would be {_mm(extent * scale)} mm, but the page is {_mm(page.size)} mm "

@@ -27,7 +27,8 @@ LIFT = 0.3
 LONGEST_LIFT = 1.5
 """Longer pauses between strokes are shortened to this [s]."""
 
-_TRAVEL_SPEED = 0.3  # at most this fast over the paper [m/s]
+_TRAVEL_SPEED = 0.3  # at most this fast over the paper [m/s] ...
+_TRAVEL_PUSH = 3.0  # ... and no harder than this [m/s^2]
 
 
 @dataclass(frozen=True, eq=False)
@@ -139,7 +140,9 @@ def _risen(u: Array) -> Array:
 def _over(before: Trajectory, after: Trajectory, stretch: float) -> Array:
     """Lift, travel, touch between two strokes (n, 3), without the samples on the paper."""
     start, end = before.position[-1], after.position[0]
-    travel = 1.875 * np.linalg.norm(end - start) / _TRAVEL_SPEED  # a minimum-jerk move peaks at 1.875 of its mean speed
+    far = float(np.linalg.norm(end - start))
+    # A move with least jerk peaks at 1.875 of its mean speed, and at 5.77 distances over its duration squared.
+    travel = max(1.875 * far / _TRAVEL_SPEED, np.sqrt(5.77 * far / _TRAVEL_PUSH))
     needed = 2 * LIFT + travel
     longer = np.clip(after.t[0] - before.t[-1], needed, max(needed, LONGEST_LIFT)) / needed * stretch
     up = _move([_on(start), _above(start)], LIFT, longer)

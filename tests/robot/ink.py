@@ -1,0 +1,36 @@
+"""Ink of our own for the robot's tests: smooth, of any size and speed, in one to three strokes."""
+
+import numpy as np
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from dmp_teach.trajectory import Trajectory
+
+
+def law(examples=40, **strategies):
+    """What must hold for all ink; nothing here is timed."""
+    return lambda test: settings(deadline=None, max_examples=examples)(given(**strategies)(test))
+
+
+def wave(duration=1.2, rate=120, start=0.0, *, width=0.06, height=0.1, seed=0):
+    """A smooth stroke that begins and ends at full speed, like one cut at a lift."""
+    t = np.arange(round(duration * rate) + 1) / rate
+    a, b, c, d = np.random.default_rng(seed).uniform(0, 2 * np.pi, 4)
+    x = width / 2 * np.sin(2.6 * t / duration + a) + width / 6 * np.sin(7 * t / duration + b)
+    y = height / 2 * np.sin(4.1 * t / duration + c) + height / 6 * np.sin(6 * t / duration + d)
+    return Trajectory(start + t, np.column_stack([x, y]))
+
+
+LETTER = (wave(1.0, seed=1, start=0.4), wave(0.8, seed=2, start=1.9))
+
+
+@st.composite
+def letters(draw):
+    """One to three strokes on one clock, of 15 to 190 mm, as slow and as fast as people write."""
+    size, clock, strokes = draw(st.floats(0.015, 0.1)), 0.0, []
+    for _ in range(draw(st.integers(1, 3))):
+        duration = draw(st.floats(0.3, 2.5))
+        rate = draw(st.sampled_from([60, 120, 240, 100]))
+        strokes.append(wave(duration, rate, clock, width=size, height=1.4 * size, seed=draw(st.integers(0, 10**6))))
+        clock = strokes[-1].t[-1] + draw(st.floats(0.05, 3))
+    return tuple(strokes)
