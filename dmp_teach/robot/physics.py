@@ -43,12 +43,14 @@ def client() -> Iterator[tuple[ModuleType, int]]:
 
 def picture(
     meshes: Sequence[Mesh],
+    *,
     eye: ArrayLike,
     target: ArrayLike,
     up: ArrayLike,
     field_of_view: float,
     width: int,
     height: int,
+    lamp: ArrayLike = (0.3, 1.8, 4.4),
 ) -> NDArray[np.uint8]:
     """Draw meshes with pybullet's software renderer.
 
@@ -60,6 +62,7 @@ def picture(
         field_of_view: From the bottom to the top of the picture [degrees].
         width: Of the picture [pixels].
         height: Of the picture [pixels].
+        lamp: Where the light comes from (3,) [m].
 
     Returns:
         Red, green and blue, shape (height, width, 3).
@@ -75,8 +78,9 @@ def picture(
             height * _FINER,
             bullet.computeViewMatrix(list(eye), list(target), list(up)),
             bullet.computeProjectionMatrixFOV(field_of_view, width / height, 0.05, 12.0),
-            lightDirection=(1.2, 2.2, 3.6),
-            shadow=1,
+            lightDirection=list(lamp),
+            shadow=0,
+            flags=bullet.ER_NO_SEGMENTATION_MASK,
             lightAmbientCoeff=0.62,
             lightDiffuseCoeff=0.42,
             lightSpecularCoeff=0.06,

@@ -1,6 +1,6 @@
 """Where to look from: three cameras, found from the pose of the page and of the robot."""
 
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 
 import numpy as np
 
@@ -19,7 +19,7 @@ _SIDEWAYS = np.radians([0, 15, -15, 30, -30, 45, -45, 60, -60, 75, -75])
 _UPWARDS = np.radians([0, 10, -10, 20])
 _STEEPEST = np.radians(75)
 _HEAD = np.array([0.1, 0.0, 1.45])
-_ROOM = 1.5
+_ROOM = 1.65
 _CELLS = 24
 """Half the width of the coarse picture in which the hidden part of a letter is counted."""
 
@@ -33,12 +33,14 @@ class Camera:
         target: What is in the middle of the picture (3,) [m].
         up: What points up in the picture (3,).
         field_of_view: From the bottom to the top of the picture [degrees].
+        see_through: True where the arm is drawn faintly, because it would hide the page.
     """
 
     eye: tuple[float, float, float]
     target: tuple[float, float, float]
     up: tuple[float, float, float]
     field_of_view: float = _FIELD_OF_VIEW
+    see_through: bool = False
 
     def as_dict(self) -> dict[str, object]:
         """For JSON."""
@@ -56,34 +58,38 @@ def known_camera(name: str) -> str:
     return str(name).lower()
 
 
-def cameras(page: Page, robot: Array, letter: Array) -> dict[str, Camera]:
+def cameras(page: Page, robot: Array, letter: Array, table: Array) -> dict[str, Camera]:
     """The three cameras for a page.
 
     Args:
         page: The sheet.
         robot: Points all over the robot at a few moments, shape (M, P, 3) [m].
         letter: Points of the letter in the world, shape (L, 3), L at least 1 [m].
+        table: Points of the sheet and of what carries it, shape (N, 3) [m].
 
     Returns:
         A `Camera` for each name in `CAMERAS`.
     """
     corners = page.to_world([(x * page.width / 2, y * page.height / 2) for x in (-1, 1) for y in (-1, 1)])
     return {
-        "whole robot": _whole(np.vstack([robot.reshape(-1, 3), corners])),
+        "whole robot": _whole(np.vstack([robot.reshape(-1, 3), table]), page.normal),
         "over the shoulder": _shoulder(page, robot, letter, corners),
         "page from above": _above(page, corners),
     }
 
 
-def _whole(points: Array) -> Camera:
-    """From the front and the right, so that all of the robot and the page is seen."""
-    middle = (points.min(axis=0) + points.max(axis=0)) / 2
-    return _fit(middle, _direction((1, 0, 0), (0, 0, 1), np.radians(-52), np.radians(17)), (0, 0, 1), points, 1.06)
+def _whole(points: Array, normal: Array) -> Camera:
+    """From the front and the right; from further behind where the page would show its back."""
+    turns = np.radians([-52, -70, -90, -110, -130])
+    directions = [_direction((1, 0, 0), (0, 0, 1), turn, np.radians(15)) for turn in turns]
+    seen = next((direction for direction in directions if direction @ normal > 0.15), directions[0])
+    return _fit((points.min(axis=0) + points.max(axis=0)) / 2, seen, (0, 0, 1), points, 1.06)
 
 
 def _above(page: Page, corners: Array) -> Camera:
     """Straight at the page, its up pointing up."""
-    return _fit(page.X_world_page[:3, 3], page.normal, page.X_world_page[:3, 1], corners, 1.15)
+    straight = _fit(page.X_world_page[:3, 3], page.normal, page.X_world_page[:3, 1], corners, 1.15)
+    return replace(straight, see_through=True)
 
 
 def _shoulder(page: Page, robot: Array, letter: Array, corners: Array) -> Camera:
@@ -98,7 +104,7 @@ def _shoulder(page: Page, robot: Array, letter: Array, corners: Array) -> Camera
         direction = _direction(level, (0, 0, 1), side, min(rise + more, _STEEPEST))
         camera = _fit(centre, direction, (0, 0, 1), corners, _ROOM)
         hidden = max(_hidden(camera, moment, letter) for moment in over)
-        cost = hidden + 0.12 * abs(side) + 0.12 * abs(more) + max(0.0, 0.5 - direction @ page.normal)
+        cost = hidden + 0.15 * abs(side) + 0.15 * abs(more) + 0.7 * (1 - direction @ page.normal)
         if cost < least:
             best, least = camera, cost
     return best
@@ -120,12 +126,15 @@ def _frame(eye: Array, target: Array, up: Array) -> Array:
 
 
 def _fit(target: Array, direction: Array, up: Array, points: Array, room: float) -> Camera:
-    """The nearest camera in a direction that has all points in its picture, with some room around them."""
+    """The nearest camera in a direction that has all points in its picture, in the middle, with room around them."""
     target, direction, up = (np.asarray(v, float) for v in (target, direction, up))
     R = _frame(target + direction, target, up)
-    right, high, near = R @ (points - target).T
     slope = np.tan(np.radians(_FIELD_OF_VIEW / 2))
-    distance = np.max(near + room * np.maximum(np.abs(high), np.abs(right) / ASPECT) / slope)
+    for _ in range(4):
+        right, high, near = R @ (points - target).T
+        distance = np.max(near + room * np.maximum(np.abs(high), np.abs(right) / ASPECT) / slope)
+        in_picture = np.array([right, high]) / (distance - near)
+        target = target + distance * (in_picture.max(axis=1) + in_picture.min(axis=1)) / 2 @ R[:2]
     return Camera(*(tuple(map(float, v)) for v in (target + distance * direction, target, up)))
 
 

@@ -6,7 +6,6 @@ from collections.abc import Sequence
 
 import numpy as np
 import umsgpack
-from scipy.spatial.transform import Rotation
 
 from dmp_teach.trajectory import Array
 
@@ -67,11 +66,6 @@ class Track:
         times, values = (typed(np.float32(array).ravel())["array"] for array in (self.times, self.values))
         step = {"interpolation": _UNTIL_THE_NEXT_KEY} if self.stepped else {}
         return {"name": f".{self.name}", "type": self.kind, "times": times, "values": values} | step
-
-
-def quaternions(R: Array) -> Array:
-    """Rotations (T, 3, 3) as x, y, z, w, shape (T, 4)."""
-    return Rotation.from_matrix(R).as_quat()
 
 
 def bundle(commands: Sequence[bytes]) -> bytes:

@@ -5,18 +5,22 @@ import html
 import json
 from pathlib import Path
 
+_POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline' blob:; img-src data: blob:"
+"""The file asks nobody for anything, and the browser holds it to that."""
+
 _PAGE = """<!doctype html>
 <html lang="en">
 <head>
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width">
-<meta http-equiv="Content-Security-Policy" content="default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline' blob:; img-src data: blob:">
+<meta http-equiv="Content-Security-Policy" content="{policy}">
 <title>{title}</title>
 <style>
 {css}
 body {{ margin: 0; padding: 8px; background: var(--jp-layout-color0); }}
 body {{ --jp-layout-color0: #ffffff; --jp-border-color2: #e0e0e0; --jp-ui-font-color0: #111111; }}
-body[data-jp-theme-light="false"] {{ --jp-layout-color0: #111417; --jp-border-color2: #3a4047; --jp-ui-font-color0: #f4f4f4; }}
+body[data-jp-theme-light="false"] {{ --jp-layout-color0: #111417; --jp-border-color2: #3a4047; }}
+body[data-jp-theme-light="false"] {{ --jp-ui-font-color0: #f4f4f4; }}
 .dt-scene {{ margin: 0 auto; }}
 </style>
 </head>
@@ -75,6 +79,7 @@ def page(title: str, css: str, script: str, state: dict, parts: dict[str, bytes]
         data.append(f'<script type="application/gzip;base64" id="{name}">{text}</script>')
     text = _PAGE.format(
         title=html.escape(title),
+        policy=_POLICY,
         css=css,
         label=html.escape(state["facts"]["label"]),
         data="\n".join(data),

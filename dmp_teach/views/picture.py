@@ -9,6 +9,7 @@ from dmp_teach.robot.physics import Mesh, picture
 from dmp_teach.trajectory import Array
 from dmp_teach.views.cameras import ASPECT, known_camera
 from dmp_teach.views.ribbon import TRIANGLES_PER_DOT, Ribbon
+from dmp_teach.views.shapes import lamp
 from dmp_teach.views.stage import Stage
 
 INK_COLOR, PLAN_COLOR = (0.0, 0.447, 0.698, 1.0), (0.62, 0.64, 0.67, 1.0)
@@ -32,18 +33,28 @@ def png(stage: Stage, time: float | None, camera: str, width: int, height: int) 
     time = stage.duration if time is None else time
     if not 0 <= time <= stage.duration:
         raise SettingError(f"time is {time} s, but must be between 0 and {stage.duration:.3f} s, when the motion ends.")
+    low, high = _SIZES
     for name, size in (("width", width), ("height", height)):
-        if not (isinstance(size, int | np.integer) and _SIZES[0] <= size <= _SIZES[1]):
-            raise SettingError(f"{name} is {size!r}, but must be a whole number of pixels from {_SIZES[0]} to {_SIZES[1]}.")
+        if not (isinstance(size, int | np.integer) and low <= size <= high):
+            raise SettingError(f"{name} is {size!r}, but must be a whole number of pixels from {low} to {high}.")
     seen = stage.cameras[known_camera(camera)]
     slope = np.tan(np.radians(seen.field_of_view / 2)) * max(1.0, ASPECT * height / width)
-    field = 2 * np.degrees(np.arctan(slope))
-    return _encoded(picture(_meshes(stage, time), seen.eye, seen.target, seen.up, field, width, height))
+    pixels = picture(
+        _meshes(stage, time, seen.see_through),
+        eye=seen.eye,
+        target=seen.target,
+        up=seen.up,
+        field_of_view=2 * np.degrees(np.arctan(slope)),
+        width=width,
+        height=height,
+        lamp=lamp(stage.page),
+    )
+    return _encoded(pixels)
 
 
-def _meshes(stage: Stage, time: float) -> list[Mesh]:
-    """Everything in the world at a time [s], the ink as far as it is written."""
-    shapes = (*stage.robot(time), *stage.around)
+def _meshes(stage: Stage, time: float, pen_only: bool) -> list[Mesh]:
+    """Everything in the world at a time [s], the ink as far as it is written; the renderer knows nothing faint."""
+    shapes = (*stage.robot(time, pen_only), *stage.around)
     meshes = [(shape.vertices, shape.normals, shape.faces, shape.color) for shape in shapes]
     meshes.append(_flat(stage, stage.plan, PLAN_COLOR, len(stage.plan.faces)))
     meshes.append(_flat(stage, stage.ink, INK_COLOR, stage.ink.triangles(time)))

@@ -18,17 +18,17 @@ import umsgpack
 from meshcat.animation import Animation, AnimationClip
 
 from dmp_teach.errors import ViewError
-from dmp_teach.robot.model import Joint
 from dmp_teach.robot.motion import Motion
 from dmp_teach.trajectory import Array
-from dmp_teach.views.cameras import CAMERAS, known_camera
-from dmp_teach.views.packing import PackedMesh, Track, bundle, quaternions
+from dmp_teach.views.cameras import CAMERAS
 from dmp_teach.views.files import write_whole
+from dmp_teach.views.packing import PackedMesh, Track, bundle
 from dmp_teach.views.page_file import page, read_beside
 from dmp_teach.views.picture import png
 from dmp_teach.views.ribbon import Ribbon
-from dmp_teach.views.shapes import Shape, floor
+from dmp_teach.views.shapes import Shape, floor, lamp
 from dmp_teach.views.stage import Stage, robot_model
+from dmp_teach.views.tracks import ink_track, joint_track, link_paths
 
 INK, PLAN = 0x0072B2, 0x9AA1A9
 _SCRIPT = read_beside("scene_3d.js") + read_beside("scene.js")
@@ -62,6 +62,16 @@ class _Mesh(meshcat.geometry.Geometry):
         return self.mesh.lower(self.uuid)
 
 
+class _Property(meshcat.commands.SetProperty):
+    """Meshcat writes the names of properties in small letters, so that it cannot name `castShadow`."""
+
+    __slots__ = ()
+
+    def lower(self) -> dict:
+        """The name as it is."""
+        return super().lower() | {"property": self.key}
+
+
 class _Shadow(meshcat.geometry.GenericMaterial):
     """Shows nothing but the shadows that fall on it."""
 
@@ -91,8 +101,9 @@ def run_commands(stage: Stage) -> tuple[bytes, ...]:
     recorder = Recorder()
     viewer = meshcat.Visualizer(window=recorder)
     viewer["around"].delete()
+    _tell(viewer["/Lights/SpotLight/<object>"], "position", lamp(stage.page).tolist())
     for shape in stage.around:
-        _put(viewer["around"], shape)
+        _put(viewer["around"], shape, gloss=0)
     _put_ribbon(viewer["plan"], "plan", stage.plan, stage, PLAN)
     _put_ribbon(viewer["ink"], "ink", stage.ink, stage, INK)
     model, paths = robot_model(), link_paths()
@@ -103,46 +114,41 @@ def run_commands(stage: Stage) -> tuple[bytes, ...]:
         node = viewer[paths[joint.child]]
         node.set_transform(joint.pose(column[:1])[0])
         if np.ptp(column) > 0:
-            clips[node.path] = _clip(_joint_track(joint, times, column))
+            clips[node.path] = _clip(joint_track(joint, times, column))
     if len(stage.ink.t):
-        clips[viewer["ink/<object>"].path] = _clip(_ink_track(stage.ink))
+        clips[viewer["ink/<object>"].path] = _clip(ink_track(stage.ink))
     viewer.set_animation(Animation(clips), play=False)
     return tuple(recorder.commands)
 
 
-@lru_cache(maxsize=1)
-def link_paths() -> dict[str, str]:
-    """Where each link stands in the viewer's tree: under the link that carries it."""
-    model = robot_model()
-    paths = {model.root: f"robot/{model.root}"}
-    for joint in model.joints:
-        paths[joint.child] = f"{paths[joint.parent]}/{joint.child}"
-    return paths
-
-
 def _light(viewer: meshcat.Visualizer) -> None:
-    """A lamp high on the left that throws soft shadows, light from all sides, no grid and no axes."""
+    """A lamp that throws soft shadows, light from all sides, no grid and no axes."""
     for path, key, value in (
         ("/Grid", "visible", False),
         ("/Axes", "visible", False),
         ("/Lights/SpotLight", "visible", True),
-        ("/Lights/SpotLight/<object>", "position", [1.2, 2.2, 3.6]),
-        ("/Lights/SpotLight/<object>", "intensity", 0.55),
+        ("/Lights/SpotLight/<object>", "intensity", 0.42),
+        ("/Lights/SpotLight/<object>", "penumbra", 0.6),
         ("/Lights/SpotLight/<object>", "castShadow", True),
-        ("/Lights/PointLightNegativeX/<object>", "intensity", 0.12),
-        ("/Lights/PointLightPositiveX/<object>", "intensity", 0.18),
-        ("/Lights/AmbientLight/<object>", "intensity", 0.52),
-        ("/Lights/FillLight/<object>", "intensity", 0.22),
+        ("/Lights/PointLightNegativeX", "visible", False),
+        ("/Lights/PointLightPositiveX", "visible", False),
+        ("/Lights/AmbientLight/<object>", "intensity", 0.55),
+        ("/Lights/FillLight/<object>", "intensity", 0.34),
     ):
-        viewer[path].set_property(key, value)
+        _tell(viewer[path], key, value)
 
 
-def _put(parent: meshcat.Visualizer, shape: Shape, material: Any = None) -> None:
+def _tell(node: meshcat.Visualizer, key: str, value: Any) -> None:
+    """Set a property, its name as it is."""
+    node.window.send(_Property(key, value, node.path))
+
+
+def _put(parent: meshcat.Visualizer, shape: Shape, material: Any = None, gloss: int = 0x1C1C1C) -> None:
     """A mesh of one colour under a node."""
     red, green, blue = (round(255 * part) for part in shape.color[:3])
     if material is None:
         color = (red << 16) + (green << 8) + blue
-        material = meshcat.geometry.MeshPhongMaterial(color=color, shininess=30, specular=0x1C1C1C)
+        material = meshcat.geometry.MeshPhongMaterial(color=color, shininess=30, specular=gloss, side=0)
     _set(parent[shape.name], _Mesh(shape.name, shape.vertices, shape.normals, shape.faces), material)
 
 
@@ -163,21 +169,6 @@ def _set(node: meshcat.Visualizer, mesh: _Mesh, material: Any) -> None:
 def _clip(track: Track) -> AnimationClip:
     """A clip of one track, its times in seconds."""
     return AnimationClip(tracks={track.name: track}, fps=1)
-
-
-def _joint_track(joint: Joint, times: Array, positions: Array) -> Track:
-    """How one joint moves its link."""
-    poses = joint.pose(positions)
-    if joint.type == "prismatic":
-        return Track("position", "vector3", times, poses[:, :3, 3])
-    return Track("quaternion", "quaternion", times, quaternions(poses[:, :3, :3]))
-
-
-def _ink_track(ink: Ribbon) -> Track:
-    """How many corners of triangles are drawn: up to the dot that the pen has reached."""
-    times = np.unique(np.append(0.0, ink.t))
-    counts = np.array([3 * ink.triangles(t) for t in times])
-    return Track("drawRange[count]", "number", times, counts, stepped=True)
 
 
 @lru_cache(maxsize=1)
@@ -317,7 +308,9 @@ def _stage(motion: Any) -> Stage:
 
 def _not_a_motion(value: Any) -> str:
     """What can be shown, and how to get it."""
-    return f"A {type(value).__name__} cannot be shown here; a Motion can: Fetch().write(strokes, Page.table()) gives one."
+    return (
+        f"A {type(value).__name__} cannot be shown here; a Motion can: Fetch().write(strokes, Page.table()) gives one."
+    )
 
 
 def _traits(stage: Stage, play: bool = True) -> dict[str, Any]:

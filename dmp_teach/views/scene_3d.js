@@ -72,8 +72,19 @@ class Picture {
     this.sky(theme);
     bundles.forEach((bundle) => this.apply(bundle));
     this.resize();
+    this.ghost();
     this.look();
     this.seek(this.time);
+    this.spare();
+  }
+
+  /** Where a processor draws instead of a graphics card, shadows would halve the pictures a second. */
+  spare() {
+    const gl = this.viewer.renderer.getContext();
+    const info = gl.getExtension("WEBGL_debug_renderer_info");
+    const name = String(info ? gl.getParameter(info.UNMASKED_RENDERER_WEBGL) : "");
+    const slow = /swiftshader|llvmpipe|software|basic render/i.test(name);
+    this.viewer.scene_tree.find(["Lights", "SpotLight", "<object>"]).object.castShadow = globalThis.dtShadows ?? !slow;
   }
 
   /** Meshcat and its panel listen to the window for ever; note what they add, to take it away at the end. */
@@ -151,7 +162,22 @@ class Picture {
   place(camera) {
     this.camera = camera;
     this.turn = { yaw: 0, pitch: 0, zoom: 1 };
+    this.ghost();
     this.look();
+  }
+
+  /** See through the arm, but not through the pen: straight above the page it would hide the letter. */
+  ghost() {
+    const through = (node, clear) => {
+      const see = clear && !node.name.startsWith("pen_");
+      const { material } = node;
+      if (material && material.transparent !== see) {
+        Object.assign(material, { transparent: see, opacity: see ? 0.12 : 1, depthWrite: !see, needsUpdate: true });
+        node.castShadow = !see;
+      }
+      node.children.forEach((child) => through(child, see));
+    };
+    if (this.viewer) through(this.viewer.scene_tree.find(["meshcat", "robot"]).object, Boolean(this.camera?.see_through));
   }
 
   /** Put the camera where it belongs: turned by hand about the middle of the picture, never under the floor. */

@@ -45,13 +45,18 @@ def around(page: Page) -> tuple[Shape, ...]:
     """The sheet and what carries it: a wooden table, or a board on two posts where the page is steep."""
     flat = page.normal[2] > 0.5
     width, height = page.width + 2 * _MARGIN, page.height + 2 * _MARGIN
-    sheet = slab("page", page.width, page.height, -0.0012, 0.0, 0.0, PAPER)
-    top = slab("top", width, height, -0.003 - _THICK, -0.003, 0.03, WOOD if flat else BOARD)
-    rail_color = WOOD_EDGE if flat else STEEL
-    inset = 0.05
-    rail = slab("rail", width - inset, height - inset, -0.06 if flat else -0.04, -0.003 - _THICK, 0.01, rail_color)
+    inset, under = 0.05, -0.003 - _THICK
+    sheet = slab("page", (page.width, page.height), (-0.0012, 0.0), 0.0, PAPER)
+    top = slab("top", (width, height), (under, -0.003), 0.03, WOOD if flat else BOARD)
+    rail_size, rail_z = (width - inset, height - inset), (-0.06 if flat else -0.04, under)
+    rail = slab("rail", rail_size, rail_z, 0.01, WOOD_EDGE if flat else STEEL)
     plates = tuple(shape.moved(page.X_world_page) for shape in (sheet, top, rail))
     return plates + _legs(page, width - inset - 0.03, height - inset - 0.03, 0.05 if flat else 0.032)
+
+
+def lamp(page: Page) -> Array:
+    """Where the lamp hangs: high, on the left, and always before the page, shape (3,) [m]."""
+    return 2.2 * page.normal + (0.3, 1.8, 2.2)
 
 
 def _legs(page: Page, width: float, height: float, behind: float) -> tuple[Shape, ...]:
@@ -61,17 +66,17 @@ def _legs(page: Page, width: float, height: float, behind: float) -> tuple[Shape
     return tuple(leg(f"leg{number}", top, 0.014) for number, top in enumerate(tops) if top[2] > 0.03)
 
 
-def slab(name: str, width: float, height: float, low: float, high: float, radius: float, color: tuple) -> Shape:
-    """A plate with rounded corners, flat in x and y, from z `low` to `high` [m]."""
-    outline, sideways = _rounded(width, height, radius)
-    return _prism(name, outline, sideways, low, high, color)
+def slab(name: str, size: tuple[float, float], z: tuple[float, float], radius: float, color: tuple) -> Shape:
+    """A plate with rounded corners, flat in x and y, from the lower to the upper `z` [m]."""
+    outline, sideways = _rounded(*size, radius)
+    return _prism(name, (outline, sideways), z, color)
 
 
 def leg(name: str, top: Array, radius: float) -> Shape:
     """A round post from the floor to `top` (3,) [m]."""
     angles = np.linspace(0, 2 * np.pi, 20, endpoint=False)
     circle = np.column_stack([np.cos(angles), np.sin(angles)])
-    return _prism(name, top[:2] + radius * circle, circle, 0.0, top[2], STEEL)
+    return _prism(name, (top[:2] + radius * circle, circle), (0.0, top[2]), STEEL)
 
 
 def floor(radius: float = 3.0) -> Shape:
@@ -85,7 +90,7 @@ def floor(radius: float = 3.0) -> Shape:
 
 def _rounded(width: float, height: float, radius: float) -> tuple[Array, Array]:
     """The outline of a rounded rectangle, counter-clockwise, and its normals, both (P, 2)."""
-    turn = np.linspace(0, np.pi / 2, 7 if radius > 0 else 1) if radius > 0 else np.array([0.0, np.pi / 2])
+    turn = np.linspace(0, np.pi / 2, 7 if radius > 0 else 2)
     points, normals = [], []
     for quarter, (sx, sy) in enumerate([(1, 1), (-1, 1), (-1, -1), (1, -1)]):
         angles = turn + quarter * np.pi / 2
@@ -95,19 +100,22 @@ def _rounded(width: float, height: float, radius: float) -> tuple[Array, Array]:
     return np.vstack(points), np.vstack(normals)
 
 
-def _prism(name: str, outline: Array, sideways: Array, low: float, high: float, color: tuple) -> Shape:
-    """An outline (P, 2), counter-clockwise and convex, pulled up from z `low` to `high`."""
+def _prism(name: str, around: tuple[Array, Array], z: tuple[float, float], color: tuple) -> Shape:
+    """An outline (P, 2) with its normals (P, 2), counter-clockwise and convex, pulled up from `z` to `z` [m]."""
+    outline, sideways = around
     count = len(outline)
-    bottom, top = (np.column_stack([outline, np.full(count, z)]) for z in (low, high))
+    bottom, top = (np.column_stack([outline, np.full(count, height)]) for height in z)
     wall_normals = np.column_stack([sideways, np.zeros(count)])
     up = np.tile((0.0, 0.0, 1.0), (count, 1))
     vertices = np.vstack([bottom, top, bottom, top])
     normals = np.vstack([wall_normals, wall_normals, -up, up])
     here, after = np.arange(count), np.roll(np.arange(count), -1)
-    walls = np.vstack([
-        np.column_stack([here, after, after + count]),
-        np.column_stack([here, after + count, here + count]),
-    ])
+    walls = np.vstack(
+        [
+            np.column_stack([here, after, after + count]),
+            np.column_stack([here, after + count, here + count]),
+        ]
+    )
     fan = np.column_stack([np.zeros(count - 2, int), np.arange(1, count - 1), np.arange(2, count)])
     faces = np.vstack([walls, fan[:, ::-1] + 2 * count, fan + 3 * count])
     return Shape(name, locked(vertices), locked(normals), locked(faces, np.uint32), color)

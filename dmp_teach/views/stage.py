@@ -26,7 +26,7 @@ REST = {
 }
 """How the robot waits for something to write [rad, m]."""
 
-INK_WIDTH, INK_HEIGHT = 0.0018, 0.0006
+INK_WIDTH, INK_HEIGHT = 0.0022, 0.0006
 PLAN_WIDTH, PLAN_HEIGHT = 0.0008, 0.0003
 _MOMENTS = 6
 _POINTS = 1500
@@ -93,7 +93,8 @@ class Stage:
         """The three cameras, by name."""
         letter = self.ink.dots if len(self.ink.dots) else self.plan.dots
         letter = letter[:: len(letter) // 80 + 1] if len(letter) else np.zeros((1, 2))
-        return cameras(self.page, self._robot_points(), self.page.to_world(letter))
+        carried = np.vstack([shape.vertices for shape in self.around])
+        return cameras(self.page, self._robot_points(), self.page.to_world(letter), carried)
 
     def facts(self) -> dict[str, object]:
         """What the browser needs to know besides the scene: numbers, sentences, and the small page in [mm]."""
@@ -114,13 +115,14 @@ class Stage:
         times, q = self.keys
         return np.array([np.interp(t, times, column) for column in q.T])
 
-    def robot(self, t: float) -> tuple[Shape, ...]:
-        """The robot's shell in the world at time `t` [s]."""
+    def robot(self, t: float, pen_only: bool = False) -> tuple[Shape, ...]:
+        """The robot's shell in the world at time `t` [s], or the pen alone."""
         model = robot_model()
         poses = model.link_poses(self.joints(t), self.joint_names)
         pieces = (
             (Shape(f"{v.link} {n}", v.vertices, v.normals, v.faces, tuple(v.color)), poses[v.link][0] @ v.X_link_visual)
             for n, v in enumerate(model.visuals)
+            if not pen_only or v.link.startswith("pen_")
         )
         return tuple(shape.moved(X) for shape, X in pieces)
 
