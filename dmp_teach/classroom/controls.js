@@ -60,6 +60,15 @@ function choice({ legend, options, value, onChange, kind = "" }) {
   return { node, show };
 }
 
+/** One of many: a list that opens. Its first line is its name, and is chosen where none of the others is. */
+function list({ name, options, value, onChange }) {
+  const items = options.map((option) => make("option", { value: option.value }, option.label));
+  const node = make("select", { class: "dt-list", "aria-label": name }, make("option", { value: "", disabled: true }, name), ...items);
+  node.value = options.some((option) => option.value === value) ? value : "";
+  node.addEventListener("change", () => onChange(node.value));
+  return node;
+}
+
 /**
  * A slider with a plain name, the real word in grey, and its value.
  *

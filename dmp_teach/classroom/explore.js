@@ -3,7 +3,7 @@
 const SLEEPY = 4000;
 const LATE = 300;
 
-function render({ model, el }) {
+function render({ model, el, host, signal }) {
   const root = make("div", { class: "dt-panel dt-explore", "data-lm-suppress-shortcuts": "true" });
   const parts = { ...head(model), ...stage(model), says: says(model), ...knobs(model) };
   root.append(parts.head, parts.stage, make("div", { class: "dt-says" }, parts.says.node), parts.knobs, parts.more);
@@ -20,8 +20,8 @@ function render({ model, el }) {
   redraw();
   redrawWork();
   drawOlder(model, parts);
-  const child = robotView(model, parts.robotHost);
-  return () => (stopWatching(), child.then((view) => view?.remove()));
+  showRobot(host, model.get("scene"), parts.robotHost, signal);
+  return stopWatching;
 }
 
 /** Ask Python for a new letter. The front end merges events by itself while the kernel is busy. */
@@ -58,9 +58,12 @@ function head(model) {
 function drawChoices(model, parts) {
   const options = model.get("choices").map(([value, label, name]) => ({ value, label, name }));
   const focused = parts.letters.contains(document.activeElement);
-  const bar = choice({ legend: "Letter", kind: "dt-letters", options, value: model.get("letter"), onChange: (letter) => ask(model, { letter }) });
-  parts.letters.replaceChildren(bar.node);
-  if (focused) bar.node.querySelector("input:checked")?.focus();
+  const choose = (letter) => ask(model, { letter });
+  const [near, more] = [options.filter((o) => model.get("near").includes(o.value)), options.filter((o) => !model.get("near").includes(o.value))];
+  const bar = choice({ legend: "Letter", kind: "dt-letters", options: near, value: model.get("letter"), onChange: choose });
+  const rest = list({ name: "More letters", options: more, value: model.get("letter"), onChange: choose });
+  parts.letters.replaceChildren(bar.node, rest);
+  if (focused) (bar.node.querySelector("input:checked") ?? rest).focus();
 }
 
 function stage(model) {
@@ -240,12 +243,9 @@ function workFooter(model) {
 }
 
 /** The 3-D view is a widget of its own; here it stands inside this card. */
-async function robotView(model, host) {
-  const manager = model.widget_manager;
-  const child = await manager.get_model(model.get("scene").slice("IPY_MODEL_".length));
-  const view = await manager.create_view(child);
-  host.append(view.el);
-  return view;
+async function showRobot(host, scene, el, signal) {
+  const child = await host.getWidget(scene);
+  await child.render({ el, signal });
 }
 
 export default { render };

@@ -7,7 +7,6 @@ from typing import Any
 import anywidget
 import numpy as np
 import traitlets
-from ipywidgets import widget_serialization
 
 from dmp_teach.classroom import words
 from dmp_teach.classroom.writing import Job, StopPressed
@@ -19,11 +18,13 @@ from dmp_teach.ink.recording import Recording
 from dmp_teach.letters.letter import Letter
 from dmp_teach.robot.page import Page
 from dmp_teach.trajectory import Trajectory
-from dmp_teach.views.scene import view
+from dmp_teach.views.scene import SceneView
 
 _HERE = Path(__file__).parent
-_STEPS = {"wake": "Waking the robot", "reach": "Can the arm reach the letter?", "plan": "Planning every joint"}
+_STEPS = {"wake": "Waking the robot", "reach": "Can the arm reach the letter?", "joints": "Planning every joint"}
+_STEP_OF = {"plan": "joints"}
 _IDLE: dict[str, Any] = {"state": "idle"}
+_NEAR = "abemBDMPR"  # the letters of the paper's figures, and two that D becomes
 _OWN = "own recording"
 _MOST_KERNELS = 80
 
@@ -53,6 +54,7 @@ class Explore(anywidget.AnyWidget):
     _css = bundle("panel.css", "paper.css")
 
     choices = traitlets.List().tag(sync=True)
+    near = traitlets.List(list(_NEAR)).tag(sync=True)
     letter = traitlets.Unicode().tag(sync=True)
     knobs = traitlets.Dict().tag(sync=True)
     n_kernels = traitlets.Int(12).tag(sync=True)
@@ -73,11 +75,11 @@ class Explore(anywidget.AnyWidget):
     drawing = traitlets.Int(0).tag(sync=True)
     asked = traitlets.Int(0).tag(sync=True)
     answered = traitlets.Int(0).tag(sync=True)
-    scene = traitlets.Any().tag(sync=True, **widget_serialization)
+    scene = anywidget.WidgetTrait().tag(sync=True)
 
     def __init__(self, recording: Recording | str | Path | None = None, page: Page | None = None):
-        knobs = {name: vars(knob_of(name)) for name in ("n_kernels", "kernel_width")}
-        super().__init__(scene=view(), knobs=knobs)
+        knobs = {name: _knob(name) for name in ("n_kernels", "kernel_width")}
+        super().__init__(scene=SceneView(compact=True), knobs=knobs)
         self.page = Page.table() if page is None else page
         self.motion = None
         self._job: Job | None = None
@@ -88,11 +90,11 @@ class Explore(anywidget.AnyWidget):
         if recording is None:
             self.letter = "a"
         else:
-            self.open(recording)
+            self.load(recording)
 
     # What the person does ------------------------------------------------------------------------
 
-    def open(self, recording: Recording | str | Path) -> None:
+    def load(self, recording: Recording | str | Path) -> None:
         """Show a recording of one's own, beside the letters of the alphabet."""
         own = recording if isinstance(recording, Recording) else read_recording(recording)
         if not own.strokes():
@@ -100,6 +102,7 @@ class Explore(anywidget.AnyWidget):
         self._own = own
         label = own.character or "?"
         self.choices = [*(c for c in self.choices if c[0] != _OWN), [_OWN, f"{label}*", f"your own {label}"]]
+        self.near = [*_NEAR, _OWN]
         self.letter = ""
         self.letter = _OWN
 
@@ -133,7 +136,7 @@ class Explore(anywidget.AnyWidget):
             path = Path(folder) / (Path(name.replace("\\", "/")).name or "recording.csv")
             try:
                 path.write_bytes(content)
-                self.open(path)
+                self.load(path)
                 self.work = _IDLE
             except (TeachError, OSError) as error:
                 self._cannot(str(error))
@@ -203,7 +206,7 @@ class Explore(anywidget.AnyWidget):
 
     def _progress(self, step: str, fraction: float) -> None:
         """Which step the robot is at, and how much of it is done."""
-        at = list(_STEPS).index(step)
+        at = list(_STEPS).index(_STEP_OF.get(step, step))
         self.work = {"state": "working", "steps": list(_STEPS.values()), "at": at, "fraction": round(fraction, 2)}
 
     def _end(self, result: Any) -> None:
@@ -234,10 +237,17 @@ class Explore(anywidget.AnyWidget):
 
 def _plan(strokes: tuple[Trajectory, ...], page: Page, size: float | None, report: Any) -> Any:
     """The robot's motion; its solver is built once, in the thread that uses it."""
-    from dmp_teach.robot.arm import Fetch  # noqa: PLC0415 (PlaCo loads when a robot is wanted)
+    from dmp_teach.robot.fetch import Fetch  # noqa: PLC0415 (PlaCo loads when a robot is wanted)
 
     report("wake", 0.5)
     return Fetch().write(strokes, page, size=size, progress=report)
+
+
+def _knob(name: str) -> dict[str, Any]:
+    """A knob as the panel's sliders need it."""
+    knob = knob_of(name)
+    label = knob.label[0].upper() + knob.label[1:]
+    return {"low": knob.low, "high": knob.high, "label": label, "term": knob.term}
 
 
 def _bytes(strokes: tuple[Trajectory, ...]) -> bytes:

@@ -4,8 +4,13 @@ import numpy as np
 
 from dmp_teach.trajectory import Trajectory
 
-_THINGS = ((0.1, "a hair is thick"), (1.0, "a pen line is wide"), (7.0, "a pencil is wide"), (14.0, "a finger is wide"),
-           (100.0, "a hand is wide"))  # fmt: skip
+_THINGS = (
+    (0.1, "the thickness of a hair"),
+    (1.0, "the width of a pen line"),
+    (7.0, "the width of a pencil"),
+    (14.0, "the width of a finger"),
+    (100.0, "the width of a hand"),
+)
 
 
 def rms_distance(a: tuple[Trajectory, ...], b: tuple[Trajectory, ...]) -> float:
@@ -23,12 +28,11 @@ def millimetres(metres: float) -> str:
 
 
 def as_wide_as(metres: float) -> str:
-    """The thing whose width is the nearest, on a scale of factors: "about as far as a pencil is wide"."""
-    mm = max(1000 * metres, 1e-3)
+    """The thing whose size is the nearest, on a scale of factors: "the width of a pencil"."""
+    mm = 1000 * metres
     if mm < 0.05:
-        return "less than a hair is thick"
-    _, thing = min(_THINGS, key=lambda pair: abs(np.log(pair[0] / mm)))
-    return f"about as far as {thing}"
+        return "less than a hair"
+    return min(_THINGS, key=lambda thing: abs(np.log(thing[0] / mm)))[1]
 
 
 def centimetres(metres: float) -> str:
@@ -41,9 +45,9 @@ def what_to_try(error: float, n_kernels: int, kernel_width: float) -> str:
     if error < 0.0005:
         return "The line sits on the dots."
     if kernel_width < 0.99:
-        return "Between narrow bumps there are gaps. Try width 1.0."
+        return "Narrow bumps leave gaps between them: try width 1.0."
     if kernel_width > 1.5:
-        return "Wide bumps mix with their neighbours. Try narrower bumps."
+        return "Wide bumps mix with their neighbours: try narrower ones."
     return "Try more bumps." if n_kernels < 60 else "Try a width of 1.0."
 
 
@@ -52,7 +56,7 @@ def fit_message(error: float, n_kernels: int, kernel_width: float) -> dict[str, 
     return {
         "number": millimetres(error),
         "unit": "mm",
-        "text": "On average the robot’s line is this far from the dots: ",
+        "text": "On average the line is off the dots by ",
         "strong": f"{as_wide_as(error)}.",
         "after": f" {what_to_try(error, n_kernels, kernel_width)}",
     }

@@ -42,7 +42,7 @@ def test_a_length_is_compared_with_a_thing_of_that_size(metres, thing):
 
 @given(st.floats(0, 10), st.floats(0, 10))
 def test_a_longer_distance_is_never_compared_with_a_smaller_thing(a, b):
-    order = ["less than", "a hair is", "pen line", "pencil", "finger", "hand"]
+    order = ["less than", "of a hair", "pen line", "pencil", "finger", "hand"]
     rank = [next(i for i, word in enumerate(order) if word in words.as_wide_as(x)) for x in sorted((a, b))]
     assert rank[0] <= rank[1]
 
