@@ -169,20 +169,20 @@ def _landed(motion: _Motion, a: int, b: int) -> tuple[int, int]:
     brisk = np.flatnonzero(moving[first : last + 1]) + first
     if not len(brisk):
         return a + first, a + last + 1
-    for start, end in _slopes(z, -rise, speed * motion.dt):
+    for start, end in _slopes(z, -rise > CREEP / 2, speed * motion.dt):
         if start <= max(brisk[0], first + SETTLE / motion.dt):
             first = max(first, end)
-    for start, _ in _slopes(z, rise, speed * motion.dt):
+    for start, _ in _slopes(z, rise > CREEP, speed * motion.dt):
         if start >= brisk[-1]:
             last = min(last, start)
     return a + first, a + last + 1
 
 
-def _slopes(z: Array, rise: Array, way: Array) -> list[tuple[int, int]]:
-    """Runs (start, end) of climbing that are steep for the `way` (K,) that the pen makes along the page meanwhile."""
+def _slopes(z: Array, climbing: Array, way: Array) -> list[tuple[int, int]]:
+    """Runs (start, end) of `climbing` (K,) that are steep for the `way` (K,) that the pen makes along the page meanwhile."""
     return [
         (start, end)
-        for start, end in runs(rise > CREEP / 2)
+        for start, end in runs(climbing)
         if abs(z[end - 1] - z[start]) > max(STEP, STEEP * way[start:end].sum())
     ]
 
