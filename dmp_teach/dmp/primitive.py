@@ -8,16 +8,16 @@ from typing import Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from dmp_teach.dmp.demonstration import has_even_times, prepared
-from dmp_teach.dmp.fit import FITS, forcing
-from dmp_teach.dmp.kernels import Cells, Kernels, Overlap
-from dmp_teach.dmp.phase import Phase
+from dmp_teach.dmp.demonstration import prepared, sharpened
+from dmp_teach.dmp.equation import Equation, kernels_of
+from dmp_teach.dmp.fit import FITS
+from dmp_teach.dmp.kernels import Kernels
 from dmp_teach.dmp.settings import Settings
-from dmp_teach.dmp.spring import Spring
 from dmp_teach.errors import SettingError, TrajectoryError
 from dmp_teach.trajectory import Array, Trajectory, locked
 
-LEAST_STEPS, MOST_STEPS = 50, 2_000_000
+LEAST_STEPS = 50  # and at least 2 alpha, for an explicit spring diverges from alpha/4 steps down
+MOST_STEPS = 2_000_000
 
 
 @dataclass(frozen=True, eq=False)
@@ -72,17 +72,24 @@ class DMP:
             SettingError: More kernels than samples, or `original` with a coordinate that ends where it began.
         """
         settings = (settings or Settings.star()).resolved(trajectory.duration, len(trajectory))
-        way = trajectory.position[-1] - trajectory.position[0]
         if settings.transform == "original":
-            _refuse_no_way(way, np.ptp(trajectory.position))
-        path, notes = prepared(trajectory, settings.smoothing, _least_steps(settings))
-        spring = Spring(settings.alpha, len(path) - 1, settings.integrator)
-        s, kernels = _laid_out(settings, spring.steps)
-        push, velocity = spring.needed(path - path[0])
-        F = push / spring.K - way * (1 - s) if settings.transform == "star" else push / way - spring.K
-        weights, biases = FITS[settings.fit](kernels, s, F)
-        start, goal, T = path[0], path[-1], trajectory.duration
-        return cls(weights, biases, start, goal, T, settings, velocity / T, trajectory.t, spring.steps, notes)
+            _refuse_no_way(trajectory)
+        path, notes = prepared(trajectory, settings.smoothing, max(LEAST_STEPS, 2 * settings.alpha))
+        z, way = path - path[0], path[-1] - path[0]
+        equation = Equation(settings, len(z) - 1)
+        spring, kernels, s = equation.spring, equation.kernels, equation.s
+
+        rounding = settings.sharpen and settings.fit == "lwr"
+        push, velocity = spring.needed(sharpened(z, equation.steps / settings.n_kernels) if rounding else z)
+        F = equation.needed_forcing(push, way)
+        weights, biases = FITS[settings.fit](kernels, s, F, spring)
+
+        drawn, kick = equation.draw(weights, biases, way, velocity), spring.kick()
+        faster = (kick * (z - drawn)).sum(axis=0) / (kick * kick).sum()  # the start velocity that fits best
+        velocity, T = (velocity + faster) / trajectory.duration, trajectory.duration
+        learned = cls(weights, biases, path[0], path[-1], T, settings, velocity, trajectory.t, equation.steps, notes)
+        learned.__dict__["_shown"] = drawn + kick * faster  # what `_shown` would draw again
+        return learned
 
     def rollout(
         self,
@@ -110,58 +117,43 @@ class DMP:
         start = self.start if start is None else self._point("start", start)
         goal = self.goal if goal is None else self._point("goal", goal)
         T = self.duration if duration is None else _time("duration", duration)
+        own = self.times - self.times[0]
         if dt is None:
-            times = (
-                self.times if duration is None else self.times[0] + (self.times - self.times[0]) * (T / self.duration)
-            )
-            return Trajectory(times, start + self._at_own_times(self._path(goal - start, self.steps)))
+            path = self._path(goal - start, self.steps)
+            times = self.times if duration is None else self.times[0] + own * (T / self.duration)
+            return Trajectory(times, start + _read(path, own / self.duration))
         samples = _samples(T, _time("dt", dt))
-        every = math.ceil(self.steps / samples)
-        path = self._path(goal - start, samples * every)[::every]
-        return Trajectory(self.times[0] + np.linspace(0, T, samples + 1), start + path)
+        even = np.linspace(0, 1, samples + 1)
+        path = self._path(goal - start, max(samples, self.steps))
+        return Trajectory(self.times[0] + T * even, start + _read(path, even))
 
     @property
     def kernels(self) -> Kernels:
         """The bumps, for those who want to draw them."""
-        return _kernels(self.settings)
+        return kernels_of(self.settings)
 
     def _path(self, way: Array, steps: int) -> Array:
-        """The path relative to its start, shape (steps + 1, D). It is linear in the way from start to goal."""
-        shown, answer = self._shown if steps == self.steps else self._draw(steps)
+        """The path from its start, shape (steps + 1, D). It is linear in the way from start to goal."""
+        kept = steps == self.steps
+        shown, taught = self._shown if kept else self._drawn(steps), self.goal - self.start
         if self.settings.transform == "original":
-            return shown * (way / (self.goal - self.start))
-        return shown + answer * (way - (self.goal - self.start))
+            return shown * (way / taught)
+        return shown + (self._answer if kept else Equation(self.settings, steps).answer()) * (way - taught)
 
-    @cached_property
-    def _shown(self) -> tuple[Array, Array]:
-        """`_draw` at the demonstration's own steps, kept: another goal costs one product and one sum."""
-        return self._draw(self.steps)
-
-    def _draw(self, steps: int) -> tuple[Array, Array]:
-        """The demonstrated path (steps + 1, D), and the answer (steps + 1, 1) to a goal 1 m further away."""
-        settings, way = self.settings, self.goal - self.start
-        spring = Spring(settings.alpha, steps, settings.integrator)
-        s, kernels = _laid_out(settings, steps)
-        f = forcing(kernels, s, self.weights, self.biases)
+    def _drawn(self, steps: int) -> Array:
+        """The path to the demonstrated goal, in so many steps."""
         velocity = self.start_velocity * self.duration
-        if settings.transform == "original":
-            return spring.follow(way * (spring.K + f), velocity), np.zeros((steps + 1, 1))
-        pull = spring.K * (1 - s)
-        ahead = settings.alpha * _phase(settings).speed(s) if settings.feed_goal else 0.0
-        return spring.follow(pull * way + spring.K * f, velocity), spring.follow(pull + ahead)
-
-    def _at_own_times(self, path: Array) -> Array:
-        """`path` where the demonstration had its samples."""
-        if self._even:
-            return path[:: (len(path) - 1) // (len(self.times) - 1)]
-        at = (self.times - self.times[0]) * ((len(path) - 1) / self.duration)
-        below = np.minimum(at.astype(int), len(path) - 2)
-        part = (at - below)[:, None]
-        return path[below] * (1 - part) + path[below + 1] * part
+        return Equation(self.settings, steps).draw(self.weights, self.biases, self.goal - self.start, velocity)
 
     @cached_property
-    def _even(self) -> bool:
-        return has_even_times(self.times)
+    def _shown(self) -> Array:
+        """The path to the demonstrated goal, kept: another goal costs one product and one sum."""
+        return self._drawn(self.steps)
+
+    @cached_property
+    def _answer(self) -> Array:
+        """How the path changes with its way, kept."""
+        return Equation(self.settings, self.steps).answer()
 
     def _point(self, name: str, value: ArrayLike) -> Array:
         """`value` as a point of this movement, or a sentence."""
@@ -179,33 +171,22 @@ class DMP:
         return point
 
 
-def _phase(settings: Settings) -> Phase:
-    return Phase(settings.phase, settings.phase_decay)
+def _read(path: Array, at: Array) -> Array:
+    """`path` (M + 1, D) at the parts `at` (T,) of the movement, straight between its steps."""
+    place = at * (len(path) - 1)
+    below = np.minimum(place.astype(int), len(path) - 2)
+    part = (place - below)[:, None]
+    return path[below] + part * (path[below + 1] - path[below])
 
 
-def _kernels(settings: Settings) -> Kernels:
-    return Kernels(settings.n_kernels, settings.kernel_width, settings.kernel_sigma, _phase(settings))
-
-
-def _laid_out(settings: Settings, steps: int) -> tuple[Array, Cells | Overlap]:
-    """The phases (steps, 1) at which the spring takes its steps, and the kernels laid over them."""
-    s = _phase(settings).at(np.arange(steps, 0, -1) / steps)
-    return s[:, None], _kernels(settings).over(s)
-
-
-def _least_steps(settings: Settings) -> float:
-    """Enough for any stiffness: an explicit spring needs more than alpha/4 steps, a semi-implicit one alpha/1.65."""
-    return max(LEAST_STEPS, 2 * settings.alpha)
-
-
-def _refuse_no_way(way: Array, size: float) -> None:
+def _refuse_no_way(trajectory: Trajectory) -> None:
     """The original form divides by g - y0."""
-    for axis, part in enumerate(way):
-        if abs(part) <= 1e-9 * size:
-            raise SettingError(
-                f"The original form cannot learn a movement that ends where it began: goal and start are equal in "
-                f"coordinate {axis} ({'xyz'[axis] if axis < 3 else axis}). Use Settings.star(), which can."
-            )
+    way = trajectory.position[-1] - trajectory.position[0]
+    for axis in np.flatnonzero(np.abs(way) <= 1e-9 * np.ptp(trajectory.position)):
+        raise SettingError(
+            f"The original form cannot learn a movement that ends where it began: start and goal are equal in "
+            f"coordinate {axis} ({'xyz'[axis] if axis < 3 else axis}). Settings.star() can."
+        )
 
 
 def _time(name: str, value: float) -> float:

@@ -78,7 +78,8 @@ class Settings:
     `kernel_width` and `kernel_sigma` are counted in spacings between kernels, 1/N, and may be `math.inf`:
     a kernel without ends, a kernel without a hump (a box). `alpha` is the stiffness of the spring over one
     movement, K = alpha^2 / 4 / T^2 and D = alpha / T; None takes `alpha_per_kernel` for each kernel, and at
-    least 12. `n_kernels` None takes 12 for each second. `smoothing` None leaves the demonstration as it is.
+    least 12. `n_kernels` None takes 12 for each second. `smoothing` None leaves the demonstration as it is. `sharpen`
+    makes good what boxes fitted by LWR round off; other fits round nothing, and ignore it.
 
     Raises:
         SettingError: A value out of its range; names the setting, the value and the range.
@@ -114,6 +115,7 @@ class Settings:
     smoothing: float | None = knob(
         10.0, optional=True, low=2.0, high=60.0, label="what counts as trembling", term="smoothing [Hz]"
     )
+    sharpen: bool = knob(True, choices=(True, False), label="bends are kept sharp", term="sharpening")
 
     def __post_init__(self) -> None:
         """Check every field against its own range."""
@@ -129,18 +131,18 @@ class Settings:
     def original(cls, **changes: Any) -> Self:
         """Ijspeert 2002, the paper's equations 1 to 5: exponential phase, full Gaussians, forcing times (g - y0)."""
         about = {"kernel_width": math.inf, "kernel_sigma": 0.65, "alpha": 25.0, "phase": "exponential"}
-        return _changed(cls(**about, transform="original", feed_goal=False), changes)
+        return _changed(cls(**about, transform="original", feed_goal=False, sharpen=False), changes)
 
     @classmethod
     def joint(cls, **changes: Any) -> Self:
-        """DMP* with full Gaussians whose weights are fitted all together, by ridge regression."""
+        """DMP* with full Gaussians whose weights are fitted all together, to the path itself, by ridge regression."""
         about = {"kernel_width": math.inf, "kernel_sigma": 0.65, "integrator": "semi-implicit", "smoothing": None}
         return _changed(cls(**about, fit="joint"), changes)
 
     @classmethod
     def plus(cls, **changes: Any) -> Self:
         """DMP* with the local biases of DMP+ (Wang 2016): each kernel learns a slope and an offset."""
-        about = {"alpha_per_kernel": 3.0, "integrator": "semi-implicit", "smoothing": None}
+        about = {"alpha_per_kernel": 3.0, "integrator": "semi-implicit", "smoothing": 20.0}
         return _changed(cls(**about, fit="bias"), changes)
 
     def resolved(self, duration: float, samples: int) -> Self:

@@ -48,21 +48,21 @@ class Spring:
         return lfilter([1.0], recursion, drive, axis=0)
 
     def needed(self, z: Array) -> tuple[Array, Array]:
-        """The push (M, D) that draws the path `z` (M + 1, D), and its start velocity (D,) per movement.
+        """The push (M, D) under which `follow` draws the path `z` (M + 1, D), and its start velocity (D,).
 
-        Semi-implicit: the exact inverse of `follow`. Explicit: central differences, as the paper's own
-        reading of a recording; what they miss of the discrete scheme shrinks with the step.
+        The exact inverse of the discrete scheme: what the integrator gets wrong, the push makes good. Where
+        the scheme leaves one push open (the last of the explicit, the first of the semi-implicit), its
+        acceleration is that of its neighbour.
         """
         h = 1 / self.steps
         step = (z[1:] - z[:-1]) / h
-        a = np.empty_like(step)
-        a[1:] = (step[1:] - step[:-1]) / h
-        a[0] = a[1]
-        v = np.empty_like(step)
+        bend = (step[1:] - step[:-1]) / h
         if self.integrator == "explicit":
-            v[1:] = (step[1:] + step[:-1]) / 2
-            v[0] = step[0] - a[0] * (h / 2)
+            a, v = np.concatenate([bend, bend[-1:]]), step
         else:
-            v[1:] = step[:-1]
-            v[0] = step[0] - a[0] * h
+            a, v = np.concatenate([bend[:1], bend]), np.concatenate([step[:1] - h * bend[:1], step[:-1]])
         return a + self.alpha * v + self.K * z[:-1], v[0]
+
+    def kick(self) -> Array:
+        """The path (M + 1, 1) of a pen that starts with velocity 1 and is pushed no more."""
+        return self.follow(np.zeros((self.steps, 1)), 1.0)
