@@ -47,8 +47,8 @@ class Solver:
         with _quiet():
             self._robot = placo.RobotWrapper("", 0, _bare_urdf())
         self._solver = solver = self._robot.make_solver()
-        self._columns = [self._robot.get_joint_offset(name) for name in JOINTS]
-        self._round = [self._robot.get_joint_size(name) == 2 for name in JOINTS]  # held as (cos, sin)
+        self.state_size = len(self._robot.state.q)
+        self.columns = {name: self._robot.get_joint_offset(name) for name in JOINTS}
         self._speeds = [self._robot.get_joint_v_offset(name) for name in JOINTS]
         solver.dt = 1 / RATE
         solver.mask_fbase(True)  # otherwise the robot flies to the page
@@ -85,6 +85,7 @@ class Solver:
             self._robot.set_joint(self.model.joint(name).name, float(value))
         self._robot.update_kinematics()
         self.mask("torso_lift_joint", not torso)
+        self._solver.dt = 1 / RATE
         self._solver.enable_velocity_limits(False)
         self._axis.targetAxis_world = -normal + 1e-9 * np.array([normal[1], normal[2], normal[0]])
         self._tip.configure("tip", "soft", 1.0)
@@ -131,7 +132,7 @@ class Solver:
 
     def joints(self) -> Array:
         """Where the joints are, shape (J,) [rad, m]."""
-        return self._unpacked(self._robot.state.q[None, :])[0]
+        return self.unpacked(self._robot.state.q[None, :])[0]
 
     def pen(self) -> Array:
         """Pose of the pen's tip in the world, shape (4, 4) [m]."""
@@ -178,7 +179,7 @@ class Solver:
         self.glide(path[0])
         self.settle(path[0])
         self._solver.enable_velocity_limits(limited)
-        states = np.empty((len(path), len(self._robot.state.q)))
+        states = np.empty((len(path), self.state_size))
         tip, robot, solve, update = self._tip, self._robot, self._solver.solve, self._robot.update_kinematics
         for row, target in enumerate(path):
             if row % 60 == 0:
@@ -188,14 +189,17 @@ class Solver:
             update()
             states[row] = robot.state.q
         report("joints", 1.0)
-        return self._unpacked(states)
+        return self.unpacked(states)
 
-    def _unpacked(self, states: Array) -> Array:
-        """PlaCo's states (T, n) as joint positions (T, J); those that turn for ever do not jump at half a turn."""
-        q = states[:, self._columns]
-        for column, (first, is_round) in enumerate(zip(self._columns, self._round, strict=True)):
-            if is_round:
-                q[:, column] = np.unwrap(np.arctan2(states[:, first + 1], states[:, first]))
+    def unpacked(self, states: Array) -> Array:
+        """PlaCo's states (T, n) as joint positions (T, J).
+
+        A joint that turns for ever is held as the cosine and sine of its angle; here it does not jump at half a turn.
+        """
+        q = states[:, list(self.columns.values())]
+        for number, (name, column) in enumerate(self.columns.items()):
+            if self._robot.get_joint_size(name) == 2:
+                q[:, number] = np.unwrap(np.arctan2(states[:, column + 1], states[:, column]))
         return q
 
 

@@ -7,7 +7,7 @@ import numpy as np
 from dmp_teach.errors import ReachError
 from dmp_teach.robot.arm import Solver
 from dmp_teach.robot.page import Page
-from dmp_teach.robot.stance import POSTURES, STRAINED, TIP, Stance, examined, rim
+from dmp_teach.robot.stance import POSTURES, STRAINED, TIP, Stance, examined, in_the_body, rim
 from dmp_teach.trajectory import Array
 
 
@@ -25,8 +25,8 @@ def stance_for(solver: Solver, page: Page, ink: Array) -> Stance:
     low, high = ink.min(axis=0), ink.max(axis=0)
     whole = examined(solver, page, *_all(page))
     stance = examined(solver, page, low, high) if whole.trouble else whole
-    if stance.trouble:
-        short = _shortfall(solver, page, low, high) or stance.trouble
+    if stance.trouble or in_the_body(page):
+        short = in_the_body(page) or _shortfall(solver, page, low, high) or stance.trouble
         raise ReachError(f"{short} {_cure(solver, page, low, high)}")
     notes = ()
     if stance is not whole:

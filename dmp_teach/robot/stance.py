@@ -72,7 +72,7 @@ def examined(solver: Solver, page: Page, low: Array, high: Array) -> Stance:
 def _examine(solver: Solver, page: Page, low: Array, high: Array) -> Stance:
     """The first comfortable stance, or the one that asks least of the joints, or what the trouble is."""
     best = None
-    if trouble := _in_the_body(page):
+    if trouble := in_the_body(page):
         return Stance(POSTURES[0], np.zeros(3), np.inf, trouble)
     for posture in _postures(solver, page):
         stance = _tried(solver, posture, page, low, high)
@@ -83,7 +83,7 @@ def _examine(solver: Solver, page: Page, low: Array, high: Array) -> Stance:
     return best
 
 
-def _in_the_body(page: Page) -> str:
+def in_the_body(page: Page) -> str:
     """Whether the page would go through the robot's base, a cylinder, or its torso, a box."""
     x, y = (np.linspace(-side / 2, side / 2, 2 + int(side / 0.05)) for side in page.size)
     x, y, z = page.to_world(np.stack(np.meshgrid(x, y), axis=-1)).reshape(-1, 3).T
