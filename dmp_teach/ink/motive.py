@@ -17,6 +17,7 @@ from dmp_teach.errors import RecordingError
 from dmp_teach.trajectory import Array
 
 LARGEST = 200_000_000  # a bigger file is no recording of a letter [bytes]
+LONGEST_STEP = 60.0  # nobody waits longer inside a take [s]
 METRES = {"meters": 1.0, "metres": 1.0, "centimeters": 0.01, "millimeters": 0.001, "inches": 0.0254, "feet": 0.3048}
 BODY_MARKER = re.compile(r"RigidBody \d+:Marker\d+")
 Rows = list[list[str]]
@@ -180,11 +181,11 @@ def _number(row: list[str], column: int, place: str, what: str, may_be_empty: bo
 
 
 def _check_time(t: Array, body: list, name: str) -> None:
-    """Raise if time stands still or runs back."""
-    stuck = np.flatnonzero(np.diff(t) <= 0)
-    if len(stuck):
-        k = int(stuck[0]) + 1
+    """Raise if time stands still, runs back or leaps."""
+    odd = np.flatnonzero((np.diff(t) <= 0) | (np.diff(t) > LONGEST_STEP))
+    if len(odd):
+        k = int(odd[0]) + 1
         raise RecordingError(
-            f"{name}, row {body[k][0]}, column 2 (Time): {t[k]} s does not come after {t[k - 1]} s; time must "
-            "increase from row to row. Export the take again, or delete the row."
+            f"{name}, row {body[k][0]}, column 2 (Time): {t[k]:.6g} s after {t[k - 1]:.6g} s; time must increase from row "
+            f"to row, by at most {LONGEST_STEP:.0f} s. Export the take again, or delete the row."
         )

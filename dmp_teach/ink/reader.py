@@ -18,8 +18,8 @@ SHORT = 0.1  # a gap up to this long is filled with a straight line anywhere; a 
 FEWEST = 20  # fewer samples are no letter
 JUMP = 0.004  # a step that is this much longer than its neighbours was no pen ...
 PEN = 8.0  # ... unless the samples are so far apart that a pen could do it [m/s2]
-LARGEST_INK = 2.0  # nobody writes larger [m]
-SMALLEST_INK = 0.002  # or smaller [m]
+LARGEST = 4.0  # no hand that writes moves farther [m]
+SMALLEST = 0.004  # or less [m]
 
 
 def read_recording(path: str | Path, marker: str | None = None, up: str = "+y", right: str = "-x") -> Recording:
@@ -45,16 +45,16 @@ def read_recording(path: str | Path, marker: str | None = None, up: str = "+y", 
     level_axes(up, right)
     take = _seen(read_take(path, marker))
     filled = replace(take, position=_filled(take))
+    _check_size(take, filled.position)
     try:
         position = find_page(filled.t, filled.position, up, right).of(filled.position)
         strokes = _settled(filled.t, position)
     except RecordingError as error:
         raise RecordingError(f"{take.name}, marker {take.marker!r}: {error}") from None
-    ink = np.concatenate([position[a:b] for a, b in strokes])
-    _check_size(take, float(np.ptp(ink[:, :2], axis=0).max()))
     _check_gaps(take, strokes)
     _check_jumps(filled, strokes)
     start, end = strokes[0][0], strokes[-1][1]
+    ink = np.concatenate([position[a:b] for a, b in strokes])
     position = position - [*ink[:, :2].min(axis=0), np.median(ink[:, 2])]
     character, writer = _labels(take.name)
     return Recording(take.t[start:end], position[start:end], character, writer)
@@ -101,12 +101,13 @@ def _check_gaps(take: Take, strokes: list[tuple[int, int]]) -> None:
                     )
 
 
-def _check_size(take: Take, size: float) -> None:
-    """Raise where the ink is far larger or smaller than a letter."""
-    if not SMALLEST_INK < size < LARGEST_INK:
+def _check_size(take: Take, position: Array) -> None:
+    """Raise where the whole way of the marker is far larger or smaller than a hand's."""
+    size = float(np.ptp(position, axis=0).max())
+    if not SMALLEST < size < LARGEST:
         raise RecordingError(
-            f"{take.name}: the ink is {size:.4g} m large, but must be between {SMALLEST_INK} and {LARGEST_INK} m. Is "
-            f"'Length Units' in row 1 right, and {take.marker!r} the pen?"
+            f"{take.name}: marker {take.marker!r} moves within {size:.4g} m, but a writing hand within {SMALLEST} to "
+            f"{LARGEST} m. Is 'Length Units' in row 1 right, and is this marker the pen?"
         )
 
 

@@ -22,6 +22,7 @@ CREEP = 0.015  # slower than this the height stands still [m/s]
 NEAR = 0.005  # a landed pen is this near to the foot of its lift, or nearer than a quarter of the lift [m]
 SKIN = 0.0007  # a foot is walked up again while the pen is less than this above it [m]
 IDLE = 0.02  # slower than this a pen of ordinary speed rests [m/s]
+UNEVEN = 100  # a clock with more holes than this many samples to each that is there is broken
 AFLOAT = 0.006  # a span begins and ends no higher than this over its own middle [m]
 STEP = 0.0005  # a hand that sinks or rises by more than this beside its writing is still landing, or leaves [m]
 SETTLE = 0.15  # a fall that begins so soon after the last one belongs to the same landing [s]
@@ -82,7 +83,12 @@ def smoothed(values: Array, dt: float, cutoff: float) -> Array:
 def _evenly(t: Array, position: Array) -> tuple[_Motion, Array]:
     """The motion on an even clock (K,), whatever the jitter of the recording's own."""
     dt = float(np.median(np.diff(t)))
-    clock = np.linspace(t[0], t[-1], max(2, round((t[-1] - t[0]) / dt) + 1))
+    samples = round((t[-1] - t[0]) / dt) + 1
+    if samples > UNEVEN * len(t):
+        raise RecordingError(
+            f"{len(t)} samples, mostly {dt:.3g} s apart, are spread over {t[-1] - t[0]:.6g} s: too uneven to find strokes."
+        )
+    clock = np.linspace(t[0], t[-1], max(2, samples))
     dt = float(clock[1] - clock[0])
     even = np.column_stack([np.interp(clock, t, axis) for axis in position.T])
     z, path = smoothed(even[:, 2], dt, 12.0), smoothed(even[:, :2], dt, 10.0)
@@ -179,7 +185,7 @@ def _landed(motion: _Motion, a: int, b: int) -> tuple[int, int]:
 
 
 def _slopes(z: Array, climbing: Array, way: Array) -> list[tuple[int, int]]:
-    """Runs (start, end) of `climbing` (K,) that are steep for the `way` (K,) that the pen makes along the page meanwhile."""
+    """Runs (start, end) of `climbing` (K,) that are steep for the `way` (K,) along the page that the pen makes."""
     return [
         (start, end)
         for start, end in runs(climbing)

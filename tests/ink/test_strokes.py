@@ -192,3 +192,9 @@ def test_theta_and_sigma_are_positive(name, value):
 def test_a_pen_that_never_moves_wrote_nothing():
     with pytest.raises(RecordingError, match="no writing"):
         find_strokes(np.arange(100) / 120, np.zeros((100, 3)))
+
+
+def test_a_broken_clock_is_refused():
+    t = np.concatenate([np.arange(99) / 120, [1e9]])
+    with pytest.raises(RecordingError, match="too uneven to find strokes"):
+        find_strokes(t, np.zeros((100, 3)))
