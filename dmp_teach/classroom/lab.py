@@ -24,11 +24,21 @@ WINDOWS = os.name == "nt"
 
 # Ends a process and all that it has started; psutil lives in the environment, so the environment's Python runs it.
 END_FAMILY = """
-import psutil, sys
+import psutil, sys, time
+
+def lives(process):
+    try:
+        return process.is_running() and process.status() != psutil.STATUS_ZOMBIE
+    except psutil.NoSuchProcess:
+        return False
+
 first = psutil.Process(int(sys.argv[1]))
 family = [first, *first.children(recursive=True)]
 first.terminate()
-for straggler in psutil.wait_procs(family, timeout=10)[1]:
+patience = time.monotonic() + 10
+while any(map(lives, family)) and time.monotonic() < patience:
+    time.sleep(0.05)
+for straggler in filter(lives, family):
     straggler.kill()
 """
 

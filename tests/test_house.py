@@ -1,0 +1,177 @@
+"""The rules of the house, as far as a machine can see to them."""
+
+import ast
+import json
+import re
+import subprocess
+import sys
+from importlib.metadata import packages_distributions
+from pathlib import Path
+
+import pytest
+
+import dmp_teach
+from tests.test_environment import declared
+
+ROOT = Path(__file__).parents[1]
+PACKAGE = ROOT / "dmp_teach"
+MODULES = sorted(PACKAGE.rglob("*.py"))
+NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
+LAUNCHER = {"__init__.py", "__main__.py"}
+
+ORDER = ["errors", "trajectory", "paths", "ink", "dmp", "letters", "robot", "studies", "views", "classroom"]
+EVERYWHERE = {"numpy", "scipy", "dmp_teach"}
+ROOMS = {  # where a library from elsewhere may be imported
+    "csv": ["ink/"],
+    "pandas": ["ink/"],
+    "placo": ["robot/arm.py"],
+    "pinocchio": ["robot/arm.py"],
+    "pybullet": ["robot/physics.py"],
+    "meshcat": ["views/scene.py"],
+    "umsgpack": ["views/"],
+    "PIL": ["views/"],
+    "matplotlib": ["views/"],
+    "IPython": ["views/", "classroom/"],
+    "traitlets": ["views/", "classroom/"],
+    "anywidget": ["views/scene.py", "classroom/"],
+    "ipywidgets": ["classroom/"],
+    "jupyter_server": ["classroom/"],
+}
+TOP_LEVEL = {"dmp_teach", "notebooks", "assets", "tests", "environment.txt", "pyproject.toml"}
+TOP_LEVEL |= {"README.md", "CHANGELOG.md", "LICENSE"}
+
+
+def name_of(path):
+    return path.relative_to(PACKAGE).as_posix()
+
+
+def imports_of(path):
+    """Every module that a file imports, inside functions too, as (full name, line)."""
+    package = ["dmp_teach", *path.relative_to(PACKAGE).parts[:-1]]
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            yield from ((alias.name, node.lineno) for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            start = package[: len(package) - node.level + 1] if node.level else []
+            base = ".".join([*start, *([node.module] if node.module else [])])
+            yield from ((f"{base}.{alias.name}", node.lineno) for alias in node.names)
+
+
+def room_of(full_name):
+    """The room that a full name of ours lives in; a public name lives where it is loaded from."""
+    first = full_name.split(".")[1]
+    return dmp_teach._HOME.get(first, first).split(".")[0]
+
+
+def tracked():
+    """The files that git knows."""
+    answer = subprocess.run(
+        ["git", "-c", "safe.directory=*", "ls-files", "-z"], cwd=ROOT, capture_output=True, text=True, check=False
+    )
+    if answer.returncode != 0:
+        pytest.skip("this folder is not a git clone")
+    return [name for name in answer.stdout.split("\0") if name and (ROOT / name).exists()]
+
+
+@pytest.mark.parametrize("path", [path for path in MODULES if name_of(path) not in LAUNCHER], ids=name_of)
+def test_imports_go_one_way(path):
+    own = ORDER.index(name_of(path).split("/")[0].removesuffix(".py"))
+    ours = [(name, line) for name, line in imports_of(path) if name.startswith("dmp_teach.")]
+    assert [(name, line) for name, line in ours if ORDER.index(room_of(name)) > own] == []
+
+
+@pytest.mark.parametrize("path", MODULES, ids=name_of)
+def test_third_parties_keep_to_their_rooms(path):
+    for name, line in imports_of(path):
+        first = name.split(".")[0]
+        if first in ROOMS:
+            assert name_of(path).startswith(tuple(ROOMS[first])), f"line {line} imports {name}"
+        else:
+            assert first in EVERYWHERE | set(sys.stdlib_module_names), f"line {line}: {name} has no room"
+
+
+def test_what_is_imported_is_declared():
+    homes = packages_distributions()
+    imported = {name.split(".")[0] for path in MODULES for name, _ in imports_of(path)} & set(homes)
+    known = {requirement.name.replace("_", "-") for requirement in declared(extras=False)}
+    missing = {name for name in imported if not known & {home.lower().replace("_", "-") for home in homes[name]}} - {
+        "dmp_teach"
+    }
+    assert missing == set()
+
+
+@pytest.mark.parametrize("module", ["dmp_teach", "dmp_teach.__main__"])
+def test_importing_loads_nothing_heavy(module):
+    question = (
+        "import sys; before = set(sys.modules); import %s; "
+        "new = {name.split('.')[0] for name in set(sys.modules) - before}; "
+        "print(*(new - set(sys.stdlib_module_names) - {'dmp_teach'}))"
+    )
+    answer = subprocess.check_output([sys.executable, "-c", question % module], cwd=ROOT, text=True)
+    assert answer.split() == []
+
+
+@pytest.mark.parametrize("name", sorted(dmp_teach._HOME))
+def test_every_public_name_is_at_home(name):
+    assert getattr(dmp_teach, name) is not None
+    assert name in dir(dmp_teach)
+
+
+def test_no_room_has_a_public_name():
+    rooms = {path.stem for path in PACKAGE.iterdir() if path.suffix == ".py" or (path / "__init__.py").exists()}
+    assert rooms & set(dmp_teach._HOME) == set()
+
+
+def test_a_name_that_we_lack_is_answered_with_those_that_we_have():
+    with pytest.raises(AttributeError, match=r"dmp_teach has no 'Robot'; it has: .*Fetch"):
+        _ = dmp_teach.Robot
+
+
+def test_the_top_level_is_tidy():
+    first = {name.split("/")[0] for name in tracked()}
+    assert {name for name in first if not name.startswith(".")} <= TOP_LEVEL
+
+
+def test_no_file_knows_a_machine():
+    places = "|".join(f"/{name}/" for name in ("work", "root", "home", "Users")) + r"|/tmp/\w|[A-Z]:\\\\"
+    found = []
+    for name in tracked():
+        text = (ROOT / name).read_bytes()
+        if b"\0" not in text:
+            found += [f"{name}: {place}" for place in re.findall(places, text.decode("utf-8"))]
+    assert [line for line in found if not line.startswith("tests/test_house.py")] == []
+
+
+@pytest.mark.parametrize("path", NOTEBOOKS, ids=lambda path: path.name)
+def test_notebooks_are_committed_clean(path):
+    notebook = json.loads(path.read_text(encoding="utf-8"))
+    assert "widgets" not in notebook["metadata"]
+    assert notebook["metadata"]["kernelspec"]["name"] == "python3"
+    for cell in notebook["cells"]:
+        assert cell.get("id"), "every cell has an id"
+        tags = cell["metadata"].get("tags", [])
+        assert not [tag for tag in tags if "skip" in tag], "no cell is left out of the tests"
+        if cell["cell_type"] == "code":
+            source = "".join(cell["source"])
+            assert len(source.strip().splitlines()) <= 5, source
+            assert cell["outputs"] == [] or "keep_output" in tags, source
+
+
+@pytest.mark.parametrize("path", MODULES, ids=name_of)
+def test_small_is_a_feature(path):
+    text = path.read_text(encoding="utf-8")
+    assert len(text.splitlines()) <= 300
+    for node in ast.walk(ast.parse(text)):
+        if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
+            words = node.body[0] if ast.get_docstring(node, clean=False) is not None else None
+            length = node.end_lineno - node.lineno + 1
+            length -= words.end_lineno - words.lineno + 1 if words else 0
+            assert length <= 45, f"{node.name} has {length} lines"
+
+
+@pytest.mark.parametrize("path", MODULES, ids=name_of)
+def test_the_library_neither_asserts_nor_prints(path):
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        assert not isinstance(node, ast.Assert), f"line {node.lineno}"
+        if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "print":
+            assert name_of(path) in ("__main__.py", "classroom/lab.py"), f"line {node.lineno}"
