@@ -4,7 +4,7 @@ from hypothesis import strategies as st
 
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.place import place
-from dmp_teach.robot.plan import HOVER, LIFT, LONGEST_LIFT, RAMP, RATE, from_rest_to_rest, interpolated, plan_pen
+from dmp_teach.robot.plan import HOVER, LIFT, RAMP, RATE, from_rest_to_rest, interpolated, plan_pen
 from dmp_teach.trajectory import Trajectory
 from tests.robot import ink
 from tests.robot.ink import law
@@ -113,8 +113,8 @@ def test_a_lift_takes_its_time_within_reason(gap):
     _, plan = planned((first, second))
     before, after = pieces(plan)
     lift = (after.start - before.stop + 1) / RATE
-    assert 2 * LIFT <= lift <= LONGEST_LIFT + 3 / RATE
-    if 1.2 < gap < LONGEST_LIFT:
+    assert 2 * LIFT <= lift <= 1.5 + 3 / RATE
+    if 1.2 < gap < 1.5:
         assert lift == pytest.approx(gap, abs=4 / RATE)
 
 
