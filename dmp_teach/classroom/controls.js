@@ -22,6 +22,9 @@ function change(node, attributes) {
   return node;
 }
 
+/** Keys pressed inside a panel are the panel's: JupyterLab would take arrows, A, B, D or X for its own commands. */
+const keepKeys = (node) => change(node, { "data-lm-suppress-shortcuts": "true", keydown: (event) => event.stopPropagation() });
+
 /** A small drawing of 24 by 24, in the colour of the text beside it. */
 function icon(path, box = "0 0 24 24") {
   const line = make("path", { d: path, fill: "none", stroke: "currentColor", "stroke-width": 2, "stroke-linecap": "round", "stroke-linejoin": "round" });
@@ -111,10 +114,10 @@ const LOG = {
   place: (value) => Math.round(1000 * Math.log10(value)) / 1000,
   value: (place) => {
     const value = 10 ** place;
-    const near = [2 / 3, 1, 4, 20].find((mark) => Math.abs(value / mark - 1) < 0.012);
+    const near = [2 / 3, 1, 4, 20].find((mark) => Math.abs(value / mark - 1) < 0.02);
     return near ?? Number(value.toPrecision(2));
   },
-  step: () => 0.01,
+  step: () => 0.02,
 };
 
 /** A button of 44 px or more. */

@@ -4,7 +4,7 @@ const SLEEPY = 4000;
 const LATE = 300;
 
 function render({ model, el, host, signal }) {
-  const root = make("div", { class: "dt-panel dt-explore", "data-lm-suppress-shortcuts": "true" });
+  const root = keepKeys(make("div", { class: "dt-panel dt-explore" }));
   const parts = { ...head(model), ...stage(model), says: says(model), ...knobs(model) };
   root.append(parts.head, parts.stage, make("div", { class: "dt-says" }, parts.says.node), parts.knobs, parts.more);
   el.append(root);
@@ -172,7 +172,7 @@ function drawLetter(model, parts) {
     demo: strokesOf(model, "demo"), robot: strokesOf(model, "robot"), taught, stroke, names, title: model.get("title"),
     goals: taught.map(([x, y], i) => [x + shifts[i][0], y + shifts[i][1]]),
   });
-  parts.hint.textContent = many ? "drag a number to move that stroke’s goal" : "drag the ring to move the goal";
+  parts.hint.textContent = many ? "drag a number to move its goal" : "drag the ring to move the goal";
   parts.says.show(model.get("message"));
   showKnobs(model, parts, taught[stroke], shifts[stroke]);
 }

@@ -79,7 +79,7 @@ class Explore(anywidget.AnyWidget):
 
     def __init__(self, recording: Recording | str | Path | None = None, page: Page | None = None):
         knobs = {name: _knob(name) for name in ("n_kernels", "kernel_width")}
-        super().__init__(scene=SceneView(compact=True), knobs=knobs)
+        super().__init__(scene=SceneView(compact=True, camera="whole robot"), knobs=knobs)
         self.page = Page.table() if page is None else page
         self.motion = None
         self._job: Job | None = None
@@ -112,6 +112,7 @@ class Explore(anywidget.AnyWidget):
             return
         self._progress("wake", 0.0)
         strokes, size = self._written, self._size
+        self._asked_for = self.robot
         self._job = Job(lambda report: _plan(strokes, self.page, size, report), self._progress, self._end)
 
     def _hear(self, _: Any, message: dict[str, Any], buffers: list[memoryview]) -> None:
@@ -216,9 +217,12 @@ class Explore(anywidget.AnyWidget):
         elif isinstance(result, Exception):
             self._cannot(str(result) or type(result).__name__, getattr(result, "fits", None))
         else:
-            self.motion, self._on_the_table = result, _bytes(self._written)
+            if self.motion is None:  # until now there was nothing to read on the page
+                self.scene.camera = "over the shoulder"
+            self.motion = result
             self.scene.show(result)
-            self.older = False
+            self._on_the_table = self._asked_for
+            self.older = self.robot != self._on_the_table
             self.work = _IDLE
 
     def _cannot(self, sentence: str, fits: float | None = None) -> None:

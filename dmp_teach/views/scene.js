@@ -49,6 +49,8 @@ function inset() {
     dots = facts.ink;
     const all = [...facts.plan, ...dots];
     const [xs, ys] = [all.map((dot) => dot[1]), all.map((dot) => -dot[2])];
+    node.hidden = !all.length;
+    if (!all.length) return;
     const [left, top] = [Math.min(...xs), Math.min(...ys)];
     const [wide, high] = [Math.max(...xs) - left, Math.max(...ys) - top];
     const side = 1.25 * Math.max(wide, high, 20);
@@ -56,7 +58,6 @@ function inset() {
     svg.style.setProperty("--one", side / 100);
     pen.setAttribute("r", side / 36);
     plan.setAttribute("d", facts.plan.map(step).join(""));
-    node.hidden = !all.length;
   };
   const show = (time) => {
     let count = 0;
