@@ -186,6 +186,6 @@ def _check_time(t: Array, body: list, name: str) -> None:
     if len(odd):
         k = int(odd[0]) + 1
         raise RecordingError(
-            f"{name}, row {body[k][0]}, column 2 (Time): {t[k]:.6g} s after {t[k - 1]:.6g} s; time must increase from row "
-            f"to row, by at most {LONGEST_STEP:.0f} s. Export the take again, or delete the row."
+            f"{name}, row {body[k][0]}, column 2 (Time): {t[k]:.6g} s after {t[k - 1]:.6g} s; time must increase from "
+            f"row to row, by at most {LONGEST_STEP:.0f} s. Export the take again, or delete the row."
         )

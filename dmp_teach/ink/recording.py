@@ -13,7 +13,7 @@ from dmp_teach.trajectory import Array, Trajectory, locked
 class Recording:
     """One letter as it was written, in the frame of its page: x to the right, y up the page, z out of it.
 
-    It carries no name, no date and no time of day: only a pseudonym, and the clock of the file, which starts with the take.
+    It carries no name, no date and no time of day: only a pseudonym, and seconds since the take began.
 
     Args:
         t: Times, strictly increasing, shape (T,), T at least 2 [s].

@@ -86,7 +86,8 @@ def _evenly(t: Array, position: Array) -> tuple[_Motion, Array]:
     samples = round((t[-1] - t[0]) / dt) + 1
     if samples > UNEVEN * len(t):
         raise RecordingError(
-            f"{len(t)} samples, mostly {dt:.3g} s apart, are spread over {t[-1] - t[0]:.6g} s: too uneven to find strokes."
+            f"{len(t)} samples, mostly {dt:.3g} s apart, are spread over {t[-1] - t[0]:.6g} s: too uneven to find "
+            "strokes. Cut the recording at its longest break."
         )
     clock = np.linspace(t[0], t[-1], max(2, samples))
     dt = float(clock[1] - clock[0])

@@ -57,6 +57,18 @@ def pauses_while_landing():
     return pen.fly((0.0, 0.0), 0.0, 0.15).rest(0.15).draw(bowl()).rest(0.5)
 
 
+def sinks_in_steps():
+    """Hovers along over the paper, low and slowly, and only then sinks to it."""
+    pen = Pen().rest(0.4).draw(bar()).fly((0.0, -0.05), 0.03, 0.3).fly((-0.01, 0.0), 0.004, 0.3)
+    return pen.fly((-0.002, 0.0), 0.003, 0.25).fly((0.0, 0.0), 0.0, 0.2).rest(0.3).draw(bowl()).rest(0.5)
+
+
+def lifts_slowly():
+    """Only the landing is faster than theta."""
+    pen = Pen().rest(0.4).draw(bar()).fly((0.0, -0.05), 0.025, 0.8)
+    return pen.fly((0.0, 0.0), 0.0, 0.25).draw(bowl()).rest(0.5)
+
+
 def flies_in_and_away():
     pen = Pen()
     pen.path = [(0.0, np.array([0.1, -0.1, 0.06]))]
@@ -64,8 +76,18 @@ def flies_in_and_away():
 
 
 HANDS = {
-    f.__name__: f
-    for f in (two_stroke_d, bowl_first, one_stroke_d, idle_then_hop, dotted_i, pauses_while_landing, flies_in_and_away)
+    hand.__name__: hand
+    for hand in (
+        two_stroke_d,
+        bowl_first,
+        one_stroke_d,
+        idle_then_hop,
+        dotted_i,
+        pauses_while_landing,
+        sinks_in_steps,
+        lifts_slowly,
+        flies_in_and_away,
+    )
 }
 
 
