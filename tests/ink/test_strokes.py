@@ -96,7 +96,7 @@ HANDS = {
 def test_every_stroke_is_found_where_the_pen_wrote_it(hand, theta, sigma):
     pen = HANDS[hand]()
     t, found = strokes_of(pen, theta=theta, sigma=sigma)
-    check_ends(pen, t, found, within=0.08)
+    check_ends(pen, t, found)
 
 
 @pytest.mark.parametrize("rate", [30.0, 60.0, 100.0, 240.0])
@@ -124,7 +124,7 @@ def test_a_low_lift_counts_only_over_sigma():
 def test_height_that_wanders_is_no_lift():
     pen = Pen().rest(0.3).draw(letter_a(), wander=0.005).rest(0.3)
     t, found = strokes_of(pen)
-    check_ends(pen, t, found, within=0.08)
+    check_ends(pen, t, found)
 
 
 @settings(max_examples=25, deadline=None)
