@@ -90,8 +90,9 @@ def _filled(take: Take) -> Array:
 def _check_gaps(take: Take, strokes: list[tuple[int, int]]) -> None:
     """Raise where a long gap, of empty cells or of missing rows, leaves a hole in a stroke."""
     seen = np.flatnonzero(np.isfinite(take.position[:, 0]))
+    longest = SHORT + float(np.median(np.diff(take.t)))
     for before, after in pairwise(seen):
-        if take.t[after] - take.t[before] > SHORT + np.median(np.diff(take.t)):
+        if take.t[after] - take.t[before] > longest:
             for number, (a, b) in enumerate(strokes):
                 if before < b - 1 and after > a:
                     raise RecordingError(
