@@ -32,15 +32,21 @@ class Camera:
         eye: Where the camera is (3,) [m].
         target: What is in the middle of the picture (3,) [m].
         up: What points up in the picture (3,).
-        field_of_view: From the bottom to the top of the picture [degrees].
+        wide: Tangent of half of the angle that must be seen from left to right.
+        high: Tangent of half of the angle that must be seen from bottom to top.
         see_through: True where the arm is drawn faintly, because it would hide the page.
     """
 
     eye: tuple[float, float, float]
     target: tuple[float, float, float]
     up: tuple[float, float, float]
-    field_of_view: float = _FIELD_OF_VIEW
+    wide: float
+    high: float
     see_through: bool = False
+
+    def slope(self, aspect: float) -> float:
+        """Tangent of half of the field of view, from bottom to top, in a picture of that width over height."""
+        return max(self.high, self.wide / aspect)
 
     def as_dict(self) -> dict[str, object]:
         """For JSON."""
@@ -104,7 +110,7 @@ def _shoulder(page: Page, robot: Array, letter: Array, corners: Array) -> Camera
         direction = _direction(level, (0, 0, 1), side, min(rise + more, _STEEPEST))
         camera = _fit(centre, direction, (0, 0, 1), corners, _ROOM)
         hidden = max(_hidden(camera, moment, letter) for moment in over)
-        cost = hidden + 0.15 * abs(side) + 0.15 * abs(more) + 0.7 * (1 - direction @ page.normal)
+        cost = 2.0 * hidden + 0.15 * abs(side) + 0.15 * abs(more) + 0.7 * (1 - direction @ page.normal)
         if cost < least:
             best, least = camera, cost
     return best
@@ -135,7 +141,9 @@ def _fit(target: Array, direction: Array, up: Array, points: Array, room: float)
         distance = np.max(near + room * np.maximum(np.abs(high), np.abs(right) / ASPECT) / slope)
         in_picture = np.array([right, high]) / (distance - near)
         target = target + distance * (in_picture.max(axis=1) + in_picture.min(axis=1)) / 2 @ R[:2]
-    return Camera(*(tuple(map(float, v)) for v in (target + distance * direction, target, up)))
+    wide, high = room * np.abs(R[:2] @ (points - target).T / (distance - near)).max(axis=1)
+    places = (tuple(map(float, v)) for v in (target + distance * direction, target, up))
+    return Camera(*places, wide=float(wide), high=float(high))
 
 
 def _hidden(camera: Camera, robot: Array, letter: Array) -> float:

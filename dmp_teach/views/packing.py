@@ -23,12 +23,17 @@ def typed(array: Array) -> dict:
     return {"type": f"{name}{8 * array.dtype.itemsize}Array", "array": code}
 
 
+FINE = 2e-5
+"""Ink need not be finer than this [m]: rounder numbers, smaller files."""
+
+
 class PackedMesh:
     """A mesh in whole numbers: 16 bits a coordinate (a part of 65 000 of the mesh's size), 8 bits a normal."""
 
     def __init__(self, vertices: Array, normals: Array | None, faces: Array) -> None:
+        coarse = FINE if normals is None else 0.0
         middle = (vertices.min(axis=0) + vertices.max(axis=0)) / 2 if len(vertices) else np.zeros(3)
-        scale = max(float(np.abs(vertices - middle).max(initial=0.0)), 1e-6) / 32767
+        scale = max(float(np.abs(vertices - middle).max(initial=0.0)) / 32767, coarse, 1e-9)
         self.X = np.diag([scale, scale, scale, 1.0])
         self.X[:3, 3] = middle
         self.vertices = np.rint((vertices - middle) / scale).astype(np.int16)

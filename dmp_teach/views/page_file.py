@@ -1,6 +1,7 @@
 """The view as one file that opens from disk, without a network and without a kernel."""
 
 import base64
+import gzip
 import html
 import json
 from pathlib import Path
@@ -37,10 +38,9 @@ body[data-jp-theme-light="false"] {{ --jp-ui-font-color0: #f4f4f4; }}
 """
 
 _START = """
-const state = { ...JSON.parse(document.getElementById("state").textContent) };
-for (const name of ["viewer", "robot", "run"]) {
-  state[name] = Uint8Array.from(atob(document.getElementById(name).textContent), (c) => c.charCodeAt(0));
-}
+const part = (name) => Uint8Array.from(atob(document.getElementById(name).textContent), (c) => c.charCodeAt(0));
+const state = JSON.parse(new TextDecoder().decode(await gunzip(part("state"))));
+for (const name of ["viewer", "robot", "run"]) state[name] = part(name);
 const heard = {};
 const model = {
   get: (name) => state[name],
@@ -73,8 +73,8 @@ def page(title: str, css: str, script: str, state: dict, parts: dict[str, bytes]
     Returns:
         The file's bytes.
     """
-    data = [f'<script type="application/json" id="state">{_safe(json.dumps(state))}</script>']
-    for name, part in parts.items():
+    data = []
+    for name, part in {"state": gzip.compress(json.dumps(state).encode("utf-8"), 9, mtime=0), **parts}.items():
         text = base64.b64encode(part).decode("ascii")
         data.append(f'<script type="application/gzip;base64" id="{name}">{text}</script>')
     text = _PAGE.format(
@@ -92,8 +92,3 @@ def page(title: str, css: str, script: str, state: dict, parts: dict[str, bytes]
 def read_beside(name: str) -> str:
     """A file that stands beside this module."""
     return Path(__file__).with_name(name).read_text(encoding="utf-8")
-
-
-def _safe(text: str) -> str:
-    """JSON that no HTML parser takes for the end of its script."""
-    return text.replace("</", "<\\/")

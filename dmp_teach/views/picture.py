@@ -7,8 +7,8 @@ import numpy as np
 from dmp_teach.errors import SettingError
 from dmp_teach.robot.physics import Mesh, picture
 from dmp_teach.trajectory import Array
-from dmp_teach.views.cameras import ASPECT, known_camera
-from dmp_teach.views.ribbon import TRIANGLES_PER_DOT, Ribbon
+from dmp_teach.views.cameras import known_camera
+from dmp_teach.views.ribbon import Ribbon
 from dmp_teach.views.shapes import lamp
 from dmp_teach.views.stage import Stage
 
@@ -38,13 +38,12 @@ def png(stage: Stage, time: float | None, camera: str, width: int, height: int) 
         if not (isinstance(size, int | np.integer) and low <= size <= high):
             raise SettingError(f"{name} is {size!r}, but must be a whole number of pixels from {low} to {high}.")
     seen = stage.cameras[known_camera(camera)]
-    slope = np.tan(np.radians(seen.field_of_view / 2)) * max(1.0, ASPECT * height / width)
     pixels = picture(
         _meshes(stage, time, seen.see_through),
         eye=seen.eye,
         target=seen.target,
         up=seen.up,
-        field_of_view=2 * np.degrees(np.arctan(slope)),
+        field_of_view=2 * np.degrees(np.arctan(seen.slope(width / height))),
         width=width,
         height=height,
         lamp=lamp(stage.page),
@@ -64,7 +63,7 @@ def _meshes(stage: Stage, time: float, pen_only: bool) -> list[Mesh]:
 def _flat(stage: Stage, line: Ribbon, color: tuple, triangles: int) -> Mesh:
     """A ribbon on the page, its first triangles only."""
     faces = line.faces[:triangles]
-    corners = line.vertices[: 12 * triangles // TRIANGLES_PER_DOT]
+    corners = line.vertices[: int(faces.max(initial=0)) + 1]
     up = np.tile(stage.page.normal, (len(corners), 1))
     return stage.page.to_world(corners), up, faces, color
 

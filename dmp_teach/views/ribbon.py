@@ -9,12 +9,14 @@ from dmp_teach.robot.motion import Motion
 from dmp_teach.trajectory import Array, Trajectory, locked
 
 CORNERS = 8
-"""A dot of ink is a polygon of so many corners; the pen's strokes get round ends and round corners from it."""
+"""A dot of ink is a polygon of so many corners."""
 
-TRIANGLES_PER_DOT = CORNERS
-"""A dot (CORNERS - 2 triangles) and the piece that leads to it from the dot before (2)."""
+_BEND = np.radians(20)
+"""Where the line bends more than this, and at its ends, a whole dot is drawn: ends and corners are round [rad]."""
 
-_MOST_DOTS = 4000
+_MOST_DOTS = 3000
+_STILL = 1e-12
+"""A pen at rest counts as moving so little, so that its way always grows [m]."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -22,11 +24,12 @@ class Ribbon:
     """A flat ribbon on the page, in the order in which it is drawn.
 
     Args:
-        t: When each dot is drawn, never decreasing, shape (P,) [s].
-        dots: Where the middle of each dot is, in the page's frame, shape (P, 2) [m].
+        t: When the pen reaches each dot, never decreasing, shape (P,) [s].
+        dots: Where the middle of the line is, in the page's frame, shape (P, 2) [m].
         first: True where a stroke begins, shape (P,).
-        vertices: Corners in the page's frame, shape (P * 12, 3) [m].
-        faces: Corners of triangles, `TRIANGLES_PER_DOT` for each dot, shape (P * 8, 3).
+        vertices: Corners in the page's frame, shape (V, 3) [m].
+        faces: Numbers of corners, shape (F, 3).
+        ends: How many of the triangles lead up to each dot, with the dot's own, shape (P,).
     """
 
     t: Array
@@ -34,10 +37,12 @@ class Ribbon:
     first: Array
     vertices: Array
     faces: Array
+    ends: Array
 
     def triangles(self, t: float) -> int:
         """How many triangles the pen has drawn at time `t` [s]: those of every dot that it has reached."""
-        return TRIANGLES_PER_DOT * int(np.searchsorted(self.t, t + 1e-9, side="right"))
+        reached = int(np.searchsorted(self.t, t + 1e-9, side="right"))
+        return int(self.ends[reached - 1]) if reached else 0
 
 
 def ribbon(strokes: Sequence[Trajectory], width: float, height: float, spacing: float = 0.0007) -> Ribbon:
@@ -58,8 +63,9 @@ def ribbon(strokes: Sequence[Trajectory], width: float, height: float, spacing: 
     t = np.concatenate([np.empty(0), *(walk[0] for walk in walks)])
     dots = np.concatenate([np.empty((0, 2)), *(walk[1] for walk in walks)])
     first = np.concatenate([np.empty(0, bool), *(np.arange(len(walk[0])) == 0 for walk in walks)])
-    vertices, faces = _mesh(dots, first, width, height)
-    return Ribbon(locked(t), locked(dots), locked(first, bool), locked(vertices), locked(faces, np.uint32))
+    vertices, faces, ends = _mesh(dots, first, width, height)
+    whole = locked(faces, np.uint32), locked(ends, int)
+    return Ribbon(locked(t), locked(dots), locked(first, bool), locked(vertices), *whole)
 
 
 def inked(motion: Motion) -> tuple[Trajectory, ...]:
@@ -73,25 +79,30 @@ def inked(motion: Motion) -> tuple[Trajectory, ...]:
 
 def _walk(stroke: Trajectory, spacing: float) -> tuple[Array, Array]:
     """Dots at equal distances along a stroke, with the time at which the pen comes to each; a stroke at rest is one."""
-    way = np.concatenate([[0.0], np.linalg.norm(np.diff(stroke.position, axis=0), axis=1).cumsum()])
-    way, moved = np.unique(way, return_index=True)
-    dots = np.linspace(0.0, way[-1], max(1, int(np.ceil(way[-1] / spacing)) + 1)) if way[-1] > 0 else way[:1]
-    columns = [np.interp(dots, way, stroke.position[moved, column]) for column in range(2)]
-    return np.interp(dots, way, stroke.t[moved]), np.column_stack(columns)
+    steps = np.linalg.norm(np.diff(stroke.position, axis=0), axis=1)
+    way = np.concatenate([[0.0], (steps + _STILL).cumsum()])
+    count = int(np.ceil(way[-1] / spacing)) + 1 if way[-1] > 1e-6 else 1
+    dots = np.linspace(0.0, way[-1], count)
+    columns = [np.interp(dots, way, stroke.position[:, column]) for column in range(2)]
+    return np.interp(dots, way, stroke.t), np.column_stack(columns)
 
 
-def _mesh(dots: Array, first: Array, width: float, height: float) -> tuple[Array, Array]:
-    """For each dot 4 corners of the piece that leads to it (none, at the start of a stroke) and the dot's own."""
-    before = np.where(first[:, None], dots, np.roll(dots, 1, axis=0))
-    along = dots - before
-    length = np.linalg.norm(along, axis=1, keepdims=True)
-    side = np.divide(along, length, out=np.zeros_like(along), where=length > 0)[:, ::-1] * (-width / 2, width / 2)
-    angles = 2 * np.pi * (np.arange(CORNERS) + 0.5) / CORNERS
-    corner = width / 2 * np.column_stack([np.cos(angles), np.sin(angles)])
-    piece = np.stack([before - side, dots - side, dots + side, before + side], axis=1)
-    flat = np.concatenate([piece, dots[:, None] + corner], axis=1)
-    vertices = np.concatenate([flat, np.full((*flat.shape[:2], 1), height)], axis=2).reshape(-1, 3)
-    fan = [(4, 4 + k, 5 + k) for k in range(1, CORNERS - 1)]
-    pattern = np.array([(0, 1, 2), (0, 2, 3), *fan])
-    faces = (pattern + (4 + CORNERS) * np.arange(len(dots))[:, None, None]).reshape(-1, 3)
-    return vertices, faces
+def _mesh(dots: Array, first: Array, width: float, height: float) -> tuple[Array, Array, Array]:
+    """Corners 0 and 4 of a dot stand square to the line; pieces between them, and whole dots where it bends."""
+    along = np.where(first[:, None], np.roll(dots, -1, axis=0) - dots, dots - np.roll(dots, 1, axis=0))
+    heading = np.arctan2(along[:, 1], along[:, 0])
+    bend = np.abs(np.angle(np.exp(1j * (np.roll(heading, -1) - heading)))) > _BEND
+    whole = first | np.roll(first, -1) | bend
+    angles = heading[:, None] + np.pi / 2 + 2 * np.pi * np.arange(CORNERS) / CORNERS
+    flat = dots[:, None] + width / 2 * np.stack([np.cos(angles), np.sin(angles)], axis=2)
+    corners = np.concatenate([flat, np.full((*flat.shape[:2], 1), height)], axis=2)
+    half = CORNERS // 2
+    kept = whole[:, None] | (np.arange(CORNERS) % half == 0)
+    number = np.cumsum(kept).reshape(kept.shape) - 1
+    here = number[:, (0, half)].T
+    there = np.where(first, here, np.roll(here, 1, axis=1))
+    piece = [[here[0], there[0], there[1]], [here[0], there[1], here[1]]]
+    fan = [[number[:, 0], number[:, k], number[:, k + 1]] for k in range(1, CORNERS - 1)]
+    faces = np.array(piece + fan).transpose(2, 0, 1)
+    drawn = whole[:, None] | (np.arange(CORNERS) < len(piece))
+    return corners[kept], faces[drawn], drawn.sum(axis=1).cumsum()

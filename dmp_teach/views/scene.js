@@ -203,7 +203,7 @@ function render({ model, el: host }) {
     const name = model.get("camera");
     cameraBar.show(name);
     cameraList.show(name);
-    picture.place({ ...facts().cameras[name], aspect: facts().aspect });
+    picture.place(facts().cameras[name]);
     page.node.classList.toggle("dts-away", name === "page from above");
   };
   const wake = async () => {

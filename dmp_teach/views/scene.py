@@ -84,8 +84,9 @@ def robot_commands() -> tuple[bytes, ...]:
     viewer = meshcat.Visualizer(window=recorder)
     _light(viewer)
     model, paths = robot_model(), link_paths()
+    poses = model.link_poses(np.zeros((1, 0)), ())
     for joint in model.joints:
-        viewer[paths[joint.child]].set_transform(joint.pose(np.zeros(1))[0])
+        viewer[paths[joint.child]].set_transform(np.linalg.solve(poses[joint.parent][0], poses[joint.child][0]))
     for number, piece in enumerate(model.visuals):
         X = piece.X_link_visual
         vertices, normals = piece.vertices @ X[:3, :3].T + X[:3, 3], piece.normals @ X[:3, :3].T
@@ -308,9 +309,8 @@ def _stage(motion: Any) -> Stage:
 
 def _not_a_motion(value: Any) -> str:
     """What can be shown, and how to get it."""
-    return (
-        f"A {type(value).__name__} cannot be shown here; a Motion can: Fetch().write(strokes, Page.table()) gives one."
-    )
+    kind = type(value).__name__
+    return f"A {kind} cannot be shown; a Motion can, and Fetch().write(strokes, Page.table()) gives one."
 
 
 def _traits(stage: Stage, play: bool = True) -> dict[str, Any]:

@@ -199,7 +199,7 @@ class Picture {
     eye.up.copy(up);
     eye.near = 0.03;
     eye.far = 30;
-    const slope = Math.tan((camera.field_of_view * Math.PI) / 360) * Math.max(1, camera.aspect / eye.aspect);
+    const slope = Math.max(camera.high, camera.wide / eye.aspect);
     eye.fov = (Math.atan(slope) * 360) / Math.PI;
     eye.lookAt(target);
     eye.updateProjectionMatrix();

@@ -9,7 +9,7 @@ from dmp_teach.robot.model import Model
 from dmp_teach.robot.motion import Motion
 from dmp_teach.robot.page import Page
 from dmp_teach.trajectory import Array
-from dmp_teach.views.cameras import ASPECT, Camera, cameras
+from dmp_teach.views.cameras import Camera, cameras
 from dmp_teach.views.keyframes import key_rows
 from dmp_teach.views.ribbon import Ribbon, inked, ribbon
 from dmp_teach.views.shapes import Shape, around
@@ -102,7 +102,6 @@ class Stage:
         does = f"It writes {strokes} stroke{'' if strokes == 1 else 's'} in {self.duration:.1f} s."
         return {
             "duration": self.duration,
-            "aspect": ASPECT,
             "cameras": {name: camera.as_dict() for name, camera in self.cameras.items()},
             "plan": _dots(self.plan),
             "ink": _dots(self.ink),
@@ -135,6 +134,7 @@ class Stage:
 
 
 def _dots(line: Ribbon) -> list[list[float]]:
-    """Time [s], right and up [mm], and 1 where a stroke begins, for each dot."""
-    columns = np.round(line.t, 4), *np.round(1000 * line.dots.T, 1), line.first.astype(int)
-    return np.column_stack(columns).tolist()
+    """Time [s], right and up [mm], and 1 where a stroke begins, for each dot; of a long text for some."""
+    kept = line.first | np.roll(line.first, -1) | (np.arange(len(line.t)) % (len(line.t) // 800 + 1) == 0)
+    columns = np.round(line.t, 3), *np.round(1000 * line.dots.T, 1), line.first.astype(int)
+    return np.column_stack(columns)[kept].tolist()

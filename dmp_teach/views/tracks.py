@@ -33,7 +33,12 @@ def joint_track(joint: Joint, times: Array, positions: Array) -> Track:
     poses = joint.pose(positions)
     if joint.type == "prismatic":
         return Track("position", "vector3", times, poses[:, :3, 3])
-    return Track("quaternion", "quaternion", times, Rotation.from_matrix(poses[:, :3, :3]).as_quat())
+    return Track("quaternion", "quaternion", times, _rounded(poses[:, :3, :3]))
+
+
+def _rounded(turns: Array) -> Array:
+    """Quaternions x, y, z, w (K, 4) in steps of a part of 65 000: 0.03 mm at the end of the arm, in fewer bytes."""
+    return np.rint(Rotation.from_matrix(turns).as_quat() * 65536) / 65536
 
 
 def ink_track(ink: Ribbon) -> Track:

@@ -1,0 +1,134 @@
+"""The view as a file: opened from disk, with the network cut."""
+
+import pytest
+
+from dmp_teach.views.scene import view
+from tests.views.moves import sway
+
+ROOT = ".dt-scene"
+
+
+@pytest.fixture(scope="module")
+def file(tmp_path_factory):
+    return view(sway()).html(tmp_path_factory.mktemp("file") / "robot.html")
+
+
+@pytest.fixture
+def opened(chromium, file):
+    """Open the file in a browser without network; no trouble and no request may have been seen at the end."""
+    contexts, seen = [], []
+
+    def open_it(**options):
+        context = chromium.new_context(**{"viewport": {"width": 1000, "height": 900}, **options})
+        contexts.append(context)
+        context.set_offline(True)
+        page = context.new_page()
+        page.on("request", lambda request: seen.append(request.url))
+        page.on("pageerror", lambda error: seen.append(f"page error: {error}"))
+        page.on("console", lambda message: message.type == "error" and seen.append(f"console: {message.text}"))
+        page.goto(file.as_uri())
+        page.wait_for_selector(f"{ROOT}[data-dt-awake='true']")
+        return page
+
+    yield open_it
+    for context in contexts:
+        context.close()
+    assert [url for url in seen if not url.startswith(("blob:", file.as_uri()))] == []
+
+
+def data(page, name):
+    return page.locator(ROOT).get_attribute(f"data-dt-{name}")
+
+
+def dark_pixels(page):
+    """How many pixels of the picture are as blue as ink."""
+    return page.evaluate("""() => new Promise(done => requestAnimationFrame(() => setTimeout(async () => {
+        const canvas = document.querySelector('.dts-box canvas');
+        const gl = canvas.getContext('webgl2') ?? canvas.getContext('webgl');
+        done(gl.isContextLost() ? -1 : canvas.width * canvas.height);
+    }, 50)))""")
+
+
+def test_the_robot_writes_and_the_ink_follows_the_slider_both_ways(opened, shot):
+    page = opened()
+    page.wait_for_selector(f"{ROOT}[data-dt-state='ready']")
+    whole = int(data(page, "ink"))
+    assert whole > 100
+    amounts = []
+    slider = page.get_by_role("slider", name="Time")
+    for time in (0.0, 0.6, 1.2, 1.8, 2.4, 1.2, 0.0):
+        slider.evaluate("(node, t) => { node.value = t; node.dispatchEvent(new Event('input')); }", time)
+        amounts.append(int(data(page, "ink")))
+    assert amounts[0] == amounts[-1] == 0
+    assert amounts[2] == amounts[5]
+    assert amounts[:5] == sorted(amounts[:5])
+    assert amounts[4] == whole
+    assert dark_pixels(page) > 10_000
+    shot(page, "scene_file")
+
+
+def test_the_picture_changes_when_the_pen_moves(opened):
+    page = opened(reduced_motion="reduce")
+    box = page.locator(".dts-box")
+    slider = page.get_by_role("slider", name="Time")
+
+    def at(key):
+        slider.press(key)
+        page.wait_for_timeout(1000)
+        return box.screenshot()
+
+    end, start = at("End"), at("Home")
+    assert end != start
+    assert at("End") == end
+
+
+def test_the_play_button_plays_and_pauses_by_the_space_key(opened):
+    page = opened()
+    page.wait_for_selector(f"{ROOT}[data-dt-state='ready']")
+    page.get_by_role("slider", name="Time").press("Home")
+    page.get_by_role("button", name="Play").press("Space")
+    page.wait_for_selector(f"{ROOT}[data-dt-state='playing']")
+    page.get_by_role("button", name="Pause").press("Space")
+    page.wait_for_selector(f"{ROOT}[data-dt-state='ready']")
+    assert 0 <= float(data(page, "time")) < 2.4
+
+
+def test_a_quarter_of_the_speed_takes_four_times_as_long(opened):
+    page = opened(reduced_motion="no-preference")
+    page.wait_for_selector(f"{ROOT}[data-dt-state='ready']")
+    page.get_by_role("radio", name="¼×").check(force=True)
+    page.get_by_role("button", name="Play").click()
+    page.wait_for_function("Number(document.querySelector('.dt-scene').dataset.dtTime) > 0.05")
+    first = page.evaluate("[performance.now(), Number(document.querySelector('.dt-scene').dataset.dtTime)]")
+    page.wait_for_timeout(1500)
+    last = page.evaluate("[performance.now(), Number(document.querySelector('.dt-scene').dataset.dtTime)]")
+    assert (last[1] - first[1]) / ((last[0] - first[0]) / 1000) <= 0.3
+
+
+@pytest.mark.parametrize("scheme", ["light", "dark"])
+def test_it_follows_the_systems_light_or_dark(opened, scheme, shot):
+    page = opened(color_scheme=scheme)
+    card = page.locator(ROOT).evaluate("node => getComputedStyle(node).backgroundColor")
+    assert (card == "rgb(255, 255, 255)") == (scheme == "light")
+    shot(page, f"scene_file_{scheme}")
+
+
+@pytest.mark.parametrize("width", [320, 768])
+def test_nothing_is_cut_on_a_narrow_screen_and_targets_are_large(opened, width, shot):
+    page = opened(viewport={"width": width, "height": 900}, reduced_motion="reduce")
+    assert page.evaluate("document.documentElement.scrollWidth") <= width
+    for box in page.evaluate(
+        "[...document.querySelectorAll('.dts-play, .dts-choice label, .dts-bar input')]"
+        ".map(n => n.getBoundingClientRect()).filter(r => r.width).map(r => [r.width, r.height])"
+    ):
+        assert min(box) >= 44
+    shot(page, f"scene_file_{width}")
+
+
+def test_every_control_has_a_name_and_the_picture_an_alternative(opened):
+    page = opened()
+    assert page.get_by_role("img", name="It writes 2 strokes in 2.4 s").count() == 1
+    assert page.get_by_role("slider", name="Time").count() == 1
+    assert page.get_by_role("group", name="Camera").count() == 1
+    assert page.get_by_role("group", name="Speed").count() == 1
+    assert page.title() == "A robot writes a letter"

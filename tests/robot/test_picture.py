@@ -1,0 +1,78 @@
+"""Pictures without a browser."""
+
+import builtins
+
+import numpy as np
+import pytest
+from PIL import Image
+
+from dmp_teach.errors import MissingPartError
+from dmp_teach.robot import physics
+from dmp_teach.views.scene import SceneView, view
+from tests.views.moves import sway
+
+
+def blue(path):
+    """How many pixels have the colour of ink."""
+    r, g, b = np.asarray(Image.open(path)).astype(int).transpose(2, 0, 1)
+    return int(((b > r + 60) & (g > r + 20) & (b < 230)).sum())
+
+
+def picture(shown, folder, **options):
+    return shown.png(folder / "a.png", width=360, height=240, **options)
+
+
+@pytest.fixture(scope="module", autouse=True)
+def needs_pybullet():
+    pytest.importorskip("pybullet")
+
+
+@pytest.fixture(scope="module")
+def shown():
+    return view(sway())
+
+
+def test_a_picture_shows_robot_page_and_sky(shown, tmp_path):
+    pixels = np.asarray(Image.open(picture(shown, tmp_path, camera="whole robot")))
+    assert pixels.shape == (240, 360, 3)
+    assert len(np.unique(pixels.reshape(-1, 3), axis=0)) > 200
+    assert pixels[5, 5].min() > 200, "sky"
+    assert (pixels.max(axis=2) < 80).sum() > 200, "the dark base and hand"
+
+
+def test_the_letter_grows_with_time(shown, tmp_path):
+    amounts = [blue(picture(shown, tmp_path, camera="page from above", time=t)) for t in (0.0, 1.0, 2.4)]
+    assert amounts[0] + 20 < amounts[1] < amounts[2] - 20
+
+
+def test_without_a_motion_the_page_is_empty(tmp_path):
+    empty = picture(SceneView(), tmp_path, camera="page from above")
+    assert blue(empty) < 300, "nothing but the pen"
+
+
+def test_the_end_is_shown_unless_a_time_is_given(shown, tmp_path):
+    end = np.asarray(Image.open(picture(shown, tmp_path)))
+    again = np.asarray(Image.open(picture(shown, tmp_path, time=2.4)))
+    assert (end == again).all()
+
+
+def test_every_client_is_closed(shown, tmp_path):
+    pybullet = pytest.importorskip("pybullet")
+    picture(shown, tmp_path)
+    with pytest.raises(ValueError, match="never"), physics.client() as (_, number):
+        raise ValueError("never")
+    assert not pybullet.isConnected(number)
+
+
+def test_without_pybullet_it_says_what_still_works(shown, tmp_path, monkeypatch):
+    real = builtins.__import__
+
+    def without(name, *rest):
+        if name == "pybullet":
+            raise ImportError(name)
+        return real(name, *rest)
+
+    monkeypatch.setattr(builtins, "__import__", without)
+    with pytest.raises(MissingPartError, match=r"need pybullet.*\.html\(path\) work without it"):
+        picture(shown, tmp_path)
+    assert not list(tmp_path.iterdir())

@@ -1,0 +1,28 @@
+"""A motion that needs no PlaCo: the resting arm, swayed; two strokes with a lift between them."""
+
+import numpy as np
+
+from dmp_teach.robot.model import Model
+from dmp_teach.robot.motion import Motion
+from dmp_teach.robot.page import Page
+from dmp_teach.trajectory import Trajectory
+from dmp_teach.views.stage import REST
+
+
+def sway(seconds=2.4, rate=240, size=0.06, page=None):
+    """Every joint on a sine of its own; the pen is down for two thirds of the time."""
+    count = round(seconds * rate) + 1
+    t = np.arange(count) / rate
+    rest = np.array(list(REST.values())) - (0.1, 0, 0, 0, 0, 0, 0, 0)
+    speeds = 2 * np.pi * np.linspace(0.4, 1.1, len(rest))
+    q = rest + size * np.sin(np.outer(t, speeds)) * (0.2, 1, 1, 1, 1, 1, 1, 1)
+    tip = Model.load().frame("pen_tip", q, tuple(REST))[:, :3, 3]
+    if page is None:
+        middle = (tip.min(axis=0) + tip.max(axis=0)) / 2
+        page = Page.table(*middle, width=0.4, height=0.4)
+    part = t / seconds
+    down = ((part > 0.1) & (part < 0.45)) | ((part > 0.55) & (part < 0.9))
+    on_page = page.to_page(tip)[:, :2]
+    halves = (down & (part < 0.5), down & (part > 0.5))
+    strokes = tuple(Trajectory(t[half], on_page[half]) for half in halves)
+    return Motion(t, q, tuple(REST), tip, tip, down, page, strokes, ("Slowed from 2.2 s to 2.4 s: elbow_flex_joint.",))

@@ -1,0 +1,83 @@
+"""The letter can be read, whatever the page."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from dmp_teach.errors import SettingError
+from dmp_teach.robot.page import Page
+from dmp_teach.views.cameras import ASPECT, CAMERAS, cameras, known_camera
+from dmp_teach.views.shapes import around
+from dmp_teach.views.stage import Stage
+
+tables = st.builds(Page.table, x=st.floats(0.5, 0.9), y=st.floats(-0.3, 0.3), z=st.floats(0.45, 0.95))
+boards = st.builds(Page.board, x=st.floats(0.6, 1.1), y=st.floats(-0.3, 0.3), z=st.floats(0.8, 1.4))
+
+
+def picture_of(camera, points, aspect=ASPECT):
+    """Where points are in the picture, both between -1 and 1 where they are in it, and their distance."""
+    eye, target, up = (np.array(v) for v in (camera.eye, camera.target, camera.up))
+    back = (eye - target) / np.linalg.norm(eye - target)
+    right = np.cross(up, back) / np.linalg.norm(np.cross(up, back))
+    seen = (points - eye) @ np.column_stack([right, np.cross(back, right), -back])
+    slope = camera.slope(aspect)
+    return seen[:, :2] / seen[:, 2:] / (slope * aspect, slope), seen[:, 2]
+
+
+def robot():
+    return np.stack([np.vstack([s.vertices[::40] for s in Stage().robot(0.0)])])
+
+
+ROBOT = robot()
+
+
+@settings(max_examples=20, deadline=None)
+@given(page=tables | boards, aspect=st.floats(0.6, 2.0))
+def test_every_camera_has_the_whole_page_in_its_picture_and_before_it(page, aspect):
+    corners = page.to_world([(x * page.width / 2, y * page.height / 2) for x in (-1, 1) for y in (-1, 1)])
+    table = np.vstack([shape.vertices for shape in around(page)])
+    for camera in cameras(page, ROBOT, page.to_world(np.zeros((1, 2))), table).values():
+        places, distance = picture_of(camera, corners, aspect)
+        assert np.abs(places).max() < 1
+        assert distance.min() > 0.1
+        assert (np.array(camera.eye) - page.X_world_page[:3, 3]) @ page.normal > 0, "the page's face is seen"
+        assert camera.eye[2] > 0, "above the floor"
+
+
+@settings(max_examples=10, deadline=None)
+@given(page=tables | boards)
+def test_the_whole_robot_is_seen_by_the_first_camera(page):
+    table = np.vstack([shape.vertices for shape in around(page)])
+    camera = cameras(page, ROBOT, page.to_world(np.zeros((1, 2))), table)["whole robot"]
+    places, _ = picture_of(camera, np.vstack([ROBOT.reshape(-1, 3), table]))
+    assert np.abs(places).max() < 1
+
+
+@settings(max_examples=10, deadline=None)
+@given(page=tables | boards)
+def test_over_the_shoulder_the_page_fills_a_good_part_of_the_picture(page):
+    corners = page.to_world([(x * page.width / 2, y * page.height / 2) for x in (-1, 1) for y in (-1, 1)])
+    table = np.vstack([shape.vertices for shape in around(page)])
+    camera = cameras(page, ROBOT, page.to_world(np.zeros((1, 2))), table)["over the shoulder"]
+    places, _ = picture_of(camera, corners)
+    assert np.ptp(places, axis=0).max() > 0.9
+
+
+def test_the_camera_goes_round_an_arm_that_would_hide_the_letter():
+    page = Page.table()
+    letter = page.to_world(np.random.default_rng(0).uniform(-0.03, 0.03, (40, 2)))
+    table = np.vstack([shape.vertices for shape in around(page)])
+    free = cameras(page, np.zeros((1, 0, 3)), letter, table)["over the shoulder"]
+    line = np.linspace(0.1, 0.6, 200)[:, None]
+    thick = np.random.default_rng(1).uniform(-0.04, 0.04, (200, 3))
+    arm = page.X_world_page[:3, 3] + line * (np.array(free.eye) - page.X_world_page[:3, 3]) + thick
+    other = cameras(page, arm[None], letter, table)["over the shoulder"]
+    assert np.linalg.norm(np.array(other.eye) - free.eye) > 0.1
+
+
+def test_an_unknown_camera_is_answered_with_those_that_there_are():
+    assert known_camera("Whole Robot") == "whole robot"
+    with pytest.raises(SettingError, match="camera is 'behind', but must be one of: 'whole robot', 'over the shoul"):
+        known_camera("behind")
+    assert len(CAMERAS) == 3
