@@ -3,7 +3,7 @@
 import math
 
 import numpy as np
-from scipy.interpolate import Akima1DInterpolator
+from scipy.interpolate import Akima1DInterpolator, CubicSpline, PPoly
 from scipy.signal import lfilter
 
 from dmp_teach.trajectory import Array, Trajectory
@@ -25,19 +25,24 @@ def prepared(trajectory: Trajectory, cutoff: float | None, least_steps: float) -
         what was done or could not be done. First and last sample are the demonstrated ones.
     """
     path, steps, notes = trajectory.position, len(trajectory) - 1, []
-    rate = steps / trajectory.duration
+    rate = float(f"{steps / trajectory.duration:.6g}")  # a clock that began long ago is coarse: let it change nothing
     if not has_even_times(trajectory.t):
-        path = _between(trajectory.t - trajectory.t[0], path, steps)
+        # Akima's curve does not swing out beside a crooked sample, as a spline does
+        path = _sampled(Akima1DInterpolator(trajectory.t - trajectory.t[0], path, method="makima"), path, steps)
         least_steps = max(least_steps, 4 * steps)
         notes.append(f"Times were uneven: resampled at {rate:.4g} samples a second.")
     if cutoff is not None:
-        if rate < max(LEAST_RATE, 2.2 * cutoff) or len(path) < LEAST_SAMPLES:
-            need = f"{LEAST_SAMPLES} samples and {max(LEAST_RATE, 2.2 * cutoff):g} a second are needed"
-            notes.append(f"Not smoothed: {len(path)} samples, {rate:.4g} a second; {need}.")
+        least_rate, least = max(LEAST_RATE, 2.2 * cutoff), max(LEAST_SAMPLES, math.ceil(rate / cutoff))
+        if rate < least_rate or len(path) < least:
+            notes.append(
+                f"Not smoothed: {len(path)} samples at {rate:.4g} a second; a filter of {cutoff:g} Hz needs at least "
+                f"{least} samples at {least_rate:g} a second."
+            )
         else:
             path = smoothed(path, cutoff / rate)
     if steps < least_steps:
-        path = _between(np.arange(steps + 1.0), path, steps * math.ceil(least_steps / steps))
+        finer = steps * math.ceil(least_steps / steps)
+        path = _sampled(CubicSpline(np.linspace(0, 1, steps + 1), path), path, finer)
     return path, tuple(notes)
 
 
@@ -90,9 +95,8 @@ def smoothed(path: Array, cutoff: float) -> Array:
     return x + (path[0] - x[0]) * (1 - along) + (path[-1] - x[-1]) * along
 
 
-def _between(t: Array, path: Array, steps: int) -> Array:
-    """`path` at `steps` + 1 even times, by Akima's curve, which does not swing out beside a crooked sample."""
-    curve = Akima1DInterpolator(t, path, method="makima")
-    even = curve(np.linspace(t[0], t[-1], steps + 1))
+def _sampled(curve: PPoly, path: Array, steps: int) -> Array:
+    """A curve through `path` at `steps` + 1 even times; the ends to the last bit."""
+    even = curve(np.linspace(curve.x[0], curve.x[-1], steps + 1))
     even[0], even[-1] = path[0], path[-1]
     return even

@@ -54,8 +54,7 @@ class Kernels:
             Heights between 0 and 1, shape (T, N).
         """
         s = np.asarray(s, dtype=float)[:, None]
-        off = self._cell_coordinate(s) - (np.arange(self.number) + 0.5)
-        awake = (off >= -self.width / 2) & (off < self.width / 2)
+        awake = self._awake(self._cell_coordinate(s), np.arange(self.number))
         return np.where(awake, self._gaussian(s, self.centers, self.spacings), 0.0)
 
     def activations(self, s: Array) -> Array:
@@ -78,12 +77,15 @@ class Kernels:
         owner = u.astype(int)
         if self.width == 1 and np.isinf(self.sigma):
             return Cells(self.number, owner)
-        awake = np.abs(u - owner - 0.5) <= self.width / 2
-        return Cells(self.number, owner, awake * self._gaussian(s, self.centers[owner], self.spacings[owner]))
+        return Cells(self.number, owner, self._awake(u, owner) * self._gaussian(s, self.centers[owner], self.spacings[owner]))
 
     def _cell_coordinate(self, s: Array) -> Array:
         """The place u = N s for the linear phase; just under N at the start, which belongs to the last cell."""
         return np.clip(self.number * self.phase.left(s), 0, np.nextafter(self.number, 0))
+
+    def _awake(self, u: Array, index: Array) -> Array:
+        """Whether u is in the cell of a kernel; `index` counts from 0, so its middle is at index + 1/2."""
+        return (index + 0.5 - self.width / 2 <= u) & (u < index + 0.5 + self.width / 2)
 
     def _gaussian(self, s: Array, c: Array, spacing: Array) -> Array | float:
         """exp(-h/2 (s - c)^2), or 1 for a box."""

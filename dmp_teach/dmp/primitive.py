@@ -8,7 +8,7 @@ from typing import Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from dmp_teach.dmp.demonstration import prepared, sharpened
+from dmp_teach.dmp.demonstration import has_even_times, prepared, sharpened
 from dmp_teach.dmp.equation import Equation, kernels_of
 from dmp_teach.dmp.fit import FITS
 from dmp_teach.dmp.kernels import Kernels
@@ -117,11 +117,10 @@ class DMP:
         start = self.start if start is None else self._point("start", start)
         goal = self.goal if goal is None else self._point("goal", goal)
         T = self.duration if duration is None else _time("duration", duration)
-        own = self.times - self.times[0]
         if dt is None:
             path = self._path(goal - start, self.steps)
-            times = self.times if duration is None else self.times[0] + own * (T / self.duration)
-            return Trajectory(times, start + _read(path, own / self.duration))
+            times = self.times if duration is None else self.times[0] + T * self._clock
+            return Trajectory(times, start + (path[self._own] if self._own else _read(path, self._clock)))
         samples = _samples(T, _time("dt", dt))
         even = np.linspace(0, 1, samples + 1)
         path = self._path(goal - start, max(samples, self.steps))
@@ -132,13 +131,26 @@ class DMP:
         """The bumps, for those who want to draw them."""
         return kernels_of(self.settings)
 
+    @cached_property
+    def _clock(self) -> Array:
+        """The demonstration's sample times as parts of the movement, shape (T,)."""
+        return (self.times - self.times[0]) / self.duration
+
+    @cached_property
+    def _own(self) -> slice | None:
+        """Which steps are the demonstration's own samples; None if its times were uneven."""
+        return slice(None, None, self.steps // (len(self.times) - 1)) if has_even_times(self.times) else None
+
     def _path(self, way: Array, steps: int) -> Array:
         """The path from its start, shape (steps + 1, D). It is linear in the way from start to goal."""
         kept = steps == self.steps
         shown, taught = self._shown if kept else self._drawn(steps), self.goal - self.start
         if self.settings.transform == "original":
             return shown * (way / taught)
-        return shown + (self._answer if kept else Equation(self.settings, steps).answer()) * (way - taught)
+        change = way - taught
+        if not change.any():
+            return shown
+        return shown + (self._answer if kept else Equation(self.settings, steps).answer()) * change
 
     def _drawn(self, steps: int) -> Array:
         """The path to the demonstrated goal, in so many steps."""

@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass, field, fields, replace
+from functools import cache
 from typing import Any, Self
 
 from dmp_teach.errors import SettingError
@@ -153,7 +154,7 @@ class Settings:
         """
         n_kernels = self.n_kernels
         if n_kernels is None:
-            n_kernels = min(max(1, round(KERNELS_PER_SECOND * duration)), samples, 3000)
+            n_kernels = min(max(1, round(KERNELS_PER_SECOND * round(duration, 6))), samples, 3000)
         if n_kernels > samples:
             raise SettingError(
                 f"n_kernels is {n_kernels}, but the trajectory has only {samples} samples; use at most {samples}."
@@ -171,6 +172,7 @@ def _changed(settings: Settings, changes: dict[str, Any]) -> Settings:
     return replace(settings, **changes)
 
 
+@cache
 def knobs() -> tuple[Knob, ...]:
     """Every knob of `Settings`, in its order."""
     return tuple(Knob(each.name, each.default, **each.metadata) for each in fields(Settings))

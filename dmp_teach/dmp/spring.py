@@ -38,13 +38,13 @@ class Spring:
         h, K, D = 1 / self.steps, self.K, self.alpha
         drive = np.zeros((self.steps + 1, push.shape[1]))
         if self.integrator == "explicit":
-            drive[2:] = push[:-1]
+            drive[2:] = h * h * push[:-1]
+            drive[1] = h * start_velocity
             recursion = [1.0, -(2 - h * D), 1 - h * D + h * h * K]
         else:
-            drive[1:] = push
+            drive[1:] = h * h * push
+            drive[1] += (1 - h * D) * h * start_velocity
             recursion = [1.0, -(2 - h * D - h * h * K), 1 - h * D]
-        drive *= h * h
-        drive[1] += h * start_velocity
         return lfilter([1.0], recursion, drive, axis=0)
 
     def needed(self, z: Array) -> tuple[Array, Array]:

@@ -1,0 +1,52 @@
+"""Random ink for the laws: smooth or not, straight, closed and crossing, tiny and large, in 1 to 3 dimensions."""
+
+import numpy as np
+from hypothesis import strategies as st
+
+from dmp_teach.trajectory import Trajectory
+
+
+def letter(n=300, duration=2.5, *, dimensions=2, size=0.1, seed=0, begin=0.0):
+    """A path of a few turns, as smooth as a hand is: five random waves, slow at both ends."""
+    rng = np.random.default_rng(seed)
+    t = np.linspace(0, 1, n)
+    eased = t**3 * (10 - 15 * t + 6 * t**2)
+    waves = np.sin(np.pi * eased[:, None] * np.arange(1, 6) + rng.uniform(0, 2 * np.pi, 5))
+    return Trajectory(
+        begin + duration * t, size * waves @ rng.normal(size=(5, dimensions)) / 5 + rng.normal(size=dimensions)
+    )
+
+
+@st.composite
+def letters(draw):
+    """Smooth letters of any length, size and rate that a pad or a camera gives."""
+    duration = draw(st.floats(0.3, 6.0))
+    n = max(6, round(duration * draw(st.sampled_from([30, 60, 120, 240]))))
+    about = {"dimensions": st.integers(1, 3), "size": st.floats(0.005, 0.3), "seed": st.integers(0, 10**6)}
+    return letter(n, duration, begin=draw(st.floats(-5, 100)), **draw(st.fixed_dictionaries(about)))
+
+
+@st.composite
+def scrawls(draw):
+    """Anything that is a trajectory: straight, closed, still, or noise; 2 to 2000 samples; times even or not."""
+    rng = np.random.default_rng(draw(st.integers(0, 10**6)))
+    n = draw(st.one_of(st.integers(2, 60), st.integers(2, 2000)))
+    dimensions, duration = draw(st.integers(1, 3)), draw(st.floats(0.01, 20.0))
+    u = np.linspace(0, 1, n)[:, None]
+    kind = draw(st.sampled_from(["straight", "closed", "still", "noise", "walk"]))
+    path = {
+        "straight": u * rng.normal(size=dimensions),
+        "closed": np.sin(2 * np.pi * u * rng.integers(1, 4, size=dimensions)),
+        "still": np.zeros((n, dimensions)),
+        "noise": rng.normal(size=(n, dimensions)),
+        "walk": np.cumsum(rng.normal(size=(n, dimensions)), axis=0) / n,
+    }[kind]
+    t = duration * u[:, 0]
+    if draw(st.booleans()) and n > 2:
+        t = np.sort(rng.uniform(0, duration, n)) + 1e-6 * np.arange(n)
+    return Trajectory(t, path * draw(st.floats(1e-5, 1.0)))
+
+
+def rms(path, other):
+    """Root mean square distance of two paths, in mm."""
+    return 1e3 * float(np.sqrt(((path - other) ** 2).sum(axis=1).mean()))
