@@ -46,7 +46,7 @@ class MissingPartError(TeachError, ImportError):
 
 
 class SetupError(TeachError, RuntimeError):
-    """This computer lacks what the launcher needs; says what to type."""
+    """The computer lacks what the launcher needs; says what to type."""
 
 
 class ViewError(TeachError, TypeError):
