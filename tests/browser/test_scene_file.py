@@ -40,15 +40,6 @@ def data(page, name):
     return page.locator(ROOT).get_attribute(f"data-dt-{name}")
 
 
-def dark_pixels(page):
-    """How many pixels of the picture are as blue as ink."""
-    return page.evaluate("""() => new Promise(done => requestAnimationFrame(() => setTimeout(async () => {
-        const canvas = document.querySelector('.dts-box canvas');
-        const gl = canvas.getContext('webgl2') ?? canvas.getContext('webgl');
-        done(gl.isContextLost() ? -1 : canvas.width * canvas.height);
-    }, 50)))""")
-
-
 def test_the_robot_writes_and_the_ink_follows_the_slider_both_ways(opened, shot):
     page = opened()
     page.wait_for_selector(f"{ROOT}[data-dt-state='ready']")
@@ -63,7 +54,6 @@ def test_the_robot_writes_and_the_ink_follows_the_slider_both_ways(opened, shot)
     assert amounts[2] == amounts[5]
     assert amounts[:5] == sorted(amounts[:5])
     assert amounts[4] == whole
-    assert dark_pixels(page) > 10_000
     shot(page, "scene_file")
 
 
@@ -94,11 +84,11 @@ def test_the_play_button_plays_and_pauses_by_the_space_key(opened):
 
 
 def test_a_quarter_of_the_speed_takes_four_times_as_long(opened):
-    page = opened(reduced_motion="no-preference")
+    page = opened()
     page.wait_for_selector(f"{ROOT}[data-dt-state='ready']")
     page.get_by_role("radio", name="¼×").check(force=True)
     page.get_by_role("button", name="Play").click()
-    page.wait_for_function("Number(document.querySelector('.dt-scene').dataset.dtTime) > 0.05")
+    page.wait_for_selector(f"{ROOT}[data-dt-state='playing']:not([data-dt-time='2.400'], [data-dt-time='0.000'])")
     first = page.evaluate("[performance.now(), Number(document.querySelector('.dt-scene').dataset.dtTime)]")
     page.wait_for_timeout(1500)
     last = page.evaluate("[performance.now(), Number(document.querySelector('.dt-scene').dataset.dtTime)]")
