@@ -39,12 +39,17 @@ class Equation:
     @cached_property
     def s(self) -> Array:
         """The phases at which the spring takes its steps, shape (M, 1)."""
-        return self._phase.at(np.arange(self.steps, 0, -1) / self.steps)[:, None]
+        return self._phase.at(self._left)[:, None]
 
     @cached_property
     def kernels(self) -> Cells | Overlap:
-        """The kernels, laid over these phases."""
-        return kernels_of(self.settings).over(self.s[:, 0])
+        """The kernels, laid over these steps."""
+        return kernels_of(self.settings).over(self._left)
+
+    @cached_property
+    def _left(self) -> Array:
+        """The part of the movement that is still to come at each step, shape (M,)."""
+        return np.arange(self.steps, 0, -1) / self.steps
 
     @property
     def _phase(self) -> Phase:

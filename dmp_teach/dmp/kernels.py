@@ -19,8 +19,9 @@ class Kernels:
         c_i      = s at (i - 1/2)/N of the movement to come; (i - 1/2)/N itself for the linear phase
         h_i      = 1 / (sigma * spacing at c_i)^2; (N / sigma)^2 for the linear phase
 
-    A kernel is awake on a cell `width`/N long: i - 1/2 - width/2 <= u < i - 1/2 + width/2 with u = N s
-    (the last cell is closed at s = 1), so that touching kernels never leave or share a sample.
+    A kernel is awake on a cell `width`/N long: i - 1/2 - width/2 <= u < i - 1/2 + width/2, where u = N s for the
+    linear phase, and N times the part of the movement to come for any; the last cell is closed at s = 1.
+    Touching kernels never leave or share a sample.
 
     Args:
         number: N.
@@ -53,9 +54,8 @@ class Kernels:
         Returns:
             Heights between 0 and 1, shape (T, N).
         """
-        s = np.asarray(s, dtype=float)[:, None]
-        awake = self._awake(self._cell_coordinate(s), np.arange(self.number))
-        return np.where(awake, self._gaussian(s, self.centers, self.spacings), 0.0)
+        s = np.asarray(s, dtype=float)
+        return self._psi(s[:, None], self._place(self.phase.left(s))[:, None], np.arange(self.number))
 
     def activations(self, s: Array) -> Array:
         """How awake each kernel is at each phase, psi_i / sum of psi.
@@ -69,29 +69,30 @@ class Kernels:
         heights = self.heights(s)
         return ratio(heights, heights.sum(axis=1, keepdims=True))
 
-    def over(self, s: Array) -> "Cells | Overlap":
-        """The kernels laid over falling phases s, shape (T,), ready for the sums of a fit."""
+    def over(self, left: Array) -> "Cells | Overlap":
+        """The kernels laid over a movement, ready for the sums of a fit.
+
+        Args:
+            left: The part of the movement that is still to come at each sample, falling, shape (T,).
+        """
+        s, u = self.phase.at(left), self._place(left)
         if self.width > 1:
-            return Overlap(self.heights(s))
-        u = self._cell_coordinate(s)
+            return Overlap(self._psi(s[:, None], u[:, None], np.arange(self.number)))
         owner = u.astype(int)
-        if self.width == 1 and np.isinf(self.sigma):
-            return Cells(self.number, owner)
-        return Cells(self.number, owner, self._awake(u, owner) * self._gaussian(s, self.centers[owner], self.spacings[owner]))
+        touching_boxes = self.width == 1 and np.isinf(self.sigma)
+        return Cells(self.number, owner, None if touching_boxes else self._psi(s, u, owner))
 
-    def _cell_coordinate(self, s: Array) -> Array:
-        """The place u = N s for the linear phase; just under N at the start, which belongs to the last cell."""
-        return np.clip(self.number * self.phase.left(s), 0, np.nextafter(self.number, 0))
+    def _place(self, left: Array) -> Array:
+        """The place u = N left; just under N at the start, which belongs to the last cell."""
+        return np.clip(self.number * left, 0, np.nextafter(self.number, 0))
 
-    def _awake(self, u: Array, index: Array) -> Array:
-        """Whether u is in the cell of a kernel; `index` counts from 0, so its middle is at index + 1/2."""
-        return (index + 0.5 - self.width / 2 <= u) & (u < index + 0.5 + self.width / 2)
-
-    def _gaussian(self, s: Array, c: Array, spacing: Array) -> Array | float:
-        """exp(-h/2 (s - c)^2), or 1 for a box."""
+    def _psi(self, s: Array, u: Array, i: Array) -> Array:
+        """The height of kernels `i`, counted from 0, at phase s and place u."""
+        awake = (i + 0.5 - self.width / 2 <= u) & (u < i + 0.5 + self.width / 2)
         if np.isinf(self.sigma):
-            return 1.0
-        return np.exp(-0.5 * ((s - c) / (self.sigma * spacing)) ** 2)
+            return awake.astype(float)
+        off = (s - self.centers[i]) / (self.sigma * self.spacings[i])
+        return np.where(awake, np.exp(-0.5 * off**2), 0.0)
 
 
 @dataclass(frozen=True, eq=False)
