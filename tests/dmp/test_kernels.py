@@ -38,10 +38,10 @@ def test_activations_sum_to_one_or_to_nothing(n, m, width, sigma, phase):
 
 
 @settings(deadline=None)
-@given(numbers, steps, st.sampled_from([0.23457, 0.61803, 0.87654, 1.0]), st.sampled_from([0.65, math.inf]), phases)
+@given(numbers, steps, st.floats(0.2, 1.0), st.sampled_from([0.65, math.inf]), phases)
 def test_cells_take_the_same_sums_as_the_table_of_heights(n, m, width, sigma, phase):
     kernels = Kernels(n, width, sigma, phase)
-    left = np.arange(m, 0, -1) / m
+    left = np.sort(np.random.default_rng(n + m).uniform(0, 1, m))[::-1]
     values, weights = np.random.default_rng(n).normal(size=(m, 2)), np.random.default_rng(m).normal(size=(n, 2))
     fast, plain = kernels.over(left), Overlap(kernels.heights(phase.at(left)))
     assert isinstance(fast, Cells)
