@@ -19,7 +19,7 @@ _SIDEWAYS = np.radians([0, 15, -15, 30, -30, 45, -45, 60, -60, 75, -75])
 _UPWARDS = np.radians([0, 10, -10, 20])
 _STEEPEST = np.radians(75)
 _HEAD = np.array([0.1, 0.0, 1.45])
-_ROOM = 1.65
+_ROOM = 1.75
 _CELLS = 24
 """Half the width of the coarse picture in which the hidden part of a letter is counted."""
 
@@ -79,7 +79,7 @@ def cameras(page: Page, robot: Array, letter: Array, table: Array) -> dict[str, 
     corners = page.to_world([(x * page.width / 2, y * page.height / 2) for x in (-1, 1) for y in (-1, 1)])
     return {
         "whole robot": _whole(np.vstack([robot.reshape(-1, 3), table]), page.normal),
-        "over the shoulder": _shoulder(page, robot, letter, corners),
+        "over the shoulder": _shoulder(page, robot, letter, (corners + _box(page, letter)) / 2),
         "page from above": _above(page, corners),
     }
 
@@ -98,9 +98,15 @@ def _above(page: Page, corners: Array) -> Camera:
     return replace(straight, see_through=True)
 
 
+def _box(page: Page, letter: Array) -> Array:
+    """The four corners of the letter's own box on the page, in the world, in the order of the page's corners."""
+    low, high = (pick(page.to_page(letter), axis=0) for pick in (np.min, np.max))
+    return page.to_world([(x, y) for x in (low[0], high[0]) for y in (low[1], high[1])])
+
+
 def _shoulder(page: Page, robot: Array, letter: Array, corners: Array) -> Camera:
     """From where the robot's eyes are: of many directions the one from which the arm hides least of the letter."""
-    centre = page.X_world_page[:3, 3]
+    centre = corners.mean(axis=0)
     ahead = _HEAD - centre
     rise = np.arctan2(ahead[2], np.hypot(*ahead[:2]))
     level = np.array([*ahead[:2], 0.0]) / (np.hypot(*ahead[:2]) or 1.0)

@@ -132,6 +132,8 @@ function render({ model, el: host }) {
   const foot = el("div", { class: "dts-foot" }, notes, speeds.node);
   const under = el("div", { class: "dts-under" }, controls.node, cameraList.node);
   const root = el("div", { class: "dt-scene", "data-lm-suppress-shortcuts": "true" }, head, stage, under, foot);
+  // JupyterLab would take arrows and letters for its own commands.
+  root.addEventListener("keydown", (event) => event.stopPropagation());
   host.append(root);
 
   const picture = new Picture(box);

@@ -128,13 +128,13 @@ def _light(viewer: meshcat.Visualizer) -> None:
         ("/Grid", "visible", False),
         ("/Axes", "visible", False),
         ("/Lights/SpotLight", "visible", True),
-        ("/Lights/SpotLight/<object>", "intensity", 0.42),
+        ("/Lights/SpotLight/<object>", "intensity", 0.40),
         ("/Lights/SpotLight/<object>", "penumbra", 0.6),
         ("/Lights/SpotLight/<object>", "castShadow", True),
         ("/Lights/PointLightNegativeX", "visible", False),
         ("/Lights/PointLightPositiveX", "visible", False),
-        ("/Lights/AmbientLight/<object>", "intensity", 0.55),
-        ("/Lights/FillLight/<object>", "intensity", 0.34),
+        ("/Lights/AmbientLight/<object>", "intensity", 0.58),
+        ("/Lights/FillLight/<object>", "intensity", 0.22),
     ):
         _tell(viewer[path], key, value)
 

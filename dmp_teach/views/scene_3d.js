@@ -84,7 +84,9 @@ class Picture {
     const info = gl.getExtension("WEBGL_debug_renderer_info");
     const name = String(info ? gl.getParameter(info.UNMASKED_RENDERER_WEBGL) : "");
     const slow = /swiftshader|llvmpipe|software|basic render/i.test(name);
-    this.viewer.scene_tree.find(["Lights", "SpotLight", "<object>"]).object.castShadow = globalThis.dtShadows ?? !slow;
+    const lamp = this.viewer.scene_tree.find(["Lights", "SpotLight", "<object>"]).object;
+    lamp.castShadow = globalThis.dtShadows ?? !slow;
+    lamp.shadow.normalBias = 0.01;
   }
 
   /** Meshcat and its panel listen to the window for ever; note what they add, to take it away at the end. */

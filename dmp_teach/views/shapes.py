@@ -11,7 +11,7 @@ PAPER = (1.0, 0.992, 0.965, 1.0)
 WOOD = (0.80, 0.62, 0.42, 1.0)
 WOOD_EDGE = (0.66, 0.49, 0.32, 1.0)
 STEEL = (0.45, 0.47, 0.50, 1.0)
-BOARD = (0.90, 0.915, 0.93, 1.0)
+BOARD = (0.78, 0.81, 0.84, 1.0)
 
 _MARGIN = 0.10
 _THICK = 0.022
@@ -79,7 +79,7 @@ def leg(name: str, top: Array, radius: float) -> Shape:
     return _prism(name, (top[:2] + radius * circle, circle), (0.0, top[2]), STEEL)
 
 
-def floor(radius: float = 3.0) -> Shape:
+def floor(radius: float = 2.0) -> Shape:
     """A disc that only shows the shadows which fall on it."""
     angles = np.linspace(0, 2 * np.pi, 48, endpoint=False)
     rim = np.column_stack([np.cos(angles), np.sin(angles), np.zeros(48)])

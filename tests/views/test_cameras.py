@@ -34,11 +34,13 @@ ROBOT = robot()
 
 @settings(max_examples=20, deadline=None)
 @given(page=tables | boards, aspect=st.floats(0.6, 2.0))
-def test_every_camera_has_the_whole_page_in_its_picture_and_before_it(page, aspect):
+def test_every_camera_has_the_page_in_its_picture_and_sees_its_face(page, aspect):
     corners = page.to_world([(x * page.width / 2, y * page.height / 2) for x in (-1, 1) for y in (-1, 1)])
     table = np.vstack([shape.vertices for shape in around(page)])
-    for camera in cameras(page, ROBOT, page.to_world(np.zeros((1, 2))), table).values():
-        places, distance = picture_of(camera, corners, aspect)
+    letter = page.to_world(np.zeros((1, 2)))
+    for name, camera in cameras(page, ROBOT, letter, table).items():
+        nearer = (corners + letter) / 2 if name == "over the shoulder" else corners
+        places, distance = picture_of(camera, nearer, aspect)
         assert np.abs(places).max() < 1
         assert distance.min() > 0.1
         assert (np.array(camera.eye) - page.X_world_page[:3, 3]) @ page.normal > 0, "the page's face is seen"
@@ -61,7 +63,7 @@ def test_over_the_shoulder_the_page_fills_a_good_part_of_the_picture(page):
     table = np.vstack([shape.vertices for shape in around(page)])
     camera = cameras(page, ROBOT, page.to_world(np.zeros((1, 2))), table)["over the shoulder"]
     places, _ = picture_of(camera, corners)
-    assert np.ptp(places, axis=0).max() > 0.9
+    assert np.ptp(places, axis=0).max() > 1.5
 
 
 def test_the_camera_goes_round_an_arm_that_would_hide_the_letter():
