@@ -200,7 +200,7 @@ class Explore(anywidget.AnyWidget):
             self.message = words.goal_message(float(np.linalg.norm(shifts[stroke])), miss, error, only)
         else:
             self.message = words.fit_message(error, self.n_kernels, self.kernel_width)
-        name = next(label for key, label, _ in self.choices if key == self.letter)
+        name = next(name for key, _, name in self.choices if key == self.letter)
         self.title = words.letter_title(name, error, words.largest_gap(self._demo, taught))
 
     # What the robot does -------------------------------------------------------------------------

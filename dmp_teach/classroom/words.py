@@ -83,7 +83,7 @@ def goal_message(moved: float, miss: float, error: float, stroke: int | None) ->
 
 def letter_title(name: str, error: float, gap: str) -> str:
     """The text alternative of the sheet: which letter, how far off, where the most."""
-    return f"The letter {name}: the robot’s line is {millimetres(error)} mm from the dots on average, {gap}."
+    return f"{name[0].upper()}{name[1:]}: the robot’s line is {millimetres(error)} mm from the dots on average, {gap}."
 
 
 def largest_gap(demo: tuple[Trajectory, ...], robot: tuple[Trajectory, ...]) -> str:
