@@ -92,7 +92,9 @@ def smoothed(path: Array, cutoff: float) -> Array:
         x = x[::-1]
     x = x[pad:-pad]
     along = np.linspace(0, 1, len(x))[:, None]
-    return x + (path[0] - x[0]) * (1 - along) + (path[-1] - x[-1]) * along
+    x += (path[0] - x[0]) * (1 - along) + (path[-1] - x[-1]) * along
+    x[0], x[-1] = path[0], path[-1]  # to the last bit
+    return x
 
 
 def _sampled(curve: PPoly, path: Array, steps: int) -> Array:

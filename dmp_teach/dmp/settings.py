@@ -137,8 +137,8 @@ class Settings:
     @classmethod
     def joint(cls, **changes: Any) -> Self:
         """DMP* with full Gaussians whose weights are fitted all together, to the path itself, by ridge regression."""
-        about = {"kernel_width": math.inf, "kernel_sigma": 0.65, "integrator": "semi-implicit", "smoothing": None}
-        return _changed(cls(**about, fit="joint"), changes)
+        about = {"kernel_width": math.inf, "kernel_sigma": 0.65, "fit": "joint", "alpha_per_kernel": 4.0}
+        return _changed(cls(**about, integrator="semi-implicit", smoothing=None), changes)
 
     @classmethod
     def plus(cls, **changes: Any) -> Self:

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import LetterError
-from dmp_teach.trajectory import Trajectory
+from dmp_teach.trajectory import Array, Trajectory
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,12 +60,11 @@ class Letter:
                 not a time.
             TrajectoryError: A start or goal that is not a point of the stroke.
         """
-        goals, starts, goal_shifts = dict(goals or {}), dict(starts or {}), dict(goal_shifts or {})
-        for name, of in (("goals", goals), ("starts", starts), ("goal_shifts", goal_shifts)):
-            self._check_numbers(name, of)
-        for number in goals.keys() & goal_shifts.keys():
+        goals = self._by_stroke("goals", goals)
+        starts, shifts = self._by_stroke("starts", starts), self._by_stroke("goal_shifts", goal_shifts)
+        for number in goals.keys() & shifts.keys():
             raise LetterError(f"Stroke {number} has a goal and a goal shift; give one of them.")
-        for number, shift in goal_shifts.items():
+        for number, shift in shifts.items():
             goals[number] = self._shifted(number, shift)
         drawn = [p.rollout(starts.get(i), goals.get(i)) for i, p in enumerate(self.primitives)]
         return tuple(drawn) if duration is None else self._stretched(drawn, duration)
@@ -86,20 +85,29 @@ class Letter:
         begin = drawn[0].t[0]
         return tuple(Trajectory(begin + (stroke.t - begin) * factor, stroke.position) for stroke in drawn)
 
-    def _check_numbers(self, name: str, of: Mapping[int, ArrayLike]) -> None:
-        for number in of:
+    def _by_stroke(self, name: str, of: Mapping[int, ArrayLike] | None) -> dict[int, ArrayLike]:
+        """What was asked for, by the number of the stroke, or a sentence."""
+        if of is not None and not isinstance(of, Mapping):
+            what = type(of).__name__
+            raise LetterError(f"{name} must be a dictionary, stroke number: point [m], but is a {what}.")
+        for number in of or {}:
             if number not in range(len(self.strokes)):
                 have = ", ".join(map(str, range(len(self.strokes))))
                 raise LetterError(f"{name} names stroke {number!r}, but this letter has stroke {have}.")
+        return dict(of or {})
 
-    def _shifted(self, number: int, shift: ArrayLike) -> np.ndarray:
-        goal = self.primitives[number].goal
+    def _shifted(self, number: int, shift: ArrayLike) -> Array:
+        """The goal that a shift leads to, or a sentence."""
+        goal, what = self.primitives[number].goal, f"The goal shift of stroke {number} is {shift!r}, but it must be"
         try:
-            return goal + np.broadcast_to(np.asarray(shift, dtype=float), goal.shape)
+            step = np.asarray(shift, dtype=float)
         except (TypeError, ValueError):
-            raise LetterError(
-                f"The goal shift of stroke {number} is {shift!r}, but it must be {len(goal)} numbers [m]."
-            ) from None
+            step = np.empty(0)
+        if step.shape != goal.shape:
+            raise LetterError(f"{what} {len(goal)} numbers [m].")
+        if not np.isfinite(step).all():
+            raise LetterError(f"{what} finite [m].")
+        return goal + step
 
 
 def _strokes_of(recording: Any) -> tuple[Trajectory, ...]:

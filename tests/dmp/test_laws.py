@@ -91,7 +91,7 @@ def test_another_duration_is_the_same_path(demo, preset, factor):
 @few
 @given(letters(), presets)
 def test_when_the_recording_began_does_not_matter(demo, preset):
-    for began, metres in ((1000.0, 1e-12), (1.7e9, 1e-9)):
+    for began, metres in ((1000.0, 1e-12), (1.7e9, 1e-6)):
         later = DMP.imitate(Trajectory(demo.t + began, demo.position), preset(n_kernels=6))
         assert close(later.rollout().position, DMP.imitate(demo, preset(n_kernels=6)).rollout().position, metres)
 
