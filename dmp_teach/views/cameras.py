@@ -16,7 +16,7 @@ ASPECT = 1.5
 
 _FIELD_OF_VIEW = 34.0
 _SIDEWAYS = np.radians([0, 15, -15, 30, -30, 45, -45, 60, -60, 75, -75])
-_UPWARDS = np.radians([0, 10, -10, 20])
+_UPWARDS = np.radians([0, -10, 10])
 _STEEPEST = np.radians(75)
 _HEAD = np.array([0.1, 0.0, 1.45])
 _ROOM = 1.75
@@ -115,8 +115,8 @@ def _shoulder(page: Page, robot: Array, letter: Array, corners: Array) -> Camera
     for side, more in ((side, more) for more in _UPWARDS for side in _SIDEWAYS):
         direction = _direction(level, (0, 0, 1), side, min(rise + more, _STEEPEST))
         camera = _fit(centre, direction, (0, 0, 1), corners, _ROOM)
-        hidden = max(_hidden(camera, moment, letter) for moment in over)
-        cost = 2.0 * hidden + 0.15 * abs(side) + 0.15 * abs(more) + 0.7 * (1 - direction @ page.normal)
+        hidden = float(np.mean([_hidden(camera, moment, letter) for moment in over]))
+        cost = 1.5 * hidden + 0.3 * abs(side) + 0.15 * abs(more) + 0.9 * (1 - direction @ page.normal)
         if cost < least:
             best, least = camera, cost
     return best

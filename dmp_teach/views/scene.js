@@ -113,6 +113,7 @@ function render({ model, el: host }) {
   let playing = false;
   let before = null;
   let frame = null;
+  let seenPlace = null;
 
   const set = (values, save = true) => {
     Object.entries(values).forEach(([name, value]) => model.set(name, value));
@@ -201,7 +202,10 @@ function render({ model, el: host }) {
     controls.enable(facts().duration > 0);
     root.classList.toggle("dts-empty", !facts().duration);
   };
+  // Another letter on the same page is seen by the same camera, as a hand may have turned it.
+  const place = () => JSON.stringify([facts().page, facts().duration > 0]);
   const aim = () => {
+    seenPlace = place();
     const name = model.get("camera");
     cameraBar.show(name);
     cameraList.show(name);
@@ -224,15 +228,9 @@ function render({ model, el: host }) {
   const fresh = async () => {
     load();
     await picture.change(model.get("run"));
-    aim2();
-    time = 0;
-    show(model.get("time"));
+    if (place() !== seenPlace) aim();
+    show(model.get("playing") ? 0 : model.get("time"));
     if (model.get("playing")) start();
-  };
-  // A new page needs new cameras; the same page keeps the one that a hand has turned.
-  const aim2 = () => {
-    const camera = facts().cameras[model.get("camera")];
-    if (JSON.stringify(camera.target) !== JSON.stringify(picture.camera?.target)) aim();
   };
   const shape = () => root.classList.toggle("dts-compact", model.get("compact"));
 

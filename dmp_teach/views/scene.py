@@ -243,6 +243,7 @@ class SceneView(anywidget.AnyWidget):
             for name, value in start.items():
                 self.set_trait(name, value)
             self.motion_id = str(self._count)
+        self.send_state(["time", "playing"])  # the browser has moved them since
 
     def html(self, path: str | Path) -> Path:
         """Write the view as one file that opens from disk, without network or kernel; at most 0.8 MB.

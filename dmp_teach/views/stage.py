@@ -103,6 +103,7 @@ class Stage:
         return {
             "duration": self.duration,
             "cameras": {name: camera.as_dict() for name, camera in self.cameras.items()},
+            "page": [*self.page.X_world_page.ravel().tolist(), self.page.width, self.page.height],
             "plan": _dots(self.plan),
             "ink": _dots(self.ink),
             "label": f"A Fetch robot with a pen at its page. {does if strokes else 'It waits for a letter.'}",
