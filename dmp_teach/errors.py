@@ -4,9 +4,20 @@ Every error of ours is a `TeachError` and also the built-in error that one would
 `except ValueError` works for people who have never heard of us.
 """
 
+from typing import Any
+
 
 class TeachError(Exception):
-    """The root of the family."""
+    """The root of the family.
+
+    Args:
+        words: What it is, what it must be, what to do next.
+        cure: What would work, where that is known: a `Page`, or the `size` of a letter [m].
+    """
+
+    def __init__(self, *words: str, cure: Any = None):
+        super().__init__(*words)
+        self.cure = cure
 
 
 class SettingError(TeachError, ValueError):

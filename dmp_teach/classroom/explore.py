@@ -22,7 +22,6 @@ from dmp_teach.views.scene import SceneView
 
 _HERE = Path(__file__).parent
 _STEPS = {"wake": "Waking the robot", "reach": "Can the arm reach the letter?", "joints": "Planning every joint"}
-_STEP_OF = {"plan": "joints"}
 _IDLE: dict[str, Any] = {"state": "idle"}
 _NEAR = "abemBDMPR"  # the letters of the paper's figures, and two that D becomes
 _OWN = "own recording"
@@ -79,6 +78,7 @@ class Explore(anywidget.AnyWidget):
 
     def __init__(self, recording: Recording | str | Path | None = None, page: Page | None = None):
         knobs = {name: _knob(name) for name in ("n_kernels", "kernel_width")}
+        self._demo: tuple[Trajectory, ...] = ()
         super().__init__(scene=SceneView(compact=True, camera="whole robot"), knobs=knobs)
         self.page = Page.table() if page is None else page
         self.motion = None
@@ -103,8 +103,10 @@ class Explore(anywidget.AnyWidget):
         label = own.character or "?"
         self.choices = [*(c for c in self.choices if c[0] != _OWN), [_OWN, f"{label}*", f"your own {label}"]]
         self.near = [*_NEAR, _OWN]
-        self.letter = ""
-        self.letter = _OWN
+        if self.letter == _OWN:
+            self._choose()
+        else:
+            self.letter = _OWN
 
     def write(self) -> None:
         """Let the robot write exactly what is seen."""
@@ -145,10 +147,8 @@ class Explore(anywidget.AnyWidget):
     # What is seen --------------------------------------------------------------------------------
 
     @traitlets.observe("letter")
-    def _choose(self, change: Any) -> None:
+    def _choose(self, change: Any = None) -> None:
         """Another letter: its strokes, its sheet, and goals where they were taught."""
-        if not self.letter:
-            return
         recording = self._own if self.letter == _OWN else recording_of(self.letter)
         self._demo, self._drawn = recording.strokes(), None
         with self.hold_sync(), self.hold_trait_notifications():
@@ -161,12 +161,15 @@ class Explore(anywidget.AnyWidget):
             self.goal_shifts = [[0.0, 0.0] for _ in self._demo]
             self._size = None
             self.work = self.work if self.work["state"] == "working" else _IDLE
+        self._redraw()
 
     @traitlets.observe("n_kernels", "kernel_width", "goal_shifts", "stroke", "letter", "asked")
-    def _redraw(self, change: Any) -> None:
+    def _redraw(self, change: Any = None) -> None:
         """Learn and write again, and say how far off it is."""
+        if not self._demo:
+            return
         now = (self.letter, self.n_kernels, self.kernel_width, self.stroke, str(self.goal_shifts), self.asked)
-        if not self.goal_shifts or len(self.goal_shifts) != len(self._demo) or now == self._drawn:
+        if len(self.goal_shifts) != len(self._demo) or now == self._drawn:
             return
         self._drawn = now
         settings = Settings.star(n_kernels=self.n_kernels, kernel_width=self.kernel_width)
@@ -206,16 +209,18 @@ class Explore(anywidget.AnyWidget):
     # What the robot does -------------------------------------------------------------------------
 
     def _progress(self, step: str, fraction: float) -> None:
-        """Which step the robot is at, and how much of it is done."""
-        at = list(_STEPS).index(_STEP_OF.get(step, step))
-        self.work = {"state": "working", "steps": list(_STEPS.values()), "at": at, "fraction": round(fraction, 2)}
+        """Which step the robot is at, and how much of it is done; a bar never runs backwards."""
+        at, part = (list(_STEPS).index(step), round(fraction, 2)) if step in _STEPS else (len(_STEPS) - 1, 0.0)
+        before = (self.work["at"], self.work["fraction"]) if self.work["state"] == "working" else (0, 0.0)
+        at, part = max(before, (at, part))
+        self.work = {"state": "working", "steps": list(_STEPS.values()), "at": at, "fraction": part}
 
     def _end(self, result: Any) -> None:
         """Show the motion, or say what cannot be done and what would work."""
         if isinstance(result, StopPressed):
             self.work = _IDLE
         elif isinstance(result, Exception):
-            self._cannot(str(result) or type(result).__name__, getattr(result, "fits", None))
+            self._cannot(str(result) or type(result).__name__, getattr(result, "cure", None))
         else:
             if self.motion is None:  # until now there was nothing to read on the page
                 self.scene.camera = "over the shoulder"
@@ -225,16 +230,19 @@ class Explore(anywidget.AnyWidget):
             self.older = self.robot != self._on_the_table
             self.work = _IDLE
 
-    def _cannot(self, sentence: str, fits: float | None = None) -> None:
+    def _cannot(self, sentence: str, cure: Page | float | None = None) -> None:
         """What, by how much, and one button that cures it; the last good picture stays."""
         strong, dot, text = sentence.partition(". ")
-        self._cure_size = fits
-        cure = None if fits is None else f"Write it {100 * fits:.0f} cm high"
-        self.work = {"state": "cannot", "strong": strong + dot.strip(), "text": text, "cure": cure}
+        self._remedy = cure
+        label = "Move the page there" if isinstance(cure, Page) else cure and f"Write it {100 * cure:.0f} cm high"
+        self.work = {"state": "cannot", "strong": strong + dot.strip(), "text": text, "cure": label}
 
     def _cure(self) -> None:
-        """Write the letter in the size that fits."""
-        self._size = self._cure_size
+        """Write again, on the page or in the size that works."""
+        if isinstance(self._remedy, Page):
+            self.page = self._remedy
+        else:
+            self._size = self._remedy
         self.work = _IDLE
         self.write()
 

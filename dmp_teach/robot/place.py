@@ -108,11 +108,12 @@ def _scale(extent: Array, page: Page, size: float | None) -> float:
         raise PageError(f"size is {size} m, but the ink's height must be more than 0.")
     if (extent * scale > room + 1e-9).any():
         fits = (room / np.maximum(extent, 1e-12)).min()
-        cure = f"size={np.floor(1000 * fits * extent[1] + 1e-6) / 1000:.3f}"
-        cure = cure if extent[1] * fits >= 0.001 else f"a stroke {1000 * room[0]:.0f} mm wide"
+        height = float(np.floor(1000 * fits * extent[1] + 1e-6) / 1000)
+        cure = f"size={height:.3f}" if height else f"a stroke {1000 * room[0]:.0f} mm wide"
         raise PageError(
             f"The ink would be {_mm(extent * scale)} mm, but the page is {_mm(page.size)} mm "
-            f"and has room for {_mm(room)} mm inside its margin. The largest that fits is {cure}."
+            f"and has room for {_mm(room)} mm inside its margin. The largest that fits is {cure}.",
+            cure=height or None,
         )
     return scale
 

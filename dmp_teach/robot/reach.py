@@ -27,14 +27,14 @@ def stance_for(solver: Solver, page: Page, ink: Array) -> Stance:
     stance = examined(solver, page, low, high) if whole.trouble else whole
     if stance.trouble or in_the_body(page):
         short = in_the_body(page) or _shortfall(solver, page, low, high) or stance.trouble
-        raise ReachError(f"{short} {_cure(solver, page, low, high)}")
+        cure = _cure(solver, page, low, high)
+        raise ReachError(f"{short} {_advice(cure)}", cure=cure[0] if cure[1] else None)
     notes = ()
     if stance is not whole:
         notes += ("the arm reaches this ink, but not all of the page",)
     if stance.effort >= STRAINED:
-        notes += (
-            f"the arm is nearly stretched out here, where its joints must hurry. {_cure(solver, page, low, high)}",
-        )
+        advice = _advice(_cure(solver, page, low, high))
+        notes += (f"the arm is nearly stretched out here, where its joints must hurry. {advice}",)
     return replace(stance, notes=notes)
 
 
@@ -64,14 +64,20 @@ def _miss(solver: Solver, page: Page, place: Array) -> float:
     return min(misses)
 
 
-def _cure(solver: Solver, page: Page, low: Array, high: Array) -> str:
-    """The nearest page that works with ease, as one would type it."""
+def _cure(solver: Solver, page: Page, low: Array, high: Array) -> tuple[Page, bool]:
+    """The nearest page that works with ease, and whether it does so for ink of this size."""
     kind = page.kind or ("table" if page.normal[2] > 0.7 else "board")
     good = getattr(Page, kind)(width=page.width, height=page.height)
     for area in (_all(page), (low, high)):
         if _with_ease(solver, good, area):
-            return f"Try {_nearest(solver, page if page.kind else good, good, area)!r}."
-    return f"Try smaller ink in the middle of {good!r}."
+            return _nearest(solver, page if page.kind else good, good, area), True
+    return good, False
+
+
+def _advice(cure: tuple[Page, bool]) -> str:
+    """The cure as one would type it."""
+    page, fits = cure
+    return f"Try {page!r}." if fits else f"Try smaller ink in the middle of {page!r}."
 
 
 def _with_ease(solver: Solver, page: Page, area: tuple[Array, Array]) -> bool:

@@ -1,0 +1,202 @@
+"""The start panel, by setting its values."""
+
+import asyncio
+
+import numpy as np
+import pytest
+
+import dmp_teach
+from dmp_teach.classroom import explore as room
+from dmp_teach.classroom.explore import explore
+from dmp_teach.classroom.writing import Job, StopPressed
+from dmp_teach.ink.alphabet import read_json, write_json
+from dmp_teach.ink.recording import Recording
+
+
+def points(panel, name="robot"):
+    return np.frombuffer(getattr(panel, name), "<f4").reshape(-1, 2)
+
+
+@pytest.fixture
+def panel():
+    return explore()
+
+
+@pytest.mark.parametrize(
+    ("knob", "value"), [("n_kernels", 30), ("kernel_width", 1.0), ("letter", "e"), ("goal_x", 0.01)]
+)
+def test_every_knob_redraws_the_letter_and_says_another_sentence(panel, knob, value):
+    line, message, drawing = panel.robot, panel.message, panel.drawing
+    setattr(panel, knob, value)
+    assert panel.robot != line
+    assert panel.message != message
+    assert panel.drawing > drawing
+
+
+def test_the_panel_shows_what_letter_learn_and_write_give(panel):
+    panel.letter, panel.n_kernels, panel.kernel_width = "D", 20, 1.0
+    panel.goal_shifts = [[0.0, 0.0], [0.01, 0.05]]
+    letter = dmp_teach.Letter.learn(
+        dmp_teach.recording_of("D"), dmp_teach.Settings.star(n_kernels=20, kernel_width=1.0)
+    )
+    expected = letter.write(goal_shifts={1: (0.01, 0.05)})
+    assert np.allclose(points(panel), np.concatenate([s.position for s in expected]), atol=1e-6)
+    assert panel.counts == [len(s) for s in expected]
+    assert np.allclose(points(panel, "demo"), np.concatenate([s.position for s in letter.strokes]), atol=1e-6)
+
+
+def test_a_slider_of_ones_own_moves_the_goal_of_the_chosen_stroke(panel):
+    panel.letter = "D"
+    assert panel.stroke == 1
+    panel.goal_y = 0.04
+    assert panel.goal_shifts == [[0.0, 0.0], [0.0, 0.04]]
+    panel.stroke = 0
+    assert (panel.goal_x, panel.goal_y) == (0.0, 0.0)
+    panel.goal_x = -0.02
+    assert panel.goal_shifts == [[-0.02, 0.0], [0.0, 0.04]]
+
+
+def test_another_letter_has_its_goals_where_they_were_taught(panel):
+    panel.goal_x = 0.05
+    panel.letter = "D"
+    assert panel.goal_shifts == [[0.0, 0.0], [0.0, 0.0]]
+    assert panel.goal_x == 0.0
+
+
+def test_no_letter_is_given_more_bumps_than_it_has_samples():
+    t = np.linspace(0, 0.3, 13)
+    short = Recording(t, np.column_stack([t, t**2, 0 * t]), "l", "w1", None, ((0, 13),))
+    panel = explore(short)
+    assert panel.most_kernels == 12
+    assert panel.n_kernels <= 12
+
+
+def test_a_setting_out_of_its_range_is_refused_with_the_range(panel):
+    with pytest.raises(dmp_teach.TeachError, match=r"kernel_width is 0\.0, but it must be between 0\.2 and 40"):
+        panel.kernel_width = 0.0
+
+
+def test_the_robot_writes_exactly_what_is_seen(panel):
+    panel.letter, panel.n_kernels, panel.kernel_width = "D", 30, 1.0
+    panel.goal_y = 0.05
+    seen = points(panel)
+    panel.write()
+    assert panel.work == {"state": "idle"}
+    written = np.concatenate([stroke.position for stroke in panel.motion.strokes])
+    middle = (written.max(axis=0) + written.min(axis=0)) / 2 - (seen.max(axis=0) + seen.min(axis=0)) / 2
+    assert np.allclose(written - middle, seen, atol=1e-6)
+    assert panel.scene.motion is panel.motion
+    assert not panel.older
+    panel.n_kernels = 10
+    assert panel.older
+    panel.n_kernels = 30
+    assert not panel.older
+
+
+def test_steps_are_named_and_their_progress_never_falls(panel):
+    heard = []
+    panel.observe(lambda change: heard.append(change["new"]), "work")
+    panel.write()
+    working = [work for work in heard if work["state"] == "working"]
+    assert [len(work["steps"]) for work in working] == [3] * len(working)
+    order = [(work["at"], work["fraction"]) for work in working]
+    assert order == sorted(order)
+    assert {at for at, _ in order} == {0, 1, 2}
+    assert len([at for at, _ in order if at == 2]) >= 10
+
+
+def too_large(panel):
+    t = np.linspace(0, 3, 361)
+    panel.load(Recording(t, np.column_stack([0.1 * np.sin(t), 0.12 * t, 0 * t]), "l", "w1", None, ((0, 361),)))
+
+
+def test_a_letter_too_large_for_the_page_is_cured_by_one_button(panel):
+    too_large(panel)
+    panel.write()
+    assert panel.work["state"] == "cannot"
+    assert "210 x 297 mm" in panel.work["strong"]
+    assert panel.work["cure"].startswith("Write it 28 cm high")
+    assert panel.motion is None
+    panel._hear(panel, {"kind": "cure"}, [])
+    assert panel.work == {"state": "idle"}
+    assert np.ptp(panel.motion.strokes[0].position[:, 1]) == pytest.approx(0.287, abs=0.001)
+
+
+def test_a_page_out_of_reach_is_cured_by_one_button():
+    panel = explore(page=dmp_teach.Page.table(x=1.4))
+    panel.write()
+    assert panel.work["state"] == "cannot"
+    assert panel.work["cure"] == "Move the page there"
+    panel._hear(panel, {"kind": "cure"}, [])
+    assert panel.work == {"state": "idle"}
+    assert panel.motion.page is panel.page
+
+
+def test_without_placo_the_panel_goes_on_and_says_what_works(panel, monkeypatch):
+    def missing(*_):
+        raise dmp_teach.errors.MissingPartError("PlaCo is not here. Letters can still be learned.")
+
+    monkeypatch.setattr(room, "_plan", missing)
+    panel.write()
+    assert panel.work["strong"] == "PlaCo is not here."
+    panel.n_kernels = 20
+    assert panel.message["number"]
+
+
+def test_stop_ends_the_planning_and_the_next_letter_is_written(panel):
+    async def press_stop():
+        panel.write()
+        panel._hear(panel, {"kind": "stop"}, [])
+        while panel.work["state"] == "working":
+            await asyncio.sleep(0.01)
+
+    asyncio.run(press_stop())
+    assert panel.motion is None
+    panel.write()
+    assert panel.motion is not None
+
+
+def test_a_job_tells_the_thread_that_asked():
+    heard = []
+
+    async def ask():
+        ended = asyncio.Event()
+        Job(
+            lambda report: report("step", 0.5) or "result",
+            lambda *p: heard.append(p),
+            lambda r: (heard.append(r), ended.set()),
+        )
+        await ended.wait()
+
+    asyncio.run(ask())
+    assert heard == [("step", 0.5), "result"]
+
+
+def test_what_a_job_raises_is_its_result():
+    heard = []
+    Job(lambda report: 1 / 0, print, heard.append)
+    assert isinstance(heard[0], ZeroDivisionError)
+    assert issubclass(StopPressed, Exception)
+
+
+def test_a_recording_of_ones_own_stands_beside_the_letters(panel, tmp_path):
+    path = tmp_path / "q.json"
+    write_json(dmp_teach.recording_of("q"), path)
+    panel._open_bytes("q.json", path.read_bytes())
+    assert panel.choices[-1][2] == "your own q"
+    own = np.concatenate([stroke.position for stroke in read_json(path).strokes()])
+    assert np.allclose(points(panel, "demo"), own, atol=1e-6)
+    assert explore(path).letter == panel.letter
+
+
+@pytest.mark.parametrize("name", ["notes.csv", "../../notes.json", "..", ""])
+def test_a_file_that_is_no_recording_gets_a_sentence_and_the_letter_stays(panel, name):
+    before = panel.robot
+    panel._open_bytes(name, b"shopping,list\n")
+    assert panel.work["state"] == "cannot"
+    assert panel.robot == before
+
+
+def test_a_file_of_many_megabytes_is_refused_with_its_size(panel):
+    panel._hear(panel, {"kind": "too large", "name": "film.csv", "size": 90_000_000}, [])
+    assert panel.work["strong"] == "film.csv has 90 MB."
