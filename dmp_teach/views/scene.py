@@ -26,7 +26,7 @@ from dmp_teach.views.packing import PackedMesh, Track, bundle
 from dmp_teach.views.page_file import page, read_beside
 from dmp_teach.views.picture import png
 from dmp_teach.views.ribbon import Ribbon
-from dmp_teach.views.shapes import Shape, floor, lamp
+from dmp_teach.views.shapes import LIGHTS, Shape, floor, lamp
 from dmp_teach.views.stage import Stage, robot_model
 from dmp_teach.views.tracks import ink_track, joint_track, link_paths
 
@@ -82,7 +82,8 @@ def robot_commands() -> tuple[bytes, ...]:
     """The robot's shell, the floor and the lights: the same for every motion."""
     recorder = Recorder()
     viewer = meshcat.Visualizer(window=recorder)
-    _light(viewer)
+    for path, key, value in LIGHTS:
+        _tell(viewer[path], key, value)
     model, paths = robot_model(), link_paths()
     poses = model.link_poses(np.zeros((1, 0)), ())
     for joint in model.joints:
@@ -120,23 +121,6 @@ def run_commands(stage: Stage) -> tuple[bytes, ...]:
         clips[viewer["ink/<object>"].path] = _clip(ink_track(stage.ink))
     viewer.set_animation(Animation(clips), play=False)
     return tuple(recorder.commands)
-
-
-def _light(viewer: meshcat.Visualizer) -> None:
-    """A lamp that throws soft shadows, light from all sides, no grid and no axes."""
-    for path, key, value in (
-        ("/Grid", "visible", False),
-        ("/Axes", "visible", False),
-        ("/Lights/SpotLight", "visible", True),
-        ("/Lights/SpotLight/<object>", "intensity", 0.40),
-        ("/Lights/SpotLight/<object>", "penumbra", 0.6),
-        ("/Lights/SpotLight/<object>", "castShadow", True),
-        ("/Lights/PointLightNegativeX", "visible", False),
-        ("/Lights/PointLightPositiveX", "visible", False),
-        ("/Lights/AmbientLight/<object>", "intensity", 0.58),
-        ("/Lights/FillLight/<object>", "intensity", 0.22),
-    ):
-        _tell(viewer[path], key, value)
 
 
 def _tell(node: meshcat.Visualizer, key: str, value: Any) -> None:

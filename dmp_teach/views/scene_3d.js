@@ -116,6 +116,7 @@ class Picture {
   /** Commands of a bundle, in their order; the last one is the animation, for which the ink must be ready. */
   apply(bytes) {
     const commands = commandsOf(bytes);
+    this.viewer.animator.clear(); // puts every joint back where it was before the last motion; now, not later
     commands.forEach((command, i) => {
       if (i === commands.length - 1) this.readyInk();
       this.tracked(() => this.viewer.handle_command_bytearray(command));

@@ -13,6 +13,20 @@ WOOD_EDGE = (0.66, 0.49, 0.32, 1.0)
 STEEL = (0.45, 0.47, 0.50, 1.0)
 BOARD = (0.78, 0.81, 0.84, 1.0)
 
+LIGHTS = (
+    ("/Grid", "visible", False),
+    ("/Axes", "visible", False),
+    ("/Lights/SpotLight", "visible", True),
+    ("/Lights/SpotLight/<object>", "intensity", 0.40),
+    ("/Lights/SpotLight/<object>", "penumbra", 0.6),
+    ("/Lights/SpotLight/<object>", "castShadow", True),
+    ("/Lights/PointLightNegativeX", "visible", False),
+    ("/Lights/PointLightPositiveX", "visible", False),
+    ("/Lights/AmbientLight/<object>", "intensity", 0.58),
+    ("/Lights/FillLight/<object>", "intensity", 0.22),
+)
+"""Of the things that meshcat's viewer starts with: a lamp with soft shadows, light from all sides, no grid, no axes."""
+
 _MARGIN = 0.10
 _THICK = 0.022
 

@@ -4,6 +4,10 @@ import json
 
 import pytest
 
+from dmp_teach.views.stage import Stage, robot_model
+from dmp_teach.views.tracks import link_paths
+from tests.views.moves import sway
+
 FRAME = """
 import anywidget, traitlets
 from ipywidgets import widget_serialization
@@ -30,6 +34,12 @@ CELLS = [
     "shown = view(sway())\nshown",
 ]
 ROOT = ".dt-scene"
+TIP = """path => {
+    const { viewer } = [...globalThis.__dtScenesAwake][0];
+    viewer.scene.updateMatrixWorld(true);
+    const place = viewer.scene_tree.find(path).object.matrixWorld.elements;
+    return [place[12], -place[14], place[13]];
+}"""
 
 
 def notebook(*cells):
@@ -128,6 +138,26 @@ def test_the_view_stands_inside_another_widget(show, ask, shot):
     assert int(data(page, "ink")) > 100
     assert page.get_by_role("combobox", name="Camera").is_visible()
     shot(page, "scene_inside")
+
+
+def test_the_pen_in_the_browser_is_where_the_motion_has_it_also_after_another_motion(show, ask):
+    page = show(*CELLS)
+    path = ["meshcat", *link_paths()["pen_tip"].split("/")]
+    for motion, name in (
+        (sway(), "sway()"),
+        (sway(seconds=1.2, size=0.1), "sway(seconds=1.2, size=0.1)"),
+        (None, "None"),
+    ):
+        ask(page, f"shown.show({name}, play=False)")
+        stage = Stage(motion)
+        page.wait_for_function(
+            f"document.querySelector('.dts-bar output').textContent.endsWith('{stage.duration:.1f} s')"
+        )
+        for time in (0.4, 1.1, 0.4) if motion else (0.0,):
+            ask(page, f"setattr(shown, 'time', {time})")
+            page.wait_for_selector(f"{ROOT}[data-dt-time='{time:.3f}']")
+            tip = robot_model().frame("pen_tip", stage.joints(time), stage.joint_names)[0, :3, 3]
+            assert page.evaluate(TIP, path) == pytest.approx(tip.tolist(), abs=1e-4)
 
 
 def test_people_who_ask_for_less_movement_get_three_stills(show):
