@@ -234,7 +234,7 @@ class Explore(anywidget.AnyWidget):
         """What, by how much, and one button that cures it; the last good picture stays."""
         strong, dot, text = sentence.partition(". ")
         self._remedy = cure
-        label = "Move the page there" if isinstance(cure, Page) else cure and f"Write it {100 * cure:.0f} cm high"
+        label = "Move the page there" if isinstance(cure, Page) else cure and f"Write it {100 * cure:.1f} cm high"
         self.work = {"state": "cannot", "strong": strong + dot.strip(), "text": text, "cure": label}
 
     def _cure(self) -> None:

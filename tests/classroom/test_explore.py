@@ -115,7 +115,7 @@ def test_a_letter_too_large_for_the_page_is_cured_by_one_button(panel):
     panel.write()
     assert panel.work["state"] == "cannot"
     assert "210 x 297 mm" in panel.work["strong"]
-    assert panel.work["cure"].startswith("Write it 28 cm high")
+    assert panel.work["cure"].startswith("Write it 28.7 cm high")
     assert panel.motion is None
     panel._hear(panel, {"kind": "cure"}, [])
     assert panel.work == {"state": "idle"}
