@@ -69,8 +69,12 @@ class DMP:
             settings: `Settings.star()` unless given.
 
         Raises:
+            TrajectoryError: It is not a `Trajectory`.
             SettingError: More kernels than samples, or `original` with a coordinate that ends where it began.
         """
+        if not isinstance(trajectory, Trajectory):
+            what = type(trajectory).__name__
+            raise TrajectoryError(f"A primitive is learned from a Trajectory(t, position), but got a {what}.")
         settings = (settings or Settings.star()).resolved(trajectory.duration, len(trajectory))
         if settings.transform == "original":
             _refuse_no_way(trajectory)
@@ -105,7 +109,9 @@ class DMP:
             goal: Where it ends, shape (D,) [m]; as demonstrated if not given.
             duration: How long it takes [s]; as demonstrated if not given. A longer one is slower.
             dt: Time between samples [s], rounded so that the last sample is the end of the movement. The
-                demonstration's own sample times, stretched with the duration, if not given.
+                demonstration's own sample times, stretched with the duration, if not given. Coarser than
+                those, the same path; finer, the spring takes finer steps too, which brings it nearer to the
+                differential equation and, in a fast letter, up to 2 mm away from the demonstration.
 
         Returns:
             A trajectory that begins when the demonstration began.

@@ -78,6 +78,11 @@ def test_the_original_refuses_a_movement_that_ends_where_it_began_and_names_the_
     assert np.isfinite(DMP.imitate(Trajectory(t, path)).rollout().position).all()
 
 
+def test_only_a_trajectory_can_be_imitated():
+    with pytest.raises(TrajectoryError, match=r"learned from a Trajectory\(t, position\), but got a ndarray\."):
+        DMP.imitate(np.zeros((10, 2)))
+
+
 def test_more_kernels_than_samples_are_refused_here_too():
     with pytest.raises(SettingError, match=r"n_kernels is 9, but the trajectory has only 8 samples; use at most 8."):
         DMP.imitate(letter(8), Settings.star(n_kernels=9))
