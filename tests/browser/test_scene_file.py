@@ -122,3 +122,20 @@ def test_every_control_has_a_name_and_the_picture_an_alternative(opened):
     assert page.get_by_role("group", name="Camera").count() == 1
     assert page.get_by_role("group", name="Speed").count() == 1
     assert page.title() == "A robot writes a letter"
+
+
+def test_without_webgl_the_letter_is_still_written_on_the_small_page(chromium, file, shot):
+    context = chromium.new_context(reduced_motion="reduce")
+    context.add_init_script("HTMLCanvasElement.prototype.getContext = () => null")
+    page = context.new_page()
+    page.goto(file.as_uri())
+    page.get_by_text("This browser cannot draw in three dimensions here").wait_for()
+    ink = page.locator(".dts-ink")
+    lengths = []
+    for key in ("End", "Home"):
+        page.get_by_role("slider", name="Time").press(key)
+        lengths.append(len(ink.get_attribute("d")))
+    assert lengths[0] > 500
+    assert lengths[1] == 0
+    shot(page, "scene_flat")
+    context.close()
