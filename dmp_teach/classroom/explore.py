@@ -15,7 +15,7 @@ from dmp_teach.errors import RecordingError, TeachError
 from dmp_teach.ink.alphabet import characters, recording_of
 from dmp_teach.ink.reader import read_recording
 from dmp_teach.ink.recording import Recording
-from dmp_teach.letters.letter import Letter
+from dmp_teach.letters.letter import Letter, rms_distance
 from dmp_teach.robot.page import Page
 from dmp_teach.trajectory import Trajectory
 from dmp_teach.views.scene import SceneView
@@ -194,7 +194,7 @@ class Explore(anywidget.AnyWidget):
 
     def _describe(self, taught: tuple[Trajectory, ...], shifts: dict[int, list[float]]) -> None:
         """The number, the sentence and the text alternative."""
-        error = words.rms_distance(self._demo, taught)
+        error = rms_distance(self._demo, taught)
         if shifts:
             stroke = self.stroke if self.stroke in shifts else max(shifts)
             goal = self._demo[stroke].position[-1] + shifts[stroke]

@@ -13,12 +13,6 @@ _THINGS = (
 )
 
 
-def rms_distance(a: tuple[Trajectory, ...], b: tuple[Trajectory, ...]) -> float:
-    """Root mean square distance of the points of `a` and `b` at equal times [m]."""
-    apart = [np.sum((p.position - q.position) ** 2, axis=1) for p, q in zip(a, b, strict=True)]
-    return float(np.sqrt(np.mean(np.concatenate(apart))))
-
-
 def millimetres(metres: float) -> str:
     """A length as it is shown: "under 0.1", "7.8", "24"; never more figures than can be seen."""
     mm = 1000 * metres

@@ -14,6 +14,12 @@ from dmp_teach.errors import LetterError
 from dmp_teach.trajectory import Array, Trajectory
 
 
+def rms_distance(a: Iterable[Trajectory], b: Iterable[Trajectory]) -> float:
+    """Root mean square distance of the points of strokes `a` and strokes `b`, sample by sample [m]."""
+    apart = [np.sum((p.position - q.position) ** 2, axis=1) for p, q in zip(a, b, strict=True)]
+    return float(np.sqrt(np.mean(np.concatenate(apart))))
+
+
 @dataclass(frozen=True, eq=False)
 class Letter:
     """A letter as one primitive for each stroke.
@@ -73,6 +79,17 @@ class Letter:
     def duration(self) -> float:
         """From the first sample of the first stroke to the last of the last, lifts included [s]."""
         return float(self.strokes[-1].t[-1] - self.strokes[0].t[0])
+
+    @property
+    def error(self) -> float:
+        """How far the letter as it was learned is from the demonstration: rms distance at equal times [m]."""
+        return rms_distance(self.strokes, self.write())
+
+    def __repr__(self) -> str:
+        """In one line, without the numbers."""
+        strokes = f"{len(self.strokes)} stroke{'s' * (len(self.strokes) > 1)}"
+        kernels = sum(len(primitive.weights) for primitive in self.primitives)
+        return f"Letter({strokes}, {kernels} kernels, {1000 * self.error:.2f} mm rms from the demonstration)"
 
     def _stretched(self, drawn: list[Trajectory], duration: float) -> tuple[Trajectory, ...]:
         """The same on a clock that runs evenly slower or faster, from the same beginning."""

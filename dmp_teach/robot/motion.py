@@ -2,6 +2,8 @@
 
 from dataclasses import dataclass, fields
 
+import numpy as np
+
 from dmp_teach.robot.page import Page
 from dmp_teach.trajectory import Array, Trajectory, locked
 
@@ -47,3 +49,13 @@ class Motion:
     def duration(self) -> float:
         """From the first sample to the last [s]."""
         return float(self.t[-1] - self.t[0])
+
+    @property
+    def tip_error(self) -> float:
+        """Root mean square distance of the nib from where it was asked to be [m]."""
+        return float(np.sqrt(np.mean(np.sum((self.tip - self.target) ** 2, axis=1))))
+
+    def __repr__(self) -> str:
+        """In one line, without the numbers."""
+        error = f"tip error {1000 * self.tip_error:.3f} mm rms"
+        return f"Motion({self.duration:.2f} s, {len(self.joint_names)} joints, {error})"

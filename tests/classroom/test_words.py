@@ -63,12 +63,6 @@ def test_a_moved_goal_is_judged_by_where_the_pen_stops():
     assert "0.4 mm" in message["after"]
 
 
-def test_the_distance_of_a_letter_to_itself_moved_by_a_centimetre_is_a_centimetre():
-    stroke = Trajectory(np.linspace(0, 1, 9), np.random.default_rng(1).normal(size=(9, 2)))
-    moved = Trajectory(stroke.t, stroke.position + np.array([0.006, 0.008]))
-    assert words.rms_distance((stroke,), (moved,)) == pytest.approx(0.01)
-
-
 def test_the_largest_gap_names_the_stroke_and_the_place():
     t = np.linspace(0, 1, 11)
     straight = Trajectory(t, np.zeros((11, 2)))

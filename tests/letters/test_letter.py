@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import LetterError, TrajectoryError
 from dmp_teach.ink.alphabet import recording_of
-from dmp_teach.letters.letter import Letter
+from dmp_teach.letters.letter import Letter, rms_distance
 from dmp_teach.trajectory import Trajectory
 from tests.dmp.ink import letter as scrawl
 from tests.dmp.ink import rms
@@ -119,3 +119,16 @@ def test_strokes_are_the_demonstration_itself():
     letter = Letter.learn([one])
     assert letter.strokes[0] is one
     assert np.isfinite(letter.write()[0].position).all()
+
+
+def test_the_distance_of_a_letter_to_itself_moved_by_a_centimetre_is_a_centimetre():
+    stroke = Trajectory(np.linspace(0, 1, 9), np.random.default_rng(1).normal(size=(9, 2)))
+    moved = Trajectory(stroke.t, stroke.position + np.array([0.006, 0.008]))
+    assert rms_distance((stroke,), (moved,)) == pytest.approx(0.01)
+    assert rms_distance((stroke, stroke), (stroke, moved)) == pytest.approx(0.01 / math.sqrt(2))
+
+
+def test_a_letter_says_in_one_line_how_well_it_was_learned():
+    learned = Letter.learn(recording_of("D"))
+    assert f"{1000 * learned.error:.2f} mm rms" in repr(learned)
+    assert repr(learned).startswith("Letter(2 strokes, ")
