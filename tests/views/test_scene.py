@@ -13,8 +13,9 @@ import zmq
 from dmp_teach.errors import PathError, SettingError, ViewError
 from dmp_teach.robot.model import Model
 from dmp_teach.robot.page import Page
+from dmp_teach.views.commands import robot_commands, run_commands
 from dmp_teach.views.packing import PackedMesh, unbundle
-from dmp_teach.views.scene import SceneView, robot_commands, run_commands, view
+from dmp_teach.views.scene import SceneView, view
 from dmp_teach.views.stage import Stage
 from tests.views.moves import sway
 
