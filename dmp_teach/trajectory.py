@@ -1,7 +1,8 @@
 """The value that flows through the house: where a pen is, and when."""
 
+import math
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -45,6 +46,21 @@ class Trajectory:
         object.__setattr__(self, "t", locked(t))
         object.__setattr__(self, "position", locked(position))
 
+    @classmethod
+    def _drawn(cls, t: Array, position: Array) -> Self:
+        """A trajectory at the locked times of another one, with a `position` (T, D) that was just computed for it.
+
+        That is locked where it lies, and checked by one sum of squares, which is finite only if all its numbers
+        are: the full checks and copies would take longer than a primitive takes to draw.
+        """
+        flat = position.ravel(order="K")
+        if not math.isfinite(flat.dot(flat)):
+            return cls(t, position)
+        position.setflags(write=False)
+        drawn = object.__new__(cls)
+        drawn.__dict__.update(t=t, position=position)
+        return drawn
+
     @property
     def duration(self) -> float:
         """From the first sample to the last [s]."""
@@ -81,6 +97,9 @@ def _check(t: Array, position: Array) -> None:
         )
     if len(t) < 2:
         raise TrajectoryError(f"A trajectory needs at least 2 samples, but has {len(t)}.")
+    # no nan comes after anything, and what lies between two finite times is finite: one pass over t is enough
+    if (t[1:] > t[:-1]).all() and np.isfinite(t[[0, -1]]).all() and np.isfinite(position).all():
+        return
     for name, bad in (("t", ~np.isfinite(t)), ("position", ~np.isfinite(position).all(axis=1))):
         if bad.any():
             row = int(np.argmax(bad))

@@ -120,13 +120,18 @@ class DMP:
             TrajectoryError: A start or goal of another dimension or not finite, a duration or dt that is
                 not a time, a dt longer than the movement.
         """
+        if start is duration is dt is None:
+            if goal is None:
+                return Trajectory._drawn(self.times, self._demonstrated)
+            if self.settings.transform == "star":
+                return Trajectory._drawn(self.times, self._led_to(self._point("goal", goal)))
         start = self.start if start is None else self._point("start", start)
         goal = self.goal if goal is None else self._point("goal", goal)
         T = self.duration if duration is None else _time("duration", duration)
         if dt is None:
             path = self._path(goal - start, self.steps)
             times = self.times if duration is None else self.times[0] + T * self._clock
-            return Trajectory(times, start + (path[self._own] if self._own else _read(path, self._clock)))
+            return Trajectory(times, start + self._at_own_times(path))
         samples = _samples(T, _time("dt", dt))
         even = np.linspace(0, 1, samples + 1)
         path = self._path(goal - start, max(samples, self.steps))
@@ -146,6 +151,32 @@ class DMP:
     def _own(self) -> slice | None:
         """Which steps are the demonstration's own samples; None if its times were uneven."""
         return slice(None, None, self.steps // (len(self.times) - 1)) if has_even_times(self.times) else None
+
+    def _led_to(self, goal: Array) -> Array:
+        """The demonstrated path, led to another goal, at the demonstration's own times: one product and one sum.
+
+        What a slider waits for; `_path` draws the same, from any start, in any transformation and step.
+        """
+        position = self._longer * (goal - self.goal)
+        position += self._demonstrated
+        return position
+
+    @cached_property
+    def _demonstrated(self) -> Array:
+        """The path to the demonstrated goal at the demonstration's own times, shape (T, D)."""
+        return self._at_own_times(self.start + self._shown)
+
+    @cached_property
+    def _longer(self) -> Array:
+        """How that changes when its way becomes 1 longer in each coordinate, shape (T, D)."""
+        return self._at_own_times(np.broadcast_to(self._answer, self._shown.shape))
+
+    def _at_own_times(self, path: Array) -> Array:
+        """`path` (M + 1, D) at the demonstration's times, shape (T, D).
+
+        Each coordinate lies in one piece (Fortran's order): that halves a product with one number per coordinate.
+        """
+        return np.asfortranarray(path[self._own] if self._own else _read(path, self._clock))
 
     def _path(self, way: Array, steps: int) -> Array:
         """The path from its start, shape (steps + 1, D). It is linear in the way from start to goal."""
@@ -184,7 +215,7 @@ class DMP:
                 f"{name} has shape {point.shape}, but this movement has {len(self.start)} dimensions: "
                 f"give {len(self.start)} numbers [m]."
             )
-        if not np.isfinite(point).all():
+        if not all(map(math.isfinite, point.tolist())):  # five times faster than NumPy's, for two numbers
             raise TrajectoryError(f"{name} is {point}, but it must be finite [m].")
         return point
 

@@ -10,6 +10,8 @@ from scipy.integrate import solve_ivp
 
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
+from dmp_teach.errors import TrajectoryError
+from dmp_teach.trajectory import Trajectory
 from tests.dmp.ink import letter, letters
 
 PRESETS = [Settings.star, Settings.joint, Settings.plus, Settings.original]
@@ -73,6 +75,32 @@ def test_the_fast_path_is_the_plain_loop(demo, preset, changes, shift):
     goal = p.goal + shift
     fast = p._path(goal - p.start, p.steps) + p.start
     assert np.abs(fast - plain(p, goal, p.steps)).max() <= 1e-12 * max(1, np.abs(fast).max())
+
+
+@settings(max_examples=15, deadline=None)
+@given(letters(), st.sampled_from(PRESETS), st.floats(-0.1, 0.1))
+def test_a_rollout_with_only_the_goal_changed_is_the_long_way_to_it(demo, preset, shift):
+    p = DMP.imitate(demo, preset(n_kernels=5))
+    goal = p.goal + shift
+    quick, long = p.rollout(goal=goal), p.rollout(goal=goal, duration=p.duration)
+    assert np.abs(quick.position - long.position).max() <= 1e-12 * max(1, np.abs(long.position).max())
+    plainly = (p.start + p._path(goal - p.start, p.steps))[p._own]
+    assert np.abs(quick.position - plainly).max() <= 1e-12 * max(1, np.abs(plainly).max())
+    assert np.array_equal(quick.t, demo.t)
+    assert not quick.position.flags.writeable
+    assert np.array_equal(p.rollout().position, p.rollout(goal=p.goal).position)
+
+
+@pytest.mark.filterwarnings("ignore:overflow")
+def test_what_was_drawn_is_finite_or_named():
+    demo = letter(60, 1.0)
+    far = DMP.imitate(demo).rollout(goal=[1e200, 0.0])  # a number, though its square is none
+    assert far.position[-1, 0] == pytest.approx(1e200, rel=0.1)
+    for bad in (np.nan, np.inf):
+        broken = demo.position.copy()
+        broken[7, 1] = bad
+        with pytest.raises(TrajectoryError, match=r"position\[7\] is .* but must be finite"):
+            Trajectory._drawn(demo.t, broken)
 
 
 def exact(p, goal, times):
