@@ -24,7 +24,8 @@ def prepared(trajectory: Trajectory, cutoff: float | None, least_steps: float) -
         Positions, shape (M + 1, D) with M a multiple of the demonstration's own steps, and notes on
         what was done or could not be done. First and last sample are the demonstrated ones.
     """
-    path, steps, notes = trajectory.position, len(trajectory) - 1, []
+    # one coordinate after the other in memory: what is done to each coordinate then runs along the whole path
+    path, steps, notes = np.asfortranarray(trajectory.position), len(trajectory) - 1, []
     rate = float(f"{steps / trajectory.duration:.6g}")  # a clock that began long ago is coarse: let it change nothing
     if not has_even_times(trajectory.t):
         # Akima's curve does not swing out beside a crooked sample, as a spline does
@@ -84,15 +85,16 @@ def smoothed(path: Array, cutoff: float) -> Array:
     q = 1 / (1 + math.sqrt(2) * k + k * k)
     b = np.array([k * k * q, 2 * k * k * q, k * k * q])
     a = np.array([1.0, 2 * (k * k - 1) * q, (1 - math.sqrt(2) * k + k * k) * q])
-    settled = np.array([[1 - b[0]], [b[2] - a[2]]])  # the filter's memory after a long constant 1
+    settled = np.array([1 - b[0], b[2] - a[2]])  # the filter's memory after a long constant 1
     pad = min(len(path) - 1, math.ceil(3 / cutoff))
-    x = _turned_around(path, pad)
+    x = _turned_around(path, pad).T
     for _ in range(2):
-        x, _ = lfilter(b, a, x, axis=0, zi=settled * x[0])
-        x = x[::-1]
-    x = x[pad:-pad]
-    along = np.linspace(0, 1, len(x))[:, None]
-    x += (path[0] - x[0]) * (1 - along) + (path[-1] - x[-1]) * along
+        x, _ = lfilter(b, a, x, zi=x[:, :1] * settled)
+        x = x[:, ::-1]
+    x = x[:, pad:-pad].T
+    first, last, along = path[0] - x[0], path[-1] - x[-1], np.arange(len(x)) / (len(x) - 1)
+    x = x + np.outer(last - first, along).T
+    x += first
     x[0], x[-1] = path[0], path[-1]  # to the last bit
     return x
 
