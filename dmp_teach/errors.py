@@ -24,6 +24,10 @@ class SettingError(TeachError, ValueError):
     """A setting is out of its range, or two settings do not go together."""
 
 
+class SettingWarning(UserWarning):
+    """Settings that work, but surely not as meant: kernels that leave gaps."""
+
+
 class TrajectoryError(TeachError, ValueError):
     """Times or positions cannot be a movement: not finite, not increasing, too few."""
 

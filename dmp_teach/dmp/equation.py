@@ -20,8 +20,9 @@ class Equation:
         original  z'' = K (g - y0) + (g - y0) f              - K z - D z'   (the paper's equation 1)
         star      z'' = K (g - y0) - K (g - y0) s + K f      - K z - D z'   (Pastor 2009; the paper's DMP*)
                   + D (change of g - y0) (-ds/dt)                           where the goal is fed forward
+        similarity  as star, with all of it turned and scaled to another way    (Ginesi 2019, DMP++)
 
-    Time is counted in movements (t/T), so that a duration changes nothing here; K = alpha^2/4, D = alpha.
+    Time is counted in movements (t/T), so that a duration changes nothing here; K and D are those of the spring.
 
     Args:
         settings: With numbers for `n_kernels` and `alpha`.
@@ -34,7 +35,7 @@ class Equation:
     @cached_property
     def spring(self) -> Spring:
         """The left side: K and D."""
-        return Spring(self.settings.alpha, self.steps, self.settings.integrator)
+        return Spring(self.settings.alpha, self.steps, self.settings.integrator, self.settings.damping)
 
     @cached_property
     def s(self) -> Array:
@@ -49,7 +50,7 @@ class Equation:
     @cached_property
     def _left(self) -> Array:
         """The part of the movement that is still to come at each step, shape (M,)."""
-        return np.arange(self.steps, 0, -1) / self.steps
+        return (np.arange(self.steps, 0, -1) - self.spring.middle) / self.steps
 
     @property
     def _phase(self) -> Phase:
@@ -57,23 +58,56 @@ class Equation:
 
     def needed_forcing(self, push: Array, way: Array) -> Array:
         """The f (M, D) that gives this `push` (M, D) on this `way` (D,): the equation, solved for f."""
-        K = self.spring.K
-        return push / way - K if self.settings.transform == "original" else push / K - way * (1 - self.s)
+        K, times = self.spring.K, self.settings.divide
+        if self.settings.transform == "original":
+            return push / way - K if times else push - K * way
+        return push / K - way * (1 - self.s) if times else push - K * way * (1 - self.s)
+
+    def push(self, weights: Array, biases: Array | None, way: Array) -> Array:
+        """What pushes the spring at each step, shape (M, D); the start is where z = 0."""
+        K, f = self.spring.K, forcing(self.kernels, self.s, weights, biases)
+        return way * (K + f) if self.settings.transform == "original" else K * (way * (1 - self.s) + f)
 
     def draw(self, weights: Array, biases: Array | None, way: Array, velocity: Array) -> Array:
         """The path z (M + 1, D) to the demonstrated goal; `velocity` (D,) at the start, per movement."""
-        K, f = self.spring.K, forcing(self.kernels, self.s, weights, biases)
-        push = way * (K + f) if self.settings.transform == "original" else K * (way * (1 - self.s) + f)
-        return self.spring.follow(push, velocity)
+        return self.spring.follow(self.push(weights, biases, way), velocity)
+
+    def longer(self) -> Array:
+        """How the push of DMP* changes when its way becomes 1 longer, shape (M, 1)."""
+        K, D = self.spring.K, self.spring.alpha
+        ahead = D * self._phase.speed(self.s) if self.settings.feed_goal else 0.0
+        return K * (1 - self.s) + ahead
 
     def answer(self) -> Array:
         """How the path of DMP* changes when its way becomes 1 longer, shape (M + 1, 1)."""
-        K, D = self.spring.K, self.spring.alpha
-        ahead = D * self._phase.speed(self.s) if self.settings.feed_goal else 0.0
-        return self.spring.follow(K * (1 - self.s) + ahead)
+        return self.spring.follow(self.longer())
+
+
+def turned_and_scaled(way: Array, taught: Array) -> Array:
+    """The matrix (D, D) that carries the `taught` way (D,) onto `way` (D,): the smallest rotation, times a scale.
+
+        R = (b - a) a' + ... in the plane of a and b:   R = I + b a' - a b' + (b a' - a b')^2 / (1 + a.b)
+
+    with unit vectors a (taught) and b. In one dimension there is no rotation: it is the signed quotient, so that the
+    letter turns over when its goal crosses its start, as in the original form. A way turned right round has no smallest
+    rotation: it is turned in the plane of the first two coordinates, where the page is.
+    """
+    a, b = taught / np.linalg.norm(taught), way / np.linalg.norm(way)
+    scale = np.linalg.norm(way) / np.linalg.norm(taught)
+    if len(a) == 1:
+        return np.array([[scale * a[0] * b[0]]])
+    across = np.outer(b, a) - np.outer(a, b)
+    if 1 + a @ b > 1e-9:
+        return scale * (np.eye(len(a)) + across + across @ across / (1 + a @ b))
+    beside = np.zeros(len(a))
+    beside[:2] = (-a[1], a[0]) if np.hypot(a[0], a[1]) > 1e-6 else (1.0, 0.0)
+    beside -= a * (a @ beside)
+    beside /= np.linalg.norm(beside)
+    return scale * (np.eye(len(a)) - 2 * np.outer(a, a) - 2 * np.outer(beside, beside))
 
 
 def kernels_of(settings: Settings) -> Kernels:
     """The kernels that these settings describe."""
-    phase = Phase(settings.phase, settings.phase_decay)
-    return Kernels(settings.n_kernels, settings.kernel_width, settings.kernel_sigma, phase)
+    phase = Phase(settings.phase, settings.phase_decay, settings.phase_middle)
+    shape, stand, sides = settings.kernel, settings.kernel_centers, settings.kernel_sides
+    return Kernels(settings.n_kernels, settings.kernel_width, settings.kernel_sigma, phase, shape, stand, sides)

@@ -1,5 +1,6 @@
 """Kernels: the bumps that share out the phase, and the two sums that are taken over them."""
 
+import math
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -13,37 +14,57 @@ LINEAR = Phase()
 
 @dataclass(frozen=True)
 class Kernels:
-    """N kernels at equal times, counted from the end of the movement (phase 0) to its start (phase 1).
+    """N kernels over the phase, kernel 1 at the end of the movement (phase 0).
 
-        psi_i(s) = exp(-h_i/2 (s - c_i)^2)  where kernel i is awake, else 0    (the paper's truncated kernels)
-        c_i      = s at (i - 1/2)/N of the movement to come; (i - 1/2)/N itself for the linear phase
-        h_i      = 1 / (sigma * spacing at c_i)^2; (N / sigma)^2 for the linear phase
+        gaussian   psi_i = exp(-h_i/2 (s - c_i)^2)  where kernel i is awake, else 0   (the paper's truncated kernels)
+        mollifier  psi_i = exp(-1 / (1 - r^2))      r = (u - m_i) / (width/2)         (DMP++, Ginesi 2019)
+        c_i        middles: s at (i - 1/2)/N of the movement to come, so that kernels stand at equal times;
+                   phases: (i - 1/2)/N; ends: (i - 1)/(N - 1); grid: i/N
+        h_i        1 / (sigma * spacing at c_i)^2; (N / sigma)^2 for the linear phase
 
-    A kernel is awake on a cell `width`/N long: i - 1/2 - width/2 <= u < i - 1/2 + width/2, where u = N s for the
-    linear phase, and N times the part of the movement to come for any; the last cell is closed at s = 1.
-    Touching kernels never leave or share a sample.
+    A kernel is awake on a cell `width`/N long: m_i - width/2 <= u < m_i + width/2. For middles m_i = i - 1/2 and u is
+    N times the part of the movement to come; for the others m_i = N c_i and u = N s. The last cell is closed at
+    s = 1, so touching kernels never leave or share a sample. A one-sided kernel is what the paper prints,
+    x - c_i <= theta: awake wherever u <= m_i + width/2. Under a sigmoid phase, flat for so long, Gaussians are round
+    in time (Kulvicius 2012).
 
     Args:
         number: N.
         width: The whole support, in 1/N; infinite for full Gaussians.
         sigma: The roundness, in 1/N; infinite for boxes.
         phase: What the kernels are spread over.
+        shape: "gaussian" or "mollifier".
+        stand: "middles", "phases", "ends" or "grid".
+        sides: "both" or "one".
     """
 
     number: int
     width: float = 1.0
     sigma: float = np.inf
     phase: Phase = LINEAR
+    shape: str = "gaussian"
+    stand: str = "middles"
+    sides: str = "both"
 
     @cached_property
     def centers(self) -> Array:
         """The phases c_i, shape (N,)."""
-        return self.phase.at((np.arange(self.number) + 0.5) / self.number)
+        part = self.places / self.number
+        return self.phase.at(part) if self.stand == "middles" else part
 
     @cached_property
     def spacings(self) -> Array:
         """The distance in phase from one centre to the next, shape (N,)."""
-        return self.phase.speed(self.centers) / self.number
+        equal = self.stand != "middles"
+        return np.full(self.number, 1 / self.number) if equal else self.phase.speed(self.centers) / self.number
+
+    @cached_property
+    def places(self) -> Array:
+        """m_i, the middle of each kernel in 1/N, shape (N,)."""
+        i = np.arange(self.number)
+        if self.stand == "ends" and self.number > 1:
+            return i * self.number / (self.number - 1)
+        return i + 1.0 if self.stand == "grid" else i + 0.5
 
     def heights(self, s: Array) -> Array:
         """How high each bump is, psi_i(s).
@@ -55,7 +76,7 @@ class Kernels:
             Heights between 0 and 1, shape (T, N).
         """
         s = np.asarray(s, dtype=float)
-        return self._psi(s[:, None], self._place(self.phase.left(s))[:, None], np.arange(self.number))
+        return self._psi(s[:, None], self._place(self.phase.left(s), s)[:, None], np.arange(self.number))
 
     def activations(self, s: Array) -> Array:
         """How awake each kernel is at each phase, psi_i / sum of psi.
@@ -75,23 +96,30 @@ class Kernels:
         Args:
             left: The part of the movement that is still to come at each sample, falling, shape (T,).
         """
-        s, u = self.phase.at(left), self._place(left)
-        if self.width > 1:
+        s = self.phase.at(left)
+        u = self._place(left, s)
+        if self.width > 1 or self.stand != "middles" or self.sides == "one":
             return Overlap(self._psi(s[:, None], u[:, None], np.arange(self.number)))
         owner = u.astype(int)
-        touching_boxes = self.width == 1 and np.isinf(self.sigma)
+        touching_boxes = self.width == 1 and np.isinf(self.sigma) and self.shape == "gaussian"
         return Cells(self.number, owner, None if touching_boxes else self._psi(s, u, owner))
 
-    def _place(self, left: Array) -> Array:
-        """The place u = N left; just under N at the start, which belongs to the last cell."""
-        return np.clip(self.number * left, 0, np.nextafter(self.number, 0))
+    def _place(self, left: Array, s: Array) -> Array:
+        """The place u; just under N at the start, which belongs to the last cell."""
+        part = left if self.stand == "middles" else s
+        return np.minimum(self.number * part, math.nextafter(self.number, 0))
 
     def _psi(self, s: Array, u: Array, i: Array) -> Array:
         """The height of kernels `i`, counted from 0, at phase s and place u."""
-        awake = (i + 0.5 - self.width / 2 <= u) & (u < i + 0.5 + self.width / 2)
+        off, half = u - self.places[i], self.width / 2
+        if self.shape == "mollifier":
+            inside = np.maximum(1 - (off / half) ** 2, 0.0)
+            return np.where(inside > 0, np.exp(-1 / np.where(inside > 0, inside, 1.0)), 0.0)
+        awake = off <= half if self.sides == "one" else (self.places[i] - half <= u) & (u < self.places[i] + half)
         if np.isinf(self.sigma):
             return awake.astype(float)
-        off = (s - self.centers[i]) / (self.sigma * self.spacings[i])
+        in_time = self.phase.kind == "sigmoid" and self.stand == "middles"
+        off = off / self.sigma if in_time else (s - self.centers[i]) / (self.sigma * self.spacings[i])
         return np.where(awake, np.exp(-0.5 * off**2), 0.0)
 
 
@@ -108,6 +136,11 @@ class Overlap:
     def blend(self, weights: Array) -> Array:
         """The mean sum psi_i w_i / sum psi_i at each sample, 0 where no kernel is awake: (N, D) -> (T, D)."""
         return self.shares @ weights
+
+    @property
+    def asleep(self) -> Array:
+        """At which samples no kernel is awake, shape (T,)."""
+        return ~self.psi.any(axis=1)
 
     @cached_property
     def shares(self) -> Array:
@@ -139,6 +172,11 @@ class Cells:
         """The mean sum psi_i w_i / sum psi_i at each sample, 0 where no kernel is awake: (N, D) -> (T, D)."""
         blended = weights[self.owner]
         return blended if self.psi is None else np.where(self.psi[:, None] > 0, blended, 0.0)
+
+    @property
+    def asleep(self) -> Array:
+        """At which samples no kernel is awake, shape (T,)."""
+        return np.zeros(len(self.owner), dtype=bool) if self.psi is None else self.psi == 0
 
     @cached_property
     def _first(self) -> Array:

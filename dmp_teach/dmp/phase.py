@@ -1,5 +1,6 @@
 """The canonical system: a phase s that runs from 1 towards 0 and replaces time."""
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -14,26 +15,53 @@ class Phase:
 
         linear       s = 1 - t/T              (Wu 2018; the paper's section on kernel shape)
         exponential  s = exp(-decay t/T)      (the paper's equation 3; never quite 0)
+        sigmoid      s = (1 + exp(-k m)) / (1 + exp(k (t/T - m))),   k = decay / (1 - m)
+
+    The sigmoid one (Kulvicius 2012) stays near 1 until its middle m; theirs is half over at T, ours earlier, so that
+    it is down to about exp(-decay) at T and the goal is reached.
 
     Args:
-        kind: "linear" or "exponential".
-        decay: alpha_x of the exponential phase.
+        kind: "linear", "exponential" or "sigmoid".
+        decay: alpha_x of the exponential phase; how far the sigmoid one falls.
+        middle: m of the sigmoid phase.
     """
 
     kind: str = "linear"
     decay: float = 4.6
+    middle: float = 0.75
 
     def at(self, left: ArrayLike) -> Array:
         """The phase s where the part `left` = 1 - t/T of the movement is still to come."""
         left = np.asarray(left, dtype=float)
-        return left if self.kind == "linear" else np.exp(self.decay * (left - 1))
+        if self.kind == "linear":
+            return left
+        if self.kind == "exponential":
+            return np.exp(self.decay * (left - 1))
+        return self._top / (1 + np.exp(self._steepness * (1 - left - self.middle)))
 
     def left(self, s: ArrayLike) -> Array:
         """The part of the movement that is still to come at phase s: the inverse of `at`."""
         s = np.asarray(s, dtype=float)
-        return s if self.kind == "linear" else 1 + np.log(s) / self.decay
+        if self.kind == "linear":
+            return s
+        if self.kind == "exponential":
+            return 1 + np.log(s) / self.decay
+        tail = np.maximum(self._top / s - 1, np.exp(-self._steepness * self.middle))
+        return 1 - self.middle - np.log(tail) / self._steepness
 
     def speed(self, s: ArrayLike) -> Array:
         """How fast the phase falls, -T ds/dt."""
         s = np.asarray(s, dtype=float)
-        return np.ones_like(s) if self.kind == "linear" else self.decay * s
+        if self.kind == "linear":
+            return np.ones_like(s)
+        return self.decay * s if self.kind == "exponential" else self._steepness * s * (1 - s / self._top)
+
+    @property
+    def _steepness(self) -> float:
+        """The k of the sigmoid phase."""
+        return self.decay / (1 - self.middle)
+
+    @property
+    def _top(self) -> float:
+        """Where the sigmoid phase would begin, long before the movement, if it is 1 at its start."""
+        return 1 + math.exp(-self._steepness * self.middle)

@@ -1,6 +1,5 @@
 """The dynamic movement primitive: a movement learned once, drawn again to any goal."""
 
-import math
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Self
@@ -8,27 +7,28 @@ from typing import Self
 import numpy as np
 from numpy.typing import ArrayLike
 
+from dmp_teach.dmp.asked import point, refuse_no_way, refuse_to_shrink_to_a_point, samples, seconds
 from dmp_teach.dmp.demonstration import has_even_times, prepared, sharpened
-from dmp_teach.dmp.equation import Equation, kernels_of
+from dmp_teach.dmp.equation import Equation, kernels_of, turned_and_scaled
 from dmp_teach.dmp.fit import FITS
+from dmp_teach.dmp.gaps import asleep
 from dmp_teach.dmp.kernels import Kernels
 from dmp_teach.dmp.settings import Settings
-from dmp_teach.errors import SettingError, TrajectoryError
+from dmp_teach.dmp.spring import least_steps
+from dmp_teach.errors import TrajectoryError
 from dmp_teach.trajectory import Array, Trajectory, locked
-
-LEAST_STEPS = 50  # and at least 2 alpha, for an explicit spring diverges from alpha/4 steps down
-MOST_STEPS = 2_000_000
 
 
 @dataclass(frozen=True, eq=False)
 class DMP:
     """A movement as a spring that is pulled to its goal and pushed by a learned forcing f (the paper's equation 1).
 
-        original  y'' = K (g - y) - D y' + (g - y0) f
-        star      y'' = K (g - y) - D y' - K (g - y0) s + K f      (Pastor 2009; the paper's DMP*)
-        f(s)      = s * sum psi_i w_i / sum psi_i                  (+ sum psi_i b_i / sum psi_i with biases)
+        original    y'' = K (g - y) - D y' + (g - y0) f
+        star        y'' = K (g - y) - D y' - K (g - y0) s + K f      (Pastor 2009; the paper's DMP*)
+        similarity  as star, turned and scaled so that g - y0 comes to the new one      (Ginesi 2019, DMP++)
+        f(s)        = s * sum psi_i w_i / sum psi_i                  (+ sum psi_i b_i / sum psi_i with biases)
 
-    with K = alpha^2/4 / T^2 and D = alpha / T. Made by `DMP.imitate`; never edited.
+    with D = alpha / T and K = (D / (2 damping))^2. Made by `DMP.imitate`; never edited.
 
     Args:
         weights: Shape (N, D), kernel 1 at the end of the movement [m; 1/s^2 T^2 for the original].
@@ -70,29 +70,36 @@ class DMP:
 
         Raises:
             TrajectoryError: It is not a `Trajectory`.
-            SettingError: More kernels than samples, or `original` with a coordinate that ends where it began.
+            SettingError: More kernels than samples, `original` with a coordinate that ends where it began, or
+                `similarity` with a closed stroke.
+
+        Where no kernel is awake f is 0: a `SettingWarning`, and a note, say when.
         """
         if not isinstance(trajectory, Trajectory):
             what = type(trajectory).__name__
             raise TrajectoryError(f"A primitive is learned from a Trajectory(t, position), but got a {what}.")
         settings = (settings or Settings.star()).resolved(trajectory.duration, len(trajectory))
-        if settings.transform == "original":
-            _refuse_no_way(trajectory)
-        path, notes = prepared(trajectory, settings.smoothing, max(LEAST_STEPS, 2 * settings.alpha))
+        refuse_no_way(trajectory, settings)
+        path, notes = prepared(trajectory, settings.smoothing, least_steps(settings.alpha, settings.damping))
         z, way = path - path[0], path[-1] - path[0]
         equation = Equation(settings, len(z) - 1)
         spring, kernels, s = equation.spring, equation.kernels, equation.s
 
         rounding = settings.sharpen and settings.fit == "lwr"
-        push, velocity = spring.needed(sharpened(z, equation.steps / settings.n_kernels) if rounding else z)
+        sharp = sharpened(z, equation.steps / settings.n_kernels) if rounding else z
+        push, velocity = spring.needed(sharp, settings.derivatives)
         F = equation.needed_forcing(push, way)
         weights, biases = FITS[settings.fit](kernels, s, F, spring)
 
-        drawn, kick = equation.draw(weights, biases, way, velocity), spring.kick()
-        faster = (kick * (z - drawn)).sum(axis=0) / (kick * kick).sum()  # the start velocity that fits best
-        velocity, T = (velocity + faster) / trajectory.duration, trajectory.duration
+        drawn = equation.draw(weights, biases, way, velocity)
+        if settings.start_velocity == "fitted":  # the one that fits best
+            kick = spring.kick()
+            faster = (kick * (z - drawn)).sum(axis=0) / (kick * kick).sum()
+            drawn, velocity = drawn + kick * faster, velocity + faster
+        notes += asleep(kernels, settings, trajectory.duration)
+        velocity, T = velocity / trajectory.duration, trajectory.duration
         learned = cls(weights, biases, path[0], path[-1], T, settings, velocity, trajectory.t, equation.steps, notes)
-        learned.__dict__["_shown"] = drawn + kick * faster  # what `_shown` would draw again
+        learned.__dict__["_shown"] = drawn  # what `_shown` would draw again
         return learned
 
     def rollout(
@@ -124,17 +131,17 @@ class DMP:
             if goal is None:
                 return Trajectory._drawn(self.times, self._demonstrated)
             if self.settings.transform == "star":
-                return Trajectory._drawn(self.times, self._led_to(self._point("goal", goal)))
-        start = self.start if start is None else self._point("start", start)
-        goal = self.goal if goal is None else self._point("goal", goal)
-        T = self.duration if duration is None else _time("duration", duration)
+                return Trajectory._drawn(self.times, self._led_to(point("goal", goal, len(self.start))))
+        start = self.start if start is None else point("start", start, len(self.start))
+        goal = self.goal if goal is None else point("goal", goal, len(self.start))
+        T = self.duration if duration is None else seconds("duration", duration)
         if dt is None:
             path = self._path(goal - start, self.steps)
             times = self.times if duration is None else self.times[0] + T * self._clock
             return Trajectory(times, start + self._at_own_times(path))
-        samples = _samples(T, _time("dt", dt))
-        even = np.linspace(0, 1, samples + 1)
-        path = self._path(goal - start, max(samples, self.steps))
+        fine = samples(T, seconds("dt", dt))
+        even = np.linspace(0, 1, fine + 1)
+        path = self._path(goal - start, max(fine, self.steps))
         return Trajectory(self.times[0] + T * even, start + _read(path, even))
 
     @property
@@ -187,6 +194,9 @@ class DMP:
         change = way - taught
         if not change.any():
             return shown
+        if self.settings.transform == "similarity":
+            refuse_to_shrink_to_a_point(way, taught)
+            return shown @ turned_and_scaled(way, taught).T
         return shown + (self._answer if kept else Equation(self.settings, steps).answer()) * change
 
     def _drawn(self, steps: int) -> Array:
@@ -204,21 +214,6 @@ class DMP:
         """How the path changes with its way, kept."""
         return Equation(self.settings, self.steps).answer()
 
-    def _point(self, name: str, value: ArrayLike) -> Array:
-        """`value` as a point of this movement, or a sentence."""
-        try:
-            point = np.asarray(value, dtype=float)
-        except (TypeError, ValueError):
-            raise TrajectoryError(f"{name} is {value!r}, but it must be {len(self.start)} numbers [m].") from None
-        if point.shape != self.start.shape:
-            raise TrajectoryError(
-                f"{name} has shape {point.shape}, but this movement has {len(self.start)} dimensions: "
-                f"give {len(self.start)} numbers [m]."
-            )
-        if not all(map(math.isfinite, point.tolist())):  # five times faster than NumPy's, for two numbers
-            raise TrajectoryError(f"{name} is {point}, but it must be finite [m].")
-        return point
-
 
 def _read(path: Array, at: Array) -> Array:
     """`path` (M + 1, D) at the parts `at` (T,) of the movement, straight between its steps."""
@@ -226,33 +221,3 @@ def _read(path: Array, at: Array) -> Array:
     below = np.minimum(place.astype(int), len(path) - 2)
     part = (place - below)[:, None]
     return path[below] + part * (path[below + 1] - path[below])
-
-
-def _refuse_no_way(trajectory: Trajectory) -> None:
-    """The original form divides by g - y0."""
-    way = trajectory.position[-1] - trajectory.position[0]
-    for axis in np.flatnonzero(np.abs(way) <= 1e-9 * np.ptp(trajectory.position)):
-        raise SettingError(
-            f"The original form cannot learn a movement that ends where it began: start and goal are equal in "
-            f"coordinate {axis} ({'xyz'[axis] if axis < 3 else axis}). Settings.star() can."
-        )
-
-
-def _time(name: str, value: float) -> float:
-    """`value` as a length of time, or a sentence."""
-    try:
-        seconds = float(value)
-    except (TypeError, ValueError):
-        seconds = math.nan
-    if not (math.isfinite(seconds) and seconds > 0):
-        raise TrajectoryError(f"{name} is {value!r}, but it must be a time longer than 0 s.")
-    return seconds
-
-
-def _samples(duration: float, dt: float) -> int:
-    """How many steps of about `dt` a movement has."""
-    if dt > duration * (1 + 1e-9):
-        raise TrajectoryError(f"dt is {dt:g} s, but the movement lasts only {duration:g} s; dt must be shorter.")
-    if duration / dt > MOST_STEPS:
-        raise TrajectoryError(f"dt is {dt:g} s, but must be at least {duration / MOST_STEPS:.3g} s for {duration:g} s.")
-    return max(1, round(duration / dt))

@@ -1,5 +1,6 @@
 """The spring and damper that carry the pen, stepped through one movement, and the same read backwards."""
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
@@ -7,31 +8,56 @@ from scipy.signal import lfilter
 
 from dmp_teach.trajectory import Array
 
+LEAST_STEPS = 50  # a movement is never drawn in fewer
+STEPS_PER_ALPHA = 2.0  # eight times what the explicit spring needs not to diverge
+MOST_STEPS = 100_000
+
+
+def least_steps(alpha: float, damping: float = 1.0) -> float:
+    """How many steps a movement must have at least, whatever the integrator: a spring that swings needs more."""
+    return max(LEAST_STEPS, STEPS_PER_ALPHA * alpha / min(1.0, damping) ** 2)
+
+
+def most_alpha(damping: float) -> float:
+    """The stiffest spring that can be followed in `MOST_STEPS` steps."""
+    return MOST_STEPS * min(1.0, damping) ** 2 / STEPS_PER_ALPHA
+
 
 @dataclass(frozen=True)
 class Spring:
-    """z'' = push - K z - D z', with time counted in movements (t/T), K = alpha^2/4 and D = alpha: critically damped.
+    """z'' = push - K z - D z', with time counted in movements (t/T), D = alpha and K = (alpha / (2 damping))^2.
 
         explicit       a_k = push_k - K z_k - D v_k,   z_{k+1} = z_k + h v_k,      v_{k+1} = v_k + h a_k
         semi-implicit  the same a_k,                   v_{k+1} = v_k + h a_k,      z_{k+1} = z_k + h v_{k+1}
+        lagged         a_k = push_k - K z_{k-1} - D v_{k-1}, a_0 = 0, then as explicit   (Algorithms 1, 2 as printed)
+        exact          the motion itself, where push_k is held for the step:
+                       (z, v)_{k+1} = E (z, v)_k + (I - E) (push_k / K, 0),   E = exp(h [[0, 1], [-K, -D]])
 
-    with h = 1/steps. Both need two positions to know the next, so a whole movement is one linear recursion.
-    The explicit scheme diverges from alpha = 4 steps on, the semi-implicit one from 1.65 steps on.
+    with h = 1/steps. Each is one linear recursion in the positions alone, so a whole movement is one filter.
+    With damping 1, critical, the explicit scheme diverges from alpha = 4 steps on, the semi-implicit one from 1.65
+    steps on, the lagged one from 0.91 steps on, the exact one never.
 
     Args:
-        alpha: Stiffness of the spring over one movement.
+        alpha: D over one movement.
         steps: How many steps a movement has: M.
-        integrator: "explicit" or "semi-implicit".
+        integrator: "explicit", "semi-implicit", "lagged" or "exact".
+        damping: 1 for critical, less for a spring that swings.
     """
 
     alpha: float
     steps: int
     integrator: str
+    damping: float = 1.0
 
     @property
     def K(self) -> float:  # noqa: N802 (the paper's name)
-        """Stiffness for one movement: alpha beta, beta = alpha/4."""
-        return self.alpha**2 / 4
+        """Stiffness for one movement: alpha beta; beta = alpha/4 where damping is critical."""
+        return (self.alpha / (2 * self.damping)) ** 2
+
+    @property
+    def middle(self) -> float:
+        """Where in its step a push is taken, in steps: a push that is held stands for the middle."""
+        return 0.5 if self.integrator == "exact" else 0.0
 
     def follow(self, push: Array, start_velocity: Array | float = 0.0) -> Array:
         """The path from z = 0 under `push` (M, D), shape (M + 1, D); velocity per movement, shape (D,)."""
@@ -41,26 +67,62 @@ class Spring:
             drive[2:] = h * h * push[:-1]
             drive[1] = h * start_velocity
             recursion = [1.0, -(2 - h * D), 1 - h * D + h * h * K]
-        else:
+        elif self.integrator == "semi-implicit":
             drive[1:] = h * h * push
             drive[1] += (1 - h * D) * h * start_velocity
             recursion = [1.0, -(2 - h * D - h * h * K), 1 - h * D]
+        elif self.integrator == "lagged":
+            drive[3:] = h * h * push[1:-1]
+            drive[1] = h * start_velocity
+            recursion = [1.0, -2.0, 1 + h * D, h * h * K - h * D]
+        else:
+            (zz, zv), (vz, vv) = self.propagator(h)
+            z_push, v_push = (1 - zz) / K, -vz / K
+            drive[1:] = z_push * push
+            drive[2:] += (zv * v_push - vv * z_push) * push[:-1]
+            drive[1] += zv * start_velocity
+            recursion = [1.0, -(zz + vv), zz * vv - zv * vz]
         return lfilter([1.0], recursion, drive, axis=0)
 
-    def needed(self, z: Array) -> tuple[Array, Array]:
+    def propagator(self, h: float) -> Array:
+        """E = exp(h [[0, 1], [-K, -D]]) in closed form, shape (2, 2): what h movements make of (z, v) unpushed."""
+        K, r = self.K, self.alpha / 2
+        swing = r * r - K
+        w = math.sqrt(abs(swing))
+        if w * h < 1e-6:
+            c, s = 1.0, h  # critical
+        elif swing < 0:
+            c, s = math.cos(w * h), math.sin(w * h) / w
+        else:
+            c, s = math.cosh(w * h), math.sinh(w * h) / w
+        return math.exp(-r * h) * np.array([[c + r * s, s], [-K * s, c - r * s]])
+
+    def needed(self, z: Array, derivatives: str = "inverse") -> tuple[Array, Array]:
         """The push (M, D) under which `follow` draws the path `z` (M + 1, D), and its start velocity (D,).
 
-        The exact inverse of the discrete scheme: what the integrator gets wrong, the push makes good. Where
-        the scheme leaves one push open (the last of the explicit, the first of the semi-implicit), its
-        acceleration is that of its neighbour.
+        "inverse": the discrete scheme read backwards, so that what the integrator gets wrong, the push makes good;
+        where the scheme leaves one push open (the last of the explicit, the first of the semi-implicit), its
+        acceleration is that of its neighbour. An exact spring takes its differences at the middle of each step, which
+        is right to second order. "central": differences on both sides of a sample, twice, as one does on paper.
         """
         h = 1 / self.steps
+        if derivatives == "central":
+            v = np.gradient(z, h, axis=0)
+            push = np.gradient(v, h, axis=0) + self.alpha * v + self.K * z
+            return (push[1:] + push[:-1]) / 2 if self.integrator == "exact" else push[:-1], v[0]
         step = (z[1:] - z[:-1]) / h
         bend = (step[1:] - step[:-1]) / h
-        if self.integrator == "explicit":
-            a, v = np.concatenate([bend, bend[-1:]]), step
-        else:
+        if self.integrator == "semi-implicit":
             a, v = np.concatenate([bend[:1], bend]), np.concatenate([step[:1] - h * bend[:1], step[:-1]])
+        elif self.integrator == "lagged":  # a_k = push_k - K z_{k-1} - D v_{k-1}
+            before = np.concatenate([z[:1], z[:-2]])
+            a, v = np.concatenate([bend, bend[-1:]]), np.concatenate([step[:1], step[:-1]])
+            return a + self.alpha * v + self.K * before, step[0]
+        elif self.integrator == "exact":
+            a = (np.concatenate([bend[:1], bend]) + np.concatenate([bend, bend[-1:]])) / 2
+            return a + self.alpha * step + self.K * (z[1:] + z[:-1]) / 2, step[0] - h / 2 * bend[0]
+        else:
+            a, v = np.concatenate([bend, bend[-1:]]), step
         return a + self.alpha * v + self.K * z[:-1], v[0]
 
     def kick(self) -> Array:

@@ -42,7 +42,7 @@ def test_an_error_says_what_it_is_and_what_it_must_be():
     assert str(caught.value) == "n_kernels is 2.5, but it must be a whole number between 1 and 3000."
     with pytest.raises(SettingError) as caught:
         Settings(phase="linnear")
-    assert str(caught.value) == "phase is 'linnear', but it must be one of: 'linear', 'exponential'."
+    assert str(caught.value) == "phase is 'linnear', but it must be one of: 'linear', 'exponential', 'sigmoid'."
     with pytest.raises(SettingError, match=r"^kernel_width is None, but it must be between"):
         Settings(kernel_width=None)
 
