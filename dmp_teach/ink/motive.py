@@ -6,8 +6,9 @@ The header is found by its content: the row `Frame, Time`, and above it the rows
 
 import csv
 import io
+import os
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from pathlib import Path
 
@@ -18,6 +19,7 @@ from dmp_teach.trajectory import Array
 
 LARGEST = 200_000_000  # a bigger file is no recording of a letter [bytes]
 LONGEST_STEP = 60.0  # nobody waits longer inside a take [s]
+PEN = 0.004  # a marker that stays within this much is no pen, however long it was seen [m]
 METRES = {"meters": 1.0, "metres": 1.0, "centimeters": 0.01, "millimeters": 0.001, "inches": 0.0254, "feet": 0.3048}
 BODY_MARKER = re.compile(r"RigidBody \d+:Marker\d+")
 Rows = list[list[str]]
@@ -34,6 +36,7 @@ class Take:
         position: The marker in the cameras' world, NaN where they did not see it, shape (T, 3) [m].
         frame: The frame number of each sample, as the file has it, length T.
         row: The row of each sample in the file, from 1, shape (T,).
+        others: The names of the other markers that could be the pen.
     """
 
     name: str
@@ -42,6 +45,14 @@ class Take:
     position: Array
     frame: list[str]
     row: np.ndarray
+    others: tuple[str, ...] = ()
+
+    @property
+    def choice(self) -> str:
+        """Which other markers could be named, in a sentence."""
+        if not self.others:
+            return "The file has no other marker that could be the pen."
+        return f"Other markers that could be named with marker=...: {', '.join(map(repr, self.others))}."
 
     def at(self, k: int) -> str:
         """Where sample k stands in the file, in words."""
@@ -50,7 +61,7 @@ class Take:
     def part(self, start: int, end: int) -> "Take":
         """The samples `start:end`."""
         cut = slice(start, end)
-        return Take(self.name, self.marker, self.t[cut], self.position[cut], self.frame[cut], self.row[cut])
+        return replace(self, t=self.t[cut], position=self.position[cut], frame=self.frame[cut], row=self.row[cut])
 
 
 def read_take(path: str | Path, marker: str | None = None) -> Take:
@@ -59,13 +70,15 @@ def read_take(path: str | Path, marker: str | None = None) -> Take:
     Args:
         path: The file.
         marker: The marker's name; None takes, of all markers that are not the ones of a rigid body
-            (`RigidBody 1:Marker1`), the one that was seen most.
+            (`RigidBody 1:Marker1`) and that move, the one that was seen most.
 
     Raises:
         RecordingError: The file is missing, empty, not such a CSV; has no such marker; a cell is no number; time does
             not increase; the unit is unknown.
     """
-    name = Path(path).name
+    if not isinstance(path, str | os.PathLike):
+        raise RecordingError(f"path is {path!r}, but must be the name of a file, such as 'a_w01.csv'.")
+    name = Path(path).name or str(path)
     rows = _rows(path, name)
     head = _head(rows, name)
     scale = _scale(rows[:head], name)
@@ -73,7 +86,8 @@ def read_take(path: str | Path, marker: str | None = None) -> Take:
     body = [(k, row) for k, row in enumerate(rows[head + 1 :], head + 2) if any(cell.strip() for cell in row)]
     if not body:
         raise RecordingError(f"{name} has a header but no frames under it; export the take again.")
-    chosen = _chosen(columns, body, marker, name)
+    chosen, others = _chosen(columns, body, marker, scale, name)
+    _check_width(body, len(rows[head]), name)
     t = np.array([_number(row, 1, f"{name}, row {k}", "Time") for k, row in body])
     _check_time(t, body, name)
     xyz = [
@@ -82,7 +96,7 @@ def read_take(path: str | Path, marker: str | None = None) -> Take:
     ]
     position = np.array(xyz) * scale
     position[~np.isfinite(position).all(axis=1)] = np.nan
-    return Take(name, chosen[0], t, position, [row[0] for _, row in body], np.array([k for k, _ in body]))
+    return Take(name, chosen[0], t, position, [row[0] for _, row in body], np.array([k for k, _ in body]), others)
 
 
 def _rows(path: str | Path, name: str) -> Rows:
@@ -100,7 +114,8 @@ def _rows(path: str | Path, name: str) -> Rows:
     if b"\0" in data:
         raise RecordingError(f"{name} is not text; export the take from Motive as CSV.")
     try:
-        return list(csv.reader(io.StringIO(data.decode("utf-8-sig", errors="replace"), newline="")))
+        text = io.StringIO(data.decode("utf-8-sig", errors="replace"), newline="")
+        return list(csv.reader(text, skipinitialspace=True))
     except csv.Error as error:
         raise RecordingError(f"{name} is not a CSV file: {error}. Export the take from Motive as CSV.") from None
 
@@ -140,18 +155,20 @@ def _markers(top: Rows, axes: list[str], name: str) -> dict[tuple[str, int], dic
         if (
             kind.strip().lower() != "marker"
             or quantity.strip().lower() != "position"
-            or axis.strip() not in list("XYZ")
+            or axis.strip().upper() not in list("XYZ")
         ):
             continue
         twin = 0
-        while axis.strip() in found.get((label.strip(), twin), {}):
+        while axis.strip().upper() in found.get((label.strip(), twin), {}):
             twin += 1
-        found.setdefault((label.strip(), twin), {})[axis.strip()] = j
+        found.setdefault((label.strip(), twin), {})[axis.strip().upper()] = j
     return {key: columns for key, columns in found.items() if len(columns) == 3}
 
 
-def _chosen(columns: dict, body: list, marker: str | None, name: str) -> tuple[str, int]:
-    """The marker that was asked for, or the one that could be the pen and was seen most."""
+def _chosen(
+    columns: dict, body: list, marker: str | None, scale: float, name: str
+) -> tuple[tuple[str, int], tuple[str, ...]]:
+    """The marker that was asked for, or, of those that could be the pen and move, the one seen most; and the others."""
     named = {key: j for key, j in columns.items() if key[0] == marker}
     free = {key: j for key, j in columns.items() if not BODY_MARKER.fullmatch(key[0])}
     pool = free if marker is None else named
@@ -159,10 +176,36 @@ def _chosen(columns: dict, body: list, marker: str | None, name: str) -> tuple[s
         names = ", ".join(dict.fromkeys(repr(label) for label, _ in (free or columns))) or "none"
         wanted = "no marker that could be the pen" if marker is None else f"no marker {marker!r}"
         raise RecordingError(f"{name} has {wanted}. Markers that could be named with marker=...: {names}.")
-    seen = {
-        key: sum(len(row) > max(j.values()) and bool(row[j["X"]].strip()) for _, row in body) for key, j in pool.items()
-    }
-    return max(seen, key=seen.get)
+    worth = {key: _worth(body, j, scale) for key, j in pool.items()}
+    chosen = max(worth, key=worth.get)
+    return chosen, tuple(dict.fromkeys(label for label, _ in free if label != chosen[0]))
+
+
+def _worth(body: list, axes: dict[str, int], scale: float) -> tuple[bool, int]:
+    """Whether a marker moves as a pen does, and in how many frames it was seen: the pen has most of both."""
+    rows = [row for _, row in body if len(row) > max(axes.values()) and row[axes["X"]].strip()]
+    points = [[_finite(row[j]) * scale for j in axes.values()] for row in rows]
+    moves = bool(points) and bool((np.ptp(np.array(points), axis=0) > PEN).any())
+    return moves or len(rows) == 0, len(rows)
+
+
+def _finite(cell: str) -> float:
+    """The number in a cell; 0 where there is none."""
+    try:
+        value = float(cell)
+    except ValueError:
+        return 0.0
+    return value if abs(value) < 1e100 else 0.0
+
+
+def _check_width(body: list, columns: int, name: str) -> None:
+    """Raise where a row has more cells than the header: a decimal comma shifts all that follows it."""
+    for k, row in body:
+        if any(cell.strip() for cell in row[columns:]):
+            raise RecordingError(
+                f"{name}, row {k}: there are {len(row)} cells, but the header has {columns} columns. "
+                "Is there a decimal comma, such as 0,5? Export with points."
+            )
 
 
 def _number(row: list[str], column: int, place: str, what: str, may_be_empty: bool = False) -> float:
@@ -171,12 +214,13 @@ def _number(row: list[str], column: int, place: str, what: str, may_be_empty: bo
     if not cell and may_be_empty:
         return np.nan
     try:
-        value = float(cell)
+        value = float(cell.replace("_", "x"))  # Python takes 1_0 for ten
     except ValueError:
         value = np.nan
     if not np.isfinite(value):
+        shown = cell if len(cell) < 40 else f"{cell[:36]} ..."
         cure = "leave the cell empty where the camera saw nothing" if may_be_empty else "every frame needs its time"
-        raise RecordingError(f"{place}, column {column + 1} ({what}): {cell!r} is not a number; {cure}.")
+        raise RecordingError(f"{place}, column {column + 1} ({what}): {shown!r} is not a number; {cure}.")
     return value
 
 

@@ -17,7 +17,8 @@ WANDER = 0.004  # how far the marker strays from its plane while the pen is down
 LIKELY_SLOPE = 0.3  # papers are rarely steeper than this: what decides where the ink says little
 PRIOR = 0.02  # and how much that counts
 STEEPEST = np.radians(50)  # steeper than this, `up` was wrong
-UNDER = 0.010  # a pen is never this far under the paper [m]
+UNDER = 0.010  # a pen is never this far under the paper [m] ...
+DIVE = 0.10  # ... after it went there as fast as a lift goes up [m/s]: where `up` is wrong, lifts do
 DRAWS = 300
 REFITS = 3
 
@@ -45,7 +46,7 @@ def level_axes(up: str = "+y", right: str = "-x") -> Array:
         RecordingError: Not such a direction, or both along one axis.
     """
     for name, value in (("up", up), ("right", right)):
-        if value not in AXES:
+        if not isinstance(value, str) or value not in AXES:
             raise RecordingError(f"{name} is {value!r}, but must be one of {', '.join(map(repr, AXES))}.")
     if up[1] == right[1]:
         raise RecordingError(f"up is {up!r} and right is {right!r}, but they must lie along two different axes.")
@@ -70,16 +71,20 @@ def find_page(t: Array, points: Array, up: str = "+y", right: str = "-x") -> Pag
     level = level_axes(up, right)
     flat = points @ level
     plane = _fit(_sheet(_moving(t, flat), level, up))
+    _check_side(t, _frame(level, *plane).of(points)[:, 2], up)
     for _ in range(REFITS):
         plane = _fit(flat[_ink(t, _frame(level, *plane).of(points))])
-    frame = _frame(level, *plane)
-    seen = frame.of(points)
-    if np.mean(seen[:, 2] < -UNDER) > 0.05 and np.mean(seen[:, 2] > UNDER) < 0.01:
+    return _frame(level, *plane)
+
+
+def _check_side(t: Array, z: Array, up: str) -> None:
+    """Raise if the pen dives under the paper: a wandering marker sinks slowly, a lift seen upside down does not."""
+    dt = float(np.median(np.diff(t)))
+    rise = np.gradient(smoothed(z, dt, 12.0), t)
+    dives = (rise[z < 0] < -DIVE).any()
+    if dives and np.mean(z < -UNDER) > 0.05 and np.mean(z > UNDER) < 0.01:
         other = {"+": "-", "-": "+"}[up[0]] + up[1]
-        raise RecordingError(
-            f"With up={up!r} the pen goes {-seen[:, 2].min():.3f} m under the paper; try up={other!r}."
-        )
-    return frame
+        raise RecordingError(f"With up={up!r} the pen goes {-z.min():.3f} m under the paper; try up={other!r}.")
 
 
 def _moving(t: Array, flat: Array) -> Array:

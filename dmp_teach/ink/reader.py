@@ -38,7 +38,7 @@ def read_recording(path: str | Path, marker: str | None = None, up: str = "+y", 
     Raises:
         RecordingError: What is wrong, in which file, row and column, and what would work.
     """
-    if Path(path).suffix.lower() == ".json":
+    if str(path).lower().endswith(".json"):
         from dmp_teach.ink.alphabet import read_json  # noqa: PLC0415 (alphabets are built on recordings)
 
         return read_json(path)
@@ -53,6 +53,7 @@ def read_recording(path: str | Path, marker: str | None = None, up: str = "+y", 
         raise RecordingError(f"{take.name}, marker {take.marker!r}: {error}") from None
     _check_gaps(take, strokes)
     _check_jumps(filled, strokes)
+    _check_ink(take, strokes, up)
     start, end = strokes[0][0], strokes[-1][1]
     ink = np.concatenate([position[a:b] for a, b in strokes])
     position = position - [*ink[:, :2].min(axis=0), np.median(ink[:, 2])]
@@ -76,7 +77,7 @@ def _seen(take: Take) -> Take:
     if len(seen) < FEWEST:
         raise RecordingError(
             f"{take.name}: marker {take.marker!r} was seen in {len(seen)} frames, but a letter needs {FEWEST}; "
-            "name another marker with marker=..., or record again."
+            f"record again. {take.choice}"
         )
     return take.part(int(seen[0]), int(seen[-1]) + 1)
 
@@ -98,7 +99,7 @@ def _check_gaps(take: Take, strokes: list[tuple[int, int]]) -> None:
                     raise RecordingError(
                         f"{take.name}: marker {take.marker!r} is lost for {take.t[after] - take.t[before]:.2f} s after "
                         f"{take.at(before)}, inside stroke {number}; gaps up to {SHORT} s can be filled. Fill it in "
-                        "Motive, name another marker with marker=..., or record again."
+                        f"Motive, or record again. {take.choice}"
                     )
 
 
@@ -108,7 +109,17 @@ def _check_size(take: Take, position: Array) -> None:
     if not SMALLEST < size < LARGEST:
         raise RecordingError(
             f"{take.name}: marker {take.marker!r} moves within {size:.4g} m, but a writing hand within {SMALLEST} to "
-            f"{LARGEST} m. Is 'Length Units' in row 1 right, and is this marker the pen?"
+            f"{LARGEST} m. Is 'Length Units' in row 1 right, and is this marker the pen? {take.choice}"
+        )
+
+
+def _check_ink(take: Take, strokes: list[tuple[int, int]], up: str) -> None:
+    """Raise where hardly anything was written: a page seen from the wrong side, or no letter."""
+    samples = sum(b - a for a, b in strokes)
+    if samples < FEWEST:
+        raise RecordingError(
+            f"{take.name}: marker {take.marker!r} writes in {samples} frames only, but a letter needs {FEWEST}. Does "
+            f"up={up!r} point out of the paper? Otherwise record again. {take.choice}"
         )
 
 
@@ -127,7 +138,7 @@ def _check_jumps(take: Take, strokes: list[tuple[int, int]]) -> None:
             if not len(near) or off[k] > 4 * np.quantile(near, 0.9):
                 raise RecordingError(
                     f"{take.name}, {take.at(k)}: {take.marker!r} jumps by {off[k] * 1e3:.1f} mm inside a stroke, "
-                    "which no pen does. Mend the take in Motive, or name another marker with marker=..."
+                    f"which no pen does. Mend the take in Motive. {take.choice}"
                 )
 
 

@@ -11,6 +11,7 @@ So a lift is measured from its own foot. In order:
 """
 
 from dataclasses import dataclass
+from numbers import Real
 
 import numpy as np
 from scipy.signal import butter, filtfilt
@@ -23,7 +24,8 @@ NEAR = 0.005  # a landed pen is this near to the foot of its lift, or nearer tha
 SKIN = 0.0007  # a foot is walked up again while the pen is less than this above it [m]
 IDLE = 0.02  # slower than this a pen of ordinary speed rests [m/s]
 UNEVEN = 100  # a clock with more holes than this many samples to each that is there is broken
-AFLOAT = 0.006  # a span begins and ends no higher than this over its own middle [m]
+AFLOAT = 0.006  # a span begins and ends no higher than this over its own middle [m] ...
+SLANT = 0.12  # ... unless the height wanders there: by less than this share of the way that the pen makes
 STEP = 0.0005  # a hand that sinks or rises by more than this beside its writing is still landing, or leaves [m]
 SETTLE = 0.15  # a fall that begins so soon after the last one belongs to the same landing [s]
 BRISK = 0.2  # writing is faster than this share of the letter's pace
@@ -61,8 +63,8 @@ def find_strokes(t: Array, position: Array, theta: float = 0.10, sigma: float = 
         RecordingError: Nothing was written.
     """
     for name, value, unit in (("theta", theta, "m/s"), ("sigma", sigma, "m")):
-        if not (np.isfinite(value) and value > 0):
-            raise SettingError(f"{name} is {value}, but it must be a positive number [{unit}].")
+        if isinstance(value, bool) or not isinstance(value, Real) or not 0 < value < np.inf:
+            raise SettingError(f"{name} is {value!r}, but it must be a positive number [{unit}].")
     motion, clock = _evenly(t, position)
     spans = _written(motion, _touching(motion, theta, sigma))
     edges = [(int(np.searchsorted(t, clock[a])), int(np.searchsorted(t, clock[b - 1], side="right"))) for a, b in spans]
@@ -171,7 +173,7 @@ def _landed(motion: _Motion, a: int, b: int) -> tuple[int, int]:
     """
     z, rise, speed = motion.z[a:b], motion.rise[a:b], motion.speed[a:b]
     moving = speed >= 0.5 * _pace(speed)
-    low = np.flatnonzero(z <= np.median(z[moving]) + AFLOAT)
+    low = np.flatnonzero((z <= np.median(z[moving]) + AFLOAT) | ~_afloat(z, speed * motion.dt))
     first, last = int(low[0]), int(low[-1])
     brisk = np.flatnonzero(moving[first : last + 1]) + first
     if not len(brisk):
@@ -183,6 +185,13 @@ def _landed(motion: _Motion, a: int, b: int) -> tuple[int, int]:
         if start >= brisk[-1]:
             last = min(last, start)
     return a + first, a + last + 1
+
+
+def _afloat(z: Array, way: Array) -> Array:
+    """Where a pen of height (K,) must still come down, or has left: no hand wanders so much on so short a way."""
+    gone = SLANT * np.cumsum(way)
+    later, sooner = (np.minimum.accumulate((z + gone)[::-1])[::-1], np.minimum.accumulate(z - gone))
+    return (z + gone > later + AFLOAT) | (z - gone > sooner + AFLOAT)
 
 
 def _slopes(z: Array, climbing: Array, way: Array) -> list[tuple[int, int]]:
@@ -202,8 +211,18 @@ def _cropped(motion: _Motion, a: int, b: int) -> tuple[int, int]:
     climb = np.array([np.ptp(z[k:end]) for k, end in moves])
     lifts = (a > 0, b < len(motion.z))
     share = np.array([SWING if (k == 0 and lifts[0]) or (end == b - a and lifts[1]) else TWITCH for k, end in moves])
-    real = np.flatnonzero((way > share * way.sum()) & (climb < STEEP * way) | (way == way.max()))
+    writing = (way > share * way.sum()) & (climb < STEEP * way) & ~_aloft(z, moves, way)
+    real = np.flatnonzero(writing | (way == way.max()))
     return a + moves[real[0]][0], a + moves[real[-1]][1]
+
+
+def _aloft(z: Array, moves: list[tuple[int, int]], way: Array) -> Array:
+    """Moves before the longest one that must still come down to it, and moves after it that have left (M,)."""
+    main, gone = int(np.argmax(way)), np.concatenate([[0.0], np.cumsum(way)])
+    falls = [z[k] - z[moves[main][0]] for k, _ in moves[:main]]
+    rises = [z[end - 1] - z[moves[main][1] - 1] for _, end in moves[main + 1 :]]
+    apart = np.concatenate([gone[main] - gone[:main], gone[main + 2 :] - gone[main + 1]])
+    return np.insert(np.array([*falls, *rises]) > np.maximum(STEP, STEEP * apart), main, False)
 
 
 def runs(flags: Array) -> list[tuple[int, int]]:

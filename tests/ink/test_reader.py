@@ -49,6 +49,7 @@ QUIRKS = {
     "re-exported": {"crlf": False, "quoted": False, "commas": True, "whole": True, "empty_last": False},
     "another name": {"pen": "finger:Unlabeled:5286"},
     "a rigid body's name": {"pen": "traj:FKA-RigidBody 1:Marker2 (2)"},
+    "small axes": {"head": "frame,time,x,y,z,w,x,y,z,x,y,z"},
     "millimetres": {"units": "Millimeters", "scale": 1000.0},
     "centimetres": {"units": "Centimeters", "scale": 100.0},
 }
@@ -90,6 +91,45 @@ def test_ghosts_are_not_the_pen(tmp_path):
     path = motive(tmp_path / "D_w07.csv", t, lab(page), ghosts=[("Unlabeled:5013", still), ("Unlabeled:5016", brief)])
     check_d(read_recording(path))
     check_d(read_recording(path, marker="Unlabeled:5000"))
+
+
+@pytest.mark.parametrize("front", [True, False])
+@pytest.mark.parametrize("tremble", [0.0, 0.0001])
+def test_a_marker_that_stands_still_is_not_the_pen_however_long_it_was_seen(tmp_path, front, tremble):
+    t, page = writer_of_d().sampled()
+    world, still = lab(page), np.random.default_rng(0).normal((0.1, 0.05, 0.3), tremble, (len(t), 3))
+    world[170:174] = np.nan
+    markers = [("Unlabeled:5013", still), ("Unlabeled:5000", world)]
+    first, last = markers if front else markers[::-1]
+    path = motive(tmp_path / "D_w07.csv", t, last[1], pen=last[0], ghosts=[first])
+    check_d(read_recording(path))
+    with pytest.raises(RecordingError, match=r"is this marker the pen.*marker=...: 'Unlabeled:5000'\."):
+        read_recording(path, marker="Unlabeled:5013")
+
+
+def test_spaces_after_commas_and_quotes_round_cells_do_no_harm(tmp_path):
+    path = d_file(tmp_path / "D_w07.csv", quoted=False)
+    check_d(read_recording(edited(path, lambda lines: [", ".join(f'"{c}"' for c in x.split(",")) for x in lines])))
+
+
+def test_a_marker_that_sinks_slowly_is_not_seen_from_below(tmp_path):
+    """A finger that rolls while it rests after its letter."""
+    t, page = Pen().rest(1.0).draw(letter_a()).rest(3.0).sampled()
+    page[:, 2] -= 0.016 * np.clip((t - t[-1] + 2.5) / 2.0, 0, 1)
+    assert len(read_recording(motive(tmp_path / "a_w07.csv", t, lab(page))).strokes()) == 1
+
+
+@pytest.mark.parametrize("lift", [0.02, 0.03])
+def test_a_page_from_below_never_gives_a_letter_of_a_few_samples(tmp_path, lift):
+    pen = Pen(speed=0.4).rest(1.0).draw(bar()).hop((0.0, 0.0), lift=lift).draw(bowl()).rest(1.0)
+    with pytest.raises(RecordingError, match=r"under the paper|up='-y' point out of the paper|no writing"):
+        read_recording(d_file(tmp_path / "D_w07.csv", pen), up="-y")
+
+
+@pytest.mark.parametrize("path", [None, 5, b"a_w01.csv", ["a_w01.csv"]])
+def test_a_path_is_a_name(path):
+    with pytest.raises(RecordingError, match=r"path is .* must be the name of a file"):
+        read_recording(path)
 
 
 def test_gaps_are_filled_and_never_read_as_zero(tmp_path):
@@ -193,6 +233,12 @@ BROKEN = {
     ),
     "text in a cell": (cell(100, 11, "lots"), r"row 100, column 11 \('Unlabeled:5000' Y\): 'lots' is not a number"),
     "NaN in a cell": (cell(100, 12, "nan"), r"row 100, column 12 \('Unlabeled:5000' Z\): 'nan'"),
+    "Python's underscore": (cell(100, 12, "0_1"), r"row 100, column 12 \('Unlabeled:5000' Z\): '0_1' is not a number"),
+    "decimal comma": (
+        cell(100, 10, "0,5"),
+        "row 100: there are 13 cells, but the header has 12 columns.*decimal comma",
+    ),
+    "no end of a quote": (cell(100, 10, '"0.5'), r"row 100, column 10 .{1,80} \.\.\.' is not a number"),
     "no time": (cell(100, 2, ""), r"row 100, column 2 \(Time\): '' is not a number; every frame needs its time"),
     "time stands still": (cell(101, 2, "0.766667"), r"row 101, column 2 \(Time\).*must increase from row to row"),
     "time leaps": (cell(300, 2, "1e9"), r"row 300, column 2 \(Time\).*by at most 60 s"),
@@ -239,6 +285,7 @@ def test_a_missing_file_a_folder_and_a_binary_file_are_refused(tmp_path, monkeyp
 @pytest.mark.parametrize(
     ("axes", "sentence"),
     [
+        ({"up": ["+y"]}, r"up is \['\+y'\], but must be one of"),
         ({"up": "y"}, "up is 'y', but must be one of '[+]x'"),
         ({"right": "+q"}, "right is '[+]q'"),
         ({"up": "+x"}, "must lie along two different axes"),

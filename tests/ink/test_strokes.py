@@ -115,6 +115,29 @@ def test_a_tap_between_two_lifts_is_a_dot():
     assert 0.1 < t[b - 1] - t[a] < 0.35
 
 
+@pytest.mark.parametrize("wander", [0.005, 0.0125])
+@pytest.mark.parametrize("turns", [0.3, 0.6, 1.1])
+@pytest.mark.parametrize("phase", [0.0, 1.6, 3.1, 4.7])
+def test_a_marker_that_wanders_while_it_writes_keeps_the_whole_stroke(wander, turns, phase):
+    pen = Pen().rest(1.0).draw(letter_a(1.5)).rest(1.0)
+    t, page = pen.sampled()
+    way = np.cumsum(np.linalg.norm(np.diff(page[:, :2], axis=0, prepend=page[:1, :2]), axis=1))
+    page[:, 2] += wander * np.sin(2 * np.pi * turns * way / way[-1] + phase)
+    check_ends(pen, t, find_strokes(t, page), within=0.12)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_a_hand_that_trembles_along_while_it_sinks_is_still_landing(seed):
+    """Moves in fits and starts, each a little lower: together they sink too steeply for writing."""
+    pen = Pen().rest(0.4).draw(bar()).fly((0.0, -0.05), 0.03, 0.3).fly((-0.009, 0.0), 0.0031, 0.3).rest(0.05)
+    pen.fly((-0.005, 0.0), 0.0022, 0.1).rest(0.04)
+    for k in range(1, 6):
+        pen.fly((-0.005 + 0.001 * k, 0.0), 0.0022 * (1 - k / 5), 0.07).rest(0.04)
+    pen.rest(0.2).draw(bowl()).rest(0.5)
+    t, page = pen.sampled(noise=0.0001, seed=seed)
+    check_ends(pen, t, find_strokes(t, page), within=0.1)
+
+
 def test_a_low_lift_counts_only_over_sigma():
     pen = Pen().rest(0.3).draw(bar()).hop((0.0, 0.0), lift=0.014, seconds=0.35).draw(bowl()).rest(0.3)
     assert len(strokes_of(pen, sigma=0.006)[1]) == 2
@@ -203,7 +226,7 @@ def test_a_recording_is_locked_and_three_dimensional():
     assert repr(recording) == "Recording('a', by w01, 3 samples, 2.000 s)"
 
 
-@pytest.mark.parametrize("value", [0.0, -1.0, np.nan, np.inf])
+@pytest.mark.parametrize("value", [0.0, -1.0, np.nan, np.inf, None, "fast", True])
 @pytest.mark.parametrize("name", ["theta", "sigma"])
 def test_theta_and_sigma_are_positive(name, value):
     t, page = two_stroke_d().sampled()
