@@ -55,6 +55,8 @@ def refuse_no_way(trajectory: Trajectory, settings: Settings) -> None:
 
     The original form divides by g - y0, coordinate by coordinate; a similarity needs a direction and a size.
     """
+    if settings.transform == "star":
+        return
     way, size = trajectory.position[-1] - trajectory.position[0], float(np.ptp(trajectory.position))
     if settings.transform == "original":
         for axis in np.flatnonzero(np.abs(way) <= NO_WAY * size):

@@ -40,33 +40,37 @@ class Equation:
     @cached_property
     def s(self) -> Array:
         """The phases at which the spring takes its steps, shape (M, 1)."""
-        return self._phase.at(self._left)[:, None]
+        return self._bumps.phase.at(self._left)[:, None]
 
     @cached_property
     def kernels(self) -> Cells | Overlap:
         """The kernels, laid over these steps."""
-        return kernels_of(self.settings).over(self._left)
+        return self._bumps.over(self._left)
 
     @cached_property
     def _left(self) -> Array:
         """The part of the movement that is still to come at each step, shape (M,)."""
         return (np.arange(self.steps, 0, -1) - self.spring.middle) / self.steps
 
-    @property
-    def _phase(self) -> Phase:
-        return kernels_of(self.settings).phase
+    @cached_property
+    def _bumps(self) -> Kernels:
+        return kernels_of(self.settings)
 
     def needed_forcing(self, push: Array, way: Array) -> Array:
         """The f (M, D) that gives this `push` (M, D) on this `way` (D,): the equation, solved for f."""
         K, times = self.spring.K, self.settings.divide
         if self.settings.transform == "original":
             return push / way - K if times else push - K * way
-        return push / K - way * (1 - self.s) if times else push - K * way * (1 - self.s)
+        return push / K - self._pull(way) if times else push - K * self._pull(way)
 
     def push(self, weights: Array, biases: Array | None, way: Array) -> Array:
         """What pushes the spring at each step, shape (M, D); the start is where z = 0."""
         K, f = self.spring.K, forcing(self.kernels, self.s, weights, biases)
-        return way * (K + f) if self.settings.transform == "original" else K * (way * (1 - self.s) + f)
+        return way * (K + f) if self.settings.transform == "original" else K * (self._pull(way) + f)
+
+    def _pull(self, way: Array) -> Array:
+        """The way, as far as the phase lets it pull: way * (1 - s), shape (M, D), each coordinate in one piece."""
+        return np.multiply.outer(way, 1 - self.s[:, 0]).T
 
     def draw(self, weights: Array, biases: Array | None, way: Array, velocity: Array) -> Array:
         """The path z (M + 1, D) to the demonstrated goal; `velocity` (D,) at the start, per movement."""
@@ -75,7 +79,7 @@ class Equation:
     def longer(self) -> Array:
         """How the push of DMP* changes when its way becomes 1 longer, shape (M, 1)."""
         K, D = self.spring.K, self.spring.alpha
-        ahead = D * self._phase.speed(self.s) if self.settings.feed_goal else 0.0
+        ahead = D * self._bumps.phase.speed(self.s) if self.settings.feed_goal else 0.0
         return K * (1 - self.s) + ahead
 
     def answer(self) -> Array:

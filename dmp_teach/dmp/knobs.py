@@ -39,15 +39,10 @@ class Knob:
         if (value is None and self.optional) or (self.endless and value == math.inf):
             return value
         limit = self.high if self.limit is None else self.limit
-        what = (
-            f"a whole number between {self.low:g} and {limit:g}"
-            if self.whole
-            else f"between {self.low:g} and {limit:g}"
-        )
-        if isinstance(value, (str, bool)) or not _is_number(value) or not self.low <= value <= limit:
-            raise SettingError(f"{self.name} is {value!r}, but it must be {what}.")
-        if self.whole and value != int(value):
-            raise SettingError(f"{self.name} is {value!r}, but it must be {what}.")
+        good = not isinstance(value, (str, bool)) and _is_number(value) and self.low <= value <= limit
+        if not good or (self.whole and value != int(value)):
+            number = "a whole number between" if self.whole else "between"
+            raise SettingError(f"{self.name} is {value!r}, but it must be {number} {self.low:g} and {limit:g}.")
         return int(value) if self.whole else float(value)
 
     def _one_of_the_choices(self, value: Any) -> Any:

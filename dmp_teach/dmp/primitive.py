@@ -93,9 +93,9 @@ class DMP:
 
         drawn = equation.draw(weights, biases, way, velocity)
         if settings.start_velocity == "fitted":  # the one that fits best
-            kick = spring.kick()
-            faster = (kick * (z - drawn)).sum(axis=0) / (kick * kick).sum()
-            drawn, velocity = drawn + kick * faster, velocity + faster
+            kick = spring.kick()[:, 0]
+            faster = kick @ (z - drawn) / (kick @ kick)
+            drawn, velocity = drawn + np.multiply.outer(faster, kick).T, velocity + faster
         notes += asleep(kernels, settings, trajectory.duration)
         velocity, T = velocity / trajectory.duration, trajectory.duration
         learned = cls(weights, biases, path[0], path[-1], T, settings, velocity, trajectory.t, equation.steps, notes)

@@ -1,7 +1,8 @@
 """Every choice that a primitive leaves open, each written once: default, range and plain name."""
 
 import math
-from dataclasses import dataclass, fields, replace
+from copy import copy
+from dataclasses import dataclass, fields
 from functools import cache
 from typing import Any, Self
 
@@ -177,7 +178,9 @@ class Settings:
             given = self.alpha_per_second
             alpha = max(12.0, self.alpha_per_kernel * n_kernels) if given is None else given * duration
             alpha = min(max(LEAST_ALPHA, alpha), most)
-        return replace(self, n_kernels=n_kernels, alpha=alpha)
+        settled = copy(self)  # not `replace`: both numbers are in range, and the other settings were checked once
+        settled.__dict__.update(n_kernels=n_kernels, alpha=float(alpha))
+        return settled
 
 
 def _refuse_what_does_not_go_together(settings: Settings) -> None:

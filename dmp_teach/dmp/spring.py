@@ -62,7 +62,7 @@ class Spring:
     def follow(self, push: Array, start_velocity: Array | float = 0.0) -> Array:
         """The path from z = 0 under `push` (M, D), shape (M + 1, D); velocity per movement, shape (D,)."""
         h, K, D = 1 / self.steps, self.K, self.alpha
-        drive = np.zeros((self.steps + 1, push.shape[1]))
+        drive = np.zeros((push.shape[1], self.steps + 1)).T  # each coordinate in one piece
         if self.integrator == "explicit":
             drive[2:] = h * h * push[:-1]
             drive[1] = h * start_velocity
@@ -76,26 +76,13 @@ class Spring:
             drive[1] = h * start_velocity
             recursion = [1.0, -2.0, 1 + h * D, h * h * K - h * D]
         else:
-            (zz, zv), (vz, vv) = self.propagator(h)
+            (zz, zv), (vz, vv) = propagator(K, D, h)
             z_push, v_push = (1 - zz) / K, -vz / K
             drive[1:] = z_push * push
             drive[2:] += (zv * v_push - vv * z_push) * push[:-1]
             drive[1] += zv * start_velocity
             recursion = [1.0, -(zz + vv), zz * vv - zv * vz]
-        return lfilter([1.0], recursion, drive, axis=0)
-
-    def propagator(self, h: float) -> Array:
-        """E = exp(h [[0, 1], [-K, -D]]) in closed form, shape (2, 2): what h movements make of (z, v) unpushed."""
-        K, r = self.K, self.alpha / 2
-        swing = r * r - K
-        w = math.sqrt(abs(swing))
-        if w * h < 1e-6:
-            c, s = 1.0, h  # critical
-        elif swing < 0:
-            c, s = math.cos(w * h), math.sin(w * h) / w
-        else:
-            c, s = math.cosh(w * h), math.sinh(w * h) / w
-        return math.exp(-r * h) * np.array([[c + r * s, s], [-K * s, c - r * s]])
+        return lfilter([1.0], recursion, drive.T).T
 
     def needed(self, z: Array, derivatives: str = "inverse") -> tuple[Array, Array]:
         """The push (M, D) under which `follow` draws the path `z` (M + 1, D), and its start velocity (D,).
@@ -128,3 +115,43 @@ class Spring:
     def kick(self) -> Array:
         """The path (M + 1, 1) of a pen that starts with velocity 1 and is pushed no more."""
         return self.follow(np.zeros((self.steps, 1)), 1.0)
+
+
+def propagator(K: float, D: float, h: float) -> Array:
+    """E = exp(h [[0, 1], [-K, -D]]) in closed form, shape (2, 2): what a time h makes of (z, v) that nothing pushes."""
+    r = D / 2
+    w = math.sqrt(abs(r * r - K))
+    if w * h < 1e-6:
+        c, s = 1.0, h  # critical
+    elif r * r < K:
+        c, s = math.cos(w * h), math.sin(w * h) / w
+    else:
+        c, s = math.cosh(w * h), math.sinh(w * h) / w
+    return math.exp(-r * h) * np.array([[c + r * s, s], [-K * s, c - r * s]])
+
+
+def advanced(integrator: str, h: float, push: Array, K: float, D: float, state: Array, before: Array) -> Array:
+    """One step of z'' = push - K z - D z', as `Spring.follow` takes it.
+
+    Args:
+        integrator: As of `Spring`.
+        h: How long the step is.
+        push: Shape (D,).
+        K: Stiffness.
+        D: Damping.
+        state: z and v, shape (2, D).
+        before: The state one step earlier; the state itself at the start.
+
+    Returns:
+        The state after the step, shape (2, D).
+    """
+    (z, v), (z_before, v_before) = state, before
+    if integrator == "exact":
+        rest = push / K
+        (zz, zv), (vz, vv) = propagator(K, D, h)
+        return np.array([rest + zz * (z - rest) + zv * v, vz * (z - rest) + vv * v])
+    if integrator == "lagged":
+        a = push - K * z_before - D * v_before if before is not state else 0.0 * push
+        return np.array([z + h * v, v + h * a])
+    faster = v + h * (push - K * z - D * v)
+    return np.array([z + h * (v if integrator == "explicit" else faster), faster])
