@@ -189,5 +189,7 @@ class Cells:
 
 def ratio(above: Array, below: Array) -> Array:
     """The quotient above / below, and 0 where there is nothing to divide by."""
+    if np.count_nonzero(below) == below.size:
+        return above / below
     nothing = below == 0
-    return above / below if not nothing.any() else np.where(nothing, 0.0, above / np.where(nothing, 1.0, below))
+    return np.where(nothing, 0.0, above / np.where(nothing, 1.0, below))

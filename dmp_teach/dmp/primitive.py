@@ -157,7 +157,8 @@ class DMP:
     @cached_property
     def _own(self) -> slice | None:
         """Which steps are the demonstration's own samples; None if its times were uneven."""
-        return slice(None, None, self.steps // (len(self.times) - 1)) if has_even_times(self.times) else None
+        finer = self.steps // (len(self.times) - 1)  # uneven times are resampled finer: 1 needs no look at them
+        return slice(None, None, finer) if finer == 1 or has_even_times(self.times) else None
 
     def _led_to(self, goal: Array) -> Array:
         """The demonstrated path, led to another goal, at the demonstration's own times: one product and one sum.
