@@ -130,28 +130,25 @@ def propagator(K: float, D: float, h: float) -> Array:
     return math.exp(-r * h) * np.array([[c + r * s, s], [-K * s, c - r * s]])
 
 
-def advanced(integrator: str, h: float, push: Array, K: float, D: float, state: Array, before: Array) -> Array:
+def advanced(integrator: str, h: float, push: Array, stiffness: tuple[float, float], states: Array) -> Array:
     """One step of z'' = push - K z - D z', as `Spring.follow` takes it.
 
     Args:
         integrator: As of `Spring`.
         h: How long the step is.
         push: Shape (D,).
-        K: Stiffness.
-        D: Damping.
-        state: z and v, shape (2, D).
-        before: The state one step earlier; the state itself at the start.
+        stiffness: K and D.
+        states: z and v one step earlier, and now; NaN earlier than the start. Shape (2, 2, D).
 
     Returns:
-        The state after the step, shape (2, D).
+        z and v now, and after the step, shape (2, 2, D).
     """
-    (z, v), (z_before, v_before) = state, before
+    (K, D), (before, (z, v)) = stiffness, states
     if integrator == "exact":
         rest = push / K
         (zz, zv), (vz, vv) = propagator(K, D, h)
-        return np.array([rest + zz * (z - rest) + zv * v, vz * (z - rest) + vv * v])
-    if integrator == "lagged":
-        a = push - K * z_before - D * v_before if before is not state else 0.0 * push
-        return np.array([z + h * v, v + h * a])
-    faster = v + h * (push - K * z - D * v)
-    return np.array([z + h * (v if integrator == "explicit" else faster), faster])
+        return np.array([[z, v], [rest + zz * (z - rest) + zv * v, vz * (z - rest) + vv * v]])
+    z_seen, v_seen = before if integrator == "lagged" else (z, v)
+    a = np.where(np.isnan(z_seen), 0.0, push - K * z_seen - D * v_seen)  # the lagged one's first step is not pushed
+    faster = v + h * a
+    return np.array([[z, v], [z + h * (faster if integrator == "semi-implicit" else v), faster]])

@@ -8,6 +8,7 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike
 
+from dmp_teach.dmp.joining import joined
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import LetterError
@@ -66,14 +67,31 @@ class Letter:
                 not a time.
             TrajectoryError: A start or goal that is not a point of the stroke.
         """
-        goals = self._by_stroke("goals", goals)
-        starts, shifts = self._by_stroke("starts", starts), self._by_stroke("goal_shifts", goal_shifts)
-        for number in goals.keys() & shifts.keys():
-            raise LetterError(f"Stroke {number} has a goal and a goal shift; give one of them.")
-        for number, shift in shifts.items():
-            goals[number] = self._shifted(number, shift)
+        starts, goals = self._asked(goals, starts, goal_shifts)
         drawn = [p.rollout(starts.get(i), goals.get(i)) for i, p in enumerate(self.primitives)]
         return tuple(drawn) if duration is None else self._stretched(drawn, duration)
+
+    def joined(
+        self,
+        overlap: float = 0.1,
+        goals: Mapping[int, ArrayLike] | None = None,
+        starts: Mapping[int, ArrayLike] | None = None,
+        goal_shifts: Mapping[int, ArrayLike] | None = None,
+    ) -> Trajectory:
+        """Write the letter in one stroke, without a lift or a stop (Kulvicius 2012; see `dmp_teach.joined`).
+
+        Args:
+            overlap: How long before the end of a stroke the next begins [s]; negative: a time for the way between.
+            goals: As in `write` [m].
+            starts: As in `write` [m].
+            goal_shifts: As in `write` [m].
+
+        Raises:
+            LetterError: As in `write`.
+            TrajectoryError: As `joined`.
+        """
+        starts, goals = self._asked(goals, starts, goal_shifts)
+        return joined(self.primitives, overlap, starts, goals)
 
     @property
     def duration(self) -> float:
@@ -101,6 +119,21 @@ class Letter:
             raise LetterError(f"duration is {duration!r}, but it must be a time longer than 0 s.")
         begin = drawn[0].t[0]
         return tuple(Trajectory(begin + (stroke.t - begin) * factor, stroke.position) for stroke in drawn)
+
+    def _asked(
+        self,
+        goals: Mapping[int, ArrayLike] | None,
+        starts: Mapping[int, ArrayLike] | None,
+        goal_shifts: Mapping[int, ArrayLike] | None,
+    ) -> tuple[dict[int, ArrayLike], dict[int, ArrayLike]]:
+        """Starts and goals by the number of the stroke, or a sentence."""
+        goals = self._by_stroke("goals", goals)
+        starts, shifts = self._by_stroke("starts", starts), self._by_stroke("goal_shifts", goal_shifts)
+        for number in goals.keys() & shifts.keys():
+            raise LetterError(f"Stroke {number} has a goal and a goal shift; give one of them.")
+        for number, shift in shifts.items():
+            goals[number] = self._shifted(number, shift)
+        return starts, goals
 
     def _by_stroke(self, name: str, of: Mapping[int, ArrayLike] | None) -> dict[int, ArrayLike]:
         """What was asked for, by the number of the stroke, or a sentence."""
