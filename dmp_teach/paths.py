@@ -1,5 +1,49 @@
-"""Where the files that come with the project are."""
+"""Where the files that come with the project are, and how files are written: whole or not at all."""
 
+import os
+import tempfile
 from pathlib import Path
 
+from dmp_teach.errors import PathError
+
 ASSETS = Path(__file__).resolve().parent.parent / "assets"
+
+
+def write_whole(path: str | os.PathLike, data: bytes, suffix: str) -> Path:
+    """Write `data` beside `path` and put it in place in one step.
+
+    Args:
+        path: Where to; its folder must exist.
+        data: What.
+        suffix: How the name must end, ".html".
+
+    Returns:
+        The path.
+
+    Raises:
+        PathError: The name ends otherwise, the folder is missing, or the place cannot be written.
+    """
+    path = Path(path).expanduser()
+    if path.suffix.lower() != suffix:
+        raise PathError(f"The path is {str(path)!r}, but its name must end with {suffix}: try {path.stem + suffix!r}.")
+    if not path.parent.is_dir():
+        raise PathError(f"There is no folder {str(path.parent)!r} for {path.name!r}; make it first.")
+    handle, partial = None, None
+    try:
+        handle, partial = tempfile.mkstemp(dir=path.parent, prefix=".dmp_teach_", suffix=suffix)
+        with os.fdopen(handle, "wb") as file:
+            file.write(data)
+        os.chmod(partial, 0o666 & ~_umask())
+        os.replace(partial, path)
+    except OSError as error:
+        if partial is not None and os.path.exists(partial):
+            os.unlink(partial)
+        raise PathError(f"{str(path)!r} cannot be written: {error.strerror}. Choose another place.") from None
+    return path
+
+
+def _umask() -> int:
+    """Which rights new files do not get; Python can only read it by setting it."""
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask

@@ -7,10 +7,10 @@ import anywidget
 import traitlets
 
 from dmp_teach.errors import ViewError
+from dmp_teach.paths import write_whole
 from dmp_teach.robot.motion import Motion
 from dmp_teach.views.cameras import CAMERAS
 from dmp_teach.views.commands import robot_bundle, run_commands, viewer_script
-from dmp_teach.views.files import write_whole
 from dmp_teach.views.packing import bundle
 from dmp_teach.views.page_file import page, read_beside
 from dmp_teach.views.picture import png
