@@ -101,7 +101,7 @@ class Kernels:
         if self.width > 1 or self.stand != "middles" or self.sides == "one":
             return Overlap(self._psi(s[:, None], u[:, None], np.arange(self.number)))
         owner = u.astype(int)
-        touching_boxes = self.width == 1 and np.isinf(self.sigma) and self.shape == "gaussian"
+        touching_boxes = self.width == 1 and math.isinf(self.sigma) and self.shape == "gaussian"
         return Cells(self.number, owner, None if touching_boxes else self._psi(s, u, owner))
 
     def _place(self, left: Array, s: Array) -> Array:

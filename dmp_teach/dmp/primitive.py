@@ -91,9 +91,9 @@ class DMP:
         F = equation.needed_forcing(push, way)
         weights, biases = FITS[settings.fit](kernels, s, F, spring)
 
-        drawn = equation.draw(weights, biases, way, velocity)
+        paths = spring.follow(equation.push(weights, biases, way), np.array([*velocity, 1.0]))
+        drawn, kick = paths[:, :-1], paths[:, -1]
         if settings.start_velocity == "fitted":  # the one that fits best
-            kick = spring.kick()[:, 0]
             faster = kick @ (z - drawn) / (kick @ kick)
             drawn, velocity = drawn + np.multiply.outer(faster, kick).T, velocity + faster
         notes += asleep(kernels, settings, trajectory.duration)

@@ -1,7 +1,6 @@
 """Every choice that a primitive leaves open, each written once: default, range and plain name."""
 
 import math
-from copy import copy
 from dataclasses import dataclass, fields
 from functools import cache
 from typing import Any, Self
@@ -152,9 +151,9 @@ class Settings:
     @classmethod
     def _preset(cls, name: str, changes: dict[str, Any]) -> Self:
         """A preset with `changes`, or a sentence that names the settings that exist."""
-        for each in changes:
-            knob_of(each)
-        return cls(**{**preset(name), **changes})
+        changed = _unchanged(cls, name)._with(**{each: knob_of(each).checked(value) for each, value in changes.items()})
+        _refuse_what_does_not_go_together(changed)
+        return changed
 
     def resolved(self, duration: float, samples: int) -> Self:
         """The same with numbers for `n_kernels` and `alpha`, for a movement of `duration` [s] and so many samples.
@@ -178,9 +177,20 @@ class Settings:
             given = self.alpha_per_second
             alpha = max(12.0, self.alpha_per_kernel * n_kernels) if given is None else given * duration
             alpha = min(max(LEAST_ALPHA, alpha), most)
-        settled = copy(self)  # not `replace`: both numbers are in range, and the other settings were checked once
-        settled.__dict__.update(n_kernels=n_kernels, alpha=float(alpha))
-        return settled
+        return self._with(n_kernels=n_kernels, alpha=float(alpha))
+
+    def _with(self, **checked: Any) -> Self:
+        """A copy with other values for some settings, all of them checked already: `replace` would check every one."""
+        other = object.__new__(type(self))
+        other.__dict__.update(self.__dict__)
+        other.__dict__.update(checked)
+        return other
+
+
+@cache
+def _unchanged(cls: type[Settings], name: str) -> Settings:
+    """A preset as its table has it, checked once."""
+    return cls(**preset(name))
 
 
 def _refuse_what_does_not_go_together(settings: Settings) -> None:
@@ -214,13 +224,18 @@ def knobs() -> tuple[Knob, ...]:
     return tuple(Knob(each.name, each.default, **each.metadata) for each in fields(Settings))
 
 
+@cache
+def _by_name() -> dict[str, Knob]:
+    return {each.name: each for each in knobs()}
+
+
 def knob_of(name: str) -> Knob:
     """The knob of one setting.
 
     Raises:
         SettingError: There is no setting of that name; names those that exist.
     """
-    by_name = {each.name: each for each in knobs()}
+    by_name = _by_name()
     if name not in by_name:
         raise SettingError(f"There is no setting {name!r}. The settings are: {', '.join(by_name)}.")
     return by_name[name]

@@ -60,26 +60,31 @@ class Spring:
         return 0.5 if self.integrator == "exact" else 0.0
 
     def follow(self, push: Array, start_velocity: Array | float = 0.0) -> Array:
-        """The path from z = 0 under `push` (M, D), shape (M + 1, D); velocity per movement, shape (D,)."""
+        """The path from z = 0 under `push` (M, D), shape (M + 1, D); velocity per movement, shape (D,).
+
+        Velocities beyond those of the D coordinates start paths of their own, which nothing pushes: they are the
+        columns after D. One filter draws all of them, for calling it takes as long as drawing two.
+        """
         h, K, D = 1 / self.steps, self.K, self.alpha
-        drive = np.zeros((push.shape[1], self.steps + 1)).T  # each coordinate in one piece
+        drive = np.zeros((max(push.shape[1], np.size(start_velocity)), self.steps + 1)).T  # a coordinate in one piece
+        pushed = drive[:, : push.shape[1]]
         if self.integrator == "explicit":
-            drive[2:] = h * h * push[:-1]
+            pushed[2:] = h * h * push[:-1]
             drive[1] = h * start_velocity
             recursion = [1.0, -(2 - h * D), 1 - h * D + h * h * K]
         elif self.integrator == "semi-implicit":
-            drive[1:] = h * h * push
+            pushed[1:] = h * h * push
             drive[1] += (1 - h * D) * h * start_velocity
             recursion = [1.0, -(2 - h * D - h * h * K), 1 - h * D]
         elif self.integrator == "lagged":
-            drive[3:] = h * h * push[1:-1]
+            pushed[3:] = h * h * push[1:-1]
             drive[1] = h * start_velocity
             recursion = [1.0, -2.0, 1 + h * D, h * h * K - h * D]
         else:
             (zz, zv), (vz, vv) = propagator(K, D, h)
             z_push, v_push = (1 - zz) / K, -vz / K
-            drive[1:] = z_push * push
-            drive[2:] += (zv * v_push - vv * z_push) * push[:-1]
+            pushed[1:] = z_push * push
+            pushed[2:] += (zv * v_push - vv * z_push) * push[:-1]
             drive[1] += zv * start_velocity
             recursion = [1.0, -(zz + vv), zz * vv - zv * vz]
         return lfilter([1.0], recursion, drive.T).T
@@ -114,7 +119,7 @@ class Spring:
 
     def kick(self) -> Array:
         """The path (M + 1, 1) of a pen that starts with velocity 1 and is pushed no more."""
-        return self.follow(np.zeros((self.steps, 1)), 1.0)
+        return self.follow(np.zeros((self.steps, 0)), np.ones(1))
 
 
 def propagator(K: float, D: float, h: float) -> Array:
