@@ -16,10 +16,21 @@ _HOME = {
     "recording_of": "ink.alphabet",
     "Settings": "dmp.settings",
     "DMP": "dmp.primitive",
+    "Rollout": "dmp.stepping",
+    "joined": "dmp.joining",
     "Letter": "letters.letter",
     "Page": "robot.page",
     "Motion": "robot.motion",
     "Fetch": "robot.fetch",
+    "simulate": "robot.simulate",
+    "Run": "robot.run",
+    "claims": "studies.claims",
+    "choose_kernels": "studies.choose",
+    "error_against_width": "studies.curves",
+    "error_against_number": "studies.curves",
+    "goal_change_1d": "studies.goals",
+    "goal_change_2d": "studies.goals",
+    "ProgressBar": "studies.work",
     "view": "views.scene",
     "explore": "classroom.explore",
 }
@@ -29,6 +40,8 @@ __all__ = ["__version__", *_HOME]  # noqa: PLE0604 (the keys are strings)
 
 def __getattr__(name: str) -> Any:
     """Load a public name from its room when it is first used."""
+    if name == "studies":
+        return import_module("dmp_teach.studies")
     if name not in _HOME:
         raise AttributeError(f"dmp_teach has no {name!r}; it has: {', '.join(sorted(_HOME))}.")
     value = getattr(import_module(f"dmp_teach.{_HOME[name]}"), name)
