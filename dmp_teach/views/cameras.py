@@ -16,10 +16,13 @@ ASPECT = 1.5
 
 _FIELD_OF_VIEW = 34.0
 _SIDEWAYS = np.radians([0, 15, -15, 30, -30, 45, -45, 60, -60, 75, -75])
-_UPWARDS = np.radians([0, -10, 10])
+_UPWARDS = np.radians([0, -10, 10, 20])
 _STEEPEST = np.radians(75)
 _HEAD = np.array([0.1, 0.0, 1.45])
-_ROOM = 1.75
+_ROOM = 1.6
+_SHEET = 0.25
+"""How much of the way from the letter's box to the sheet's corners is seen over the shoulder."""
+
 _CELLS = 24
 """Half the width of the coarse picture in which the hidden part of a letter is counted."""
 
@@ -79,7 +82,7 @@ def cameras(page: Page, robot: Array, letter: Array, table: Array) -> dict[str, 
     corners = page.to_world([(x * page.width / 2, y * page.height / 2) for x in (-1, 1) for y in (-1, 1)])
     return {
         "whole robot": _whole(np.vstack([robot.reshape(-1, 3), table]), page.normal),
-        "over the shoulder": _shoulder(page, robot, letter, (corners + _box(page, letter)) / 2),
+        "over the shoulder": _shoulder(page, robot, letter, _SHEET * corners + (1 - _SHEET) * _box(page, letter)),
         "page from above": _above(page, corners),
     }
 
@@ -105,7 +108,10 @@ def _box(page: Page, letter: Array) -> Array:
 
 
 def _shoulder(page: Page, robot: Array, letter: Array, corners: Array) -> Camera:
-    """From where the robot's eyes are: of many directions the one from which the arm hides least of the letter."""
+    """From where the robot's eyes are, the page's up pointing up: of many directions the one from which the arm hides
+
+    least of the letter, above all in the end, when it is read.
+    """
     centre = corners.mean(axis=0)
     ahead = _HEAD - centre
     rise = np.arctan2(ahead[2], np.hypot(*ahead[:2]))
@@ -114,9 +120,9 @@ def _shoulder(page: Page, robot: Array, letter: Array, corners: Array) -> Camera
     best, least = None, np.inf
     for side, more in ((side, more) for more in _UPWARDS for side in _SIDEWAYS):
         direction = _direction(level, (0, 0, 1), side, min(rise + more, _STEEPEST))
-        camera = _fit(centre, direction, (0, 0, 1), corners, _ROOM)
-        hidden = float(np.mean([_hidden(camera, moment, letter) for moment in over]))
-        cost = 1.5 * hidden + 0.3 * abs(side) + 0.15 * abs(more) + 0.9 * (1 - direction @ page.normal)
+        camera = _fit(centre, direction, page.X_world_page[:3, 1], corners, _ROOM)
+        hidden = [_hidden(camera, moment, letter) for moment in over]
+        cost = np.mean(hidden) + hidden[-1] + 0.2 * abs(side) + 1.5 * (1 - direction @ page.normal)
         if cost < least:
             best, least = camera, cost
     return best

@@ -177,14 +177,18 @@ function render({ model, el: host }) {
   };
   const rest = () => (show(facts().duration), set({ playing: false, time }));
   const stop = () => {
-    if (playing) finish();
+    if (playing || model.get("playing")) finish();
   };
-  const finish = () => {
+  // A picture that nobody sees waits, and goes on when it is seen again.
+  const pause = () => {
     cancelAnimationFrame(frame);
     playing = false;
-    set({ playing: false, time });
     face();
     tell();
+  };
+  const finish = () => {
+    pause();
+    set({ playing: false, time });
   };
   const press = () => {
     if (still.matches) {
@@ -230,7 +234,7 @@ function render({ model, el: host }) {
     await picture.change(model.get("run"));
     if (place() !== seenPlace) aim();
     show(model.get("playing") ? 0 : model.get("time"));
-    if (model.get("playing")) start();
+    if (model.get("playing") && picture.seen) start();
   };
   const shape = () => root.classList.toggle("dts-compact", model.get("compact"));
 
@@ -250,7 +254,7 @@ function render({ model, el: host }) {
   const seen = new IntersectionObserver(([entry]) => {
     picture.seen = entry.isIntersecting;
     if (entry.isIntersecting) wake().then(() => model.get("playing") && start());
-    else if (playing) finish();
+    else if (playing) pause();
   });
   const size = new ResizeObserver(() => picture.resize());
   const light = new MutationObserver(() => picture.sky(theme()));

@@ -39,7 +39,7 @@ def test_every_camera_has_the_page_in_its_picture_and_sees_its_face(page, aspect
     table = np.vstack([shape.vertices for shape in around(page)])
     letter = page.to_world(np.zeros((1, 2)))
     for name, camera in cameras(page, ROBOT, letter, table).items():
-        nearer = (corners + letter) / 2 if name == "over the shoulder" else corners
+        nearer = (corners + 3 * letter) / 4 if name == "over the shoulder" else corners
         places, distance = picture_of(camera, nearer, aspect)
         assert np.abs(places).max() < 1
         assert distance.min() > 0.1
@@ -64,6 +64,21 @@ def test_over_the_shoulder_the_page_fills_a_good_part_of_the_picture(page):
     camera = cameras(page, ROBOT, page.to_world(np.zeros((1, 2))), table)["over the shoulder"]
     places, _ = picture_of(camera, corners)
     assert np.ptp(places, axis=0).max() > 1.5
+
+
+@settings(max_examples=20, deadline=None)
+@given(page=tables | boards, height=st.floats(0.02, 0.15), slim=st.floats(0.2, 1.5))
+def test_over_the_shoulder_the_letter_is_large_upright_and_in_the_middle(page, height, slim):
+    corners = page.to_world([(x * height * slim / 2, y * height / 2) for x in (-1, 1) for y in (-1, 1)])
+    table = np.vstack([shape.vertices for shape in around(page)])
+    camera = cameras(page, ROBOT, corners, table)["over the shoulder"]
+    middle = corners.mean(axis=0)
+    line = middle + np.array([[-0.001], [0.001]]) * page.X_world_page[:3, 1]
+    (up_from, up_to), _ = picture_of(camera, line)
+    assert abs(up_to[0] - up_from[0]) * ASPECT < 0.4 * (up_to[1] - up_from[1]), "up is up"
+    places, _ = picture_of(camera, corners)
+    assert np.abs(places.mean(axis=0)).max() < 0.25, "in the middle"
+    assert np.ptp(places, axis=0).max() > 0.22 + 2 * height, "large, the more so the larger it is"
 
 
 def test_the_camera_goes_round_an_arm_that_would_hide_the_letter():
