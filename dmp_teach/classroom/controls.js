@@ -125,15 +125,20 @@ function button(words, { onClick, drawing = null, main = false } = {}) {
   return make("button", { type: "button", class: main ? "dt-button dt-main" : "dt-button", click: onClick }, drawing, make("span", {}, words));
 }
 
+/** Words that are heard and not seen. */
+function spokenBox() {
+  return make("div", { class: "dt-spoken", "aria-live": "polite", style: "position:absolute;width:1px;height:1px;overflow:hidden;clip-path:inset(50%)" });
+}
+
 /** The one number and the one sentence; spoken half a second after the last change, never during a drag. */
 function sentence() {
   const number = make("div", { class: "dt-number", "aria-hidden": "true" });
-  const words = make("div", { class: "dt-sentence" });
-  const spoken = make("div", { class: "dt-spoken", "aria-live": "polite", style: "position:absolute;width:1px;height:1px;overflow:hidden;clip-path:inset(50%)" });
+  const words = make("div", { class: "dt-sentence", "aria-hidden": "true" });
+  const spoken = spokenBox();
   const node = make("div", { class: "dt-box" }, number, words, spoken);
   let timer = null;
   const show = ({ number: figure, unit, text, strong, after }) => {
-    number.replaceChildren(figure, make("small", {}, ` ${unit}`));
+    number.replaceChildren(figure.replace("under ", "< "), make("small", {}, ` ${unit}`));
     words.replaceChildren(make("span", {}, text, make("b", {}, strong), after));
     clearTimeout(timer);
     timer = setTimeout(() => (spoken.textContent = `${figure} ${unit}. ${text}${strong}${after}`), 500);

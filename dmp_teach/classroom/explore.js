@@ -1,18 +1,20 @@
 // The start panel: a letter, the robot's copy of it, sliders, and the robot that writes what is seen.
 
+const FETCH = "a robot named Fetch";
 const SLEEPY = 4000;
 const LATE = 300;
 
 function render({ model, el, host, signal }) {
   const root = keepKeys(make("div", { class: "dt-panel dt-explore" }));
   const parts = { ...head(model), ...stage(model), says: says(model), ...knobs(model) };
-  root.append(parts.head, parts.stage, make("div", { class: "dt-says" }, parts.says.node), parts.knobs, parts.more);
+  parts.says.write.addEventListener("click", () => write(model, parts));
+  root.append(parts.head, parts.stage, make("div", { class: "dt-says" }, parts.says.node, parts.asleep), parts.knobs, parts.more);
   el.append(root);
 
   const redraw = () => (drawLetter(model, parts), root.setAttribute("data-dt-drawing", model.get("drawing")));
   const redrawWork = () => drawWork(model, parts);
   model.on("change:drawing", redraw);
-  model.on("change:work", redrawWork);
+  model.on("change:work", () => (redrawWork(), tellWork(model, parts)));
   model.on("change:older", () => drawOlder(model, parts));
   model.on("change:choices change:letter", () => drawChoices(model, parts));
   const stopWatching = watch(model, root, parts);
@@ -37,7 +39,8 @@ function watch(model, root, parts) {
   const asked = () => (since ??= performance.now());
   const answered = () => (since = null);
   model.on("change:asked", asked);
-  model.on("change:answered", answered);
+  model.on("change:answered change:work", answered);
+  parts.waits = asked;
   const timer = setInterval(() => {
     const waiting = since === null ? 0 : performance.now() - since;
     root.classList.toggle("dt-late", waiting > LATE);
@@ -46,17 +49,30 @@ function watch(model, root, parts) {
   return () => clearInterval(timer);
 }
 
+/** Let the robot write, where it is seen. A kernel that was started anew cannot hear: then the panel says so. */
+function write(model, parts) {
+  if (model.get("work").state === "working") return;
+  const { top, bottom } = parts.robotHost.getBoundingClientRect();
+  if (top + bottom < 0 || (top + bottom) / 2 > window.innerHeight) parts.robotHost.scrollIntoView({ block: "center" });
+  parts.waits();
+  try {
+    model.send({ kind: "write" });
+  } catch (error) {
+    console.warn(error);
+  }
+}
+
 // Rows ---------------------------------------------------------------------------------------------------------------
 
 function head(model) {
   const letters = make("div", { style: "display:contents" });
-  const key = (kind, words) => make("span", {}, make("svg", { "aria-hidden": "true" }, make("path", { class: kind, d: "M2 5H42" })), words);
-  const legend = make("div", { class: "dt-legend" }, key("dt-child-dots", "the person’s letter"), key("dt-robot-line", "the robot’s letter"));
+  const key = (kind, words) => make("span", {}, make("svg", { "aria-hidden": "true" }, make("path", { class: kind, d: "M2 5H36" })), words);
+  const legend = make("div", { class: "dt-legend" }, key("dt-child-dots", "the person"), key("dt-robot-line", "the robot"));
   return { head: make("div", { class: "dt-head" }, letters, legend), letters };
 }
 
 function drawChoices(model, parts) {
-  const options = model.get("choices").map(([value, label, name]) => ({ value, label, name }));
+  const options = model.get("choices").map(([value, label, name]) => ({ value, label, name: aloud(label, name) }));
   const focused = parts.letters.contains(document.activeElement);
   const choose = (letter) => ask(model, { letter });
   const [near, more] = [options.filter((o) => model.get("near").includes(o.value)), options.filter((o) => !model.get("near").includes(o.value))];
@@ -64,6 +80,11 @@ function drawChoices(model, parts) {
   const rest = list({ name: "More letters", options: more, value: model.get("letter"), onChange: choose });
   parts.letters.replaceChildren(bar.node, rest);
   if (focused) (bar.node.querySelector("input:checked") ?? rest).focus();
+}
+
+/** Read aloud, m and M sound the same. */
+function aloud(label, name) {
+  return /^[A-Z]$/.test(label) ? `${name}, capital` : /^[a-z]$/.test(label) ? `${name}, small` : name;
 }
 
 function stage(model) {
@@ -79,17 +100,18 @@ function stage(model) {
     },
   });
   const hint = make("span", {}, "drag the ring to move the goal");
-  const older = make("span", {}, "Fetch");
+  const older = make("span", {}, FETCH);
   const robotHost = make("div", { class: "dt-robot" });
   const left = make("div", {}, make("div", { class: "dt-caption" }, make("b", {}, "On paper"), hint), sheet.node);
   const work = make("div", { class: "dt-work", hidden: true });
-  const right = make("div", { class: "dt-table" }, make("div", { class: "dt-caption" }, make("b", {}, "At the table"), older), robotHost, work);
-  return { stage: make("div", { class: "dt-stage" }, left, right), sheet, hint, older, robotHost, work };
+  const spoken = spokenBox();
+  const right = make("div", { class: "dt-table" }, make("div", { class: "dt-caption" }, make("b", {}, "At the table"), older), robotHost, work, spoken);
+  return { stage: make("div", { class: "dt-stage" }, left, right), sheet, hint, older, robotHost, work, workSpoken: spoken };
 }
 
 function says(model) {
   const bar = sentence();
-  const write = button("Robot, write it", { drawing: icon(ICONS.pen), main: true, onClick: () => model.get("work").state !== "working" && model.send({ kind: "write" }) });
+  const write = button("Robot, write it", { drawing: icon(ICONS.pen), main: true });
   write.classList.add("dt-write");
   bar.node.append(write);
   return { ...bar, write };
@@ -110,7 +132,7 @@ function knobs(model) {
   const strokes = make("div", { style: "display:contents" });
   const home = button("Put the goals back", { drawing: icon(ICONS.back), onClick: () => ask(model, { goal_shifts: model.get("goal_shifts").map(() => [0, 0]) }) });
   const asleep = make("div", { class: "dt-asleep", hidden: true, role: "status" }, "The robot does not answer. If it stays so, run the cell above again: Shift and Enter.");
-  const more = make("div", { class: "dt-more" }, strokes, home, fileButton(model), asleep, make("span", { class: "dt-quiet" }, "Arrow keys move a ring 1 mm, with Shift 1 cm"));
+  const more = make("div", { class: "dt-more" }, strokes, home, fileButton(model), make("span", { class: "dt-quiet" }, "Arrow keys move a ring 1 mm, with Shift 1 cm"));
   const rows = [parts.count, parts.width, parts.goalX, parts.goalY].map((part) => part.node);
   return { knobs: make("div", { class: "dt-knobs" }, ...rows), ...parts, strokes, home, asleep, more };
 }
@@ -202,7 +224,7 @@ function showKnobs(model, parts, taught, shift) {
 }
 
 function drawOlder(model, parts) {
-  parts.older.textContent = model.get("older") ? "older letter" : "Fetch";
+  parts.older.textContent = model.get("older") ? "older letter" : FETCH;
   parts.robotHost.toggleAttribute("data-dt-older", model.get("older"));
 }
 
@@ -212,12 +234,31 @@ function drawWork(model, parts) {
   host.hidden = work.state === "idle";
   host.className = `dt-work ${work.state === "cannot" ? "dt-cannot" : ""}`;
   change(parts.says.write, { "aria-disabled": work.state === "working" ? "true" : null });
-  if (work.state === "working") host.replaceChildren(stepList(work), workFooter(model));
+  if (work.state === "working") showSteps(model, parts, work);
   if (work.state === "cannot") {
     const words = make("span", {}, make("b", {}, work.strong), ` ${work.text}`);
     const cure = work.cure ? button(work.cure, { main: true, onClick: () => model.send({ kind: "cure" }) }) : null;
     host.replaceChildren(make("p", { role: "alert" }, icon(ICONS.warning), words), ...(cure ? [cure] : []));
   }
+}
+
+/** The list is made anew at every report; the button stays, or a press between two reports would be lost. */
+function showSteps(model, parts, work) {
+  const list = parts.work.querySelector(".dt-steps");
+  const stop = () => (model.send({ kind: "stop" }), (parts.stopped = true));
+  if (list) list.replaceWith(stepList(work));
+  else parts.work.replaceChildren(stepList(work), workFooter(stop));
+}
+
+/** For those who do not see the bar: that the robot plans, that it writes, or that it was stopped. */
+function tellWork(model, parts) {
+  const state = model.get("work").state;
+  if (state === parts.workState) return;
+  const ended = parts.workState === "working" && state === "idle";
+  const says = state === "working" ? "The robot plans." : !ended ? "" : parts.stopped ? "The robot stopped." : "The robot has its plan and writes.";
+  parts.workSpoken.textContent = says;
+  parts.workState = state;
+  parts.stopped = false;
 }
 
 function stepList(work) {
@@ -238,8 +279,8 @@ function progressBar(words, fraction) {
   return make("div", { class: "dt-bar", role: "progressbar", "aria-label": words, "aria-valuemin": 0, "aria-valuemax": 100, "aria-valuenow": Math.round(100 * fraction) }, inner);
 }
 
-function workFooter(model) {
-  return make("footer", {}, make("span", { class: "dt-quiet" }, ""), button("Stop", { onClick: () => model.send({ kind: "stop" }) }));
+function workFooter(stop) {
+  return make("footer", {}, make("span", { class: "dt-quiet" }, ""), button("Stop", { onClick: stop }));
 }
 
 /** The 3-D view is a widget of its own; here it stands inside this card. */

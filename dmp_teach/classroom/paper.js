@@ -22,7 +22,7 @@ function paper({ onGoal, onHome, onPick }) {
     "svg", { class: "dt-paper", role: "group", "aria-labelledby": title.id },
     title, make("defs", {}, make("clipPath", { id: clip }, frame)), grid, robot, demo, marks, rings,
   );
-  const state = { box: [-0.1, -0.1, 0.1, 0.1], scene: null, size: [0, 0], badges: [] };
+  const state = { box: [-0.1, -0.1, 0.1, 0.1], scene: null, size: [0, 0], badges: [], words: {} };
 
   const look = () => {
     const [w, h] = state.size;
@@ -55,7 +55,10 @@ function paper({ onGoal, onHome, onPick }) {
     const { goals, names } = state.scene;
     while (rings.childElementCount > goals.length) rings.lastChild.remove();
     while (rings.childElementCount < goals.length) rings.append(ring(rings.childElementCount));
-    if (!state.dragging) state.badges = badgePlaces(view, state.scene);
+    if (!state.dragging) {
+      state.badges = badgePlaces(view, state.scene);
+      state.words = goals.length > 1 ? null : wordPlace(view, goals[0], state.scene);
+    }
     goals.forEach((goal, i) => placeRing(rings.children[i], view, goal, names[i], state, i));
   };
 
@@ -128,6 +131,10 @@ function paper({ onGoal, onHome, onPick }) {
 
 const CROSS = `M${RING} 0A${RING} ${RING} 0 1 1 ${-RING} 0A${RING} ${RING} 0 1 1 ${RING} 0` + "M-16 0H-5M5 0H16M0 -16V-5M0 5V16";
 
+/** How long the bar is that shows centimetres, and where its words end. */
+const rulerLength = ({ k }) => [1, 2, 5, 10, 20].find((n) => n * 0.01 * k > 48) ?? 50;
+const rulerEnd = (view) => 24 + rulerLength(view) * 0.01 * view.k + 44;
+
 /** Squares of 1 cm (5 cm where they would be too small), and a bar that says how long a centimetre is. */
 function drawGrid(group, { w, h, k, metres, px }) {
   const square = 0.01 * k > 7 ? 0.01 : 0.05;
@@ -135,7 +142,7 @@ function drawGrid(group, { w, h, k, metres, px }) {
   const lines = [];
   for (let x = Math.ceil(left / square) * square; px([x, 0])[0] < w; x += square) lines.push(`M${px([x, 0])[0].toFixed(1)} 0V${h}`);
   for (let y = Math.ceil(bottom / square) * square; px([0, y])[1] > 0; y += square) lines.push(`M0 ${px([0, y])[1].toFixed(1)}H${w}`);
-  const cm = [1, 2, 5, 10, 20].find((n) => n * 0.01 * k > 48) ?? 50;
+  const cm = rulerLength({ k });
   const bar = `M16 ${h - 24}v8h${(cm * 0.01 * k).toFixed(1)}v-8`;
   const words = make("text", { class: "dt-small", x: 24 + cm * 0.01 * k, y: h - 12 }, `${cm} cm`);
   group.replaceChildren(make("path", { class: "dt-grid", d: lines.join("") }), make("path", { class: "dt-rule", d: bar }), words);
@@ -213,12 +220,27 @@ function badgePlaces(view, { goals, robot }) {
       const at = [x + 40 * dx, y + 40 * dy];
       const away = (points, reach) => points.reduce((sum, p) => sum + Math.max(0, reach - Math.hypot(p[0] - at[0], p[1] - at[1])), 0);
       const off = Math.max(0, 24 - at[0], 24 - at[1], at[0] - view.w + 24, at[1] - view.h + 24);
-      return 30 * off + 8 * away(taken, 46) + 4 * away(places.filter((_, j) => j !== i), 30) + away(ink, 22);
+      const onRuler = Math.max(0, Math.min(rulerEnd(view) + 20 - at[0], at[1] - view.h + 48));
+      return 30 * (off + onRuler) + 8 * away(taken, 46) + 4 * away(places.filter((_, j) => j !== i), 30) + away(ink, 22);
     };
     const best = AROUND.reduce((a, b) => (cost(b) < cost(a) - 1e-9 ? b : a));
     taken.push([x + 40 * best[0], y + 40 * best[1]]);
   }
   return taken.map(([x, y], i) => [x - places[i][0], y - places[i][1]]);
+}
+
+/** A place for the word "goal" where it hides the least ink: above, below, right or left of its ring. */
+function wordPlace(view, goal, { robot, demo }) {
+  const [x, y] = view.px(goal);
+  const ink = [...robot.flat(), ...demo.flat()].filter((_, i) => i % 3 === 0).map(view.px);
+  const places = [[0, -24, "middle", -18], [0, 36, "middle", -18], [24, 5, "start", 0], [-24, 5, "end", -36]];
+  const cost = ([dx, dy, , left]) => {
+    const [x0, y0] = [x + dx + left, y + dy - 5];
+    const hidden = ink.filter(([px, py]) => px > x0 - 4 && px < x0 + 40 && Math.abs(py - y0) < 12).length;
+    return hidden + 100 * (x0 < 4 || x0 + 36 > view.w - 4 || y0 < 12 || y0 > view.h - 12);
+  };
+  const [dx, dy, anchor] = places.reduce((a, b) => (cost(b) < cost(a) ? b : a));
+  return { x: dx, y: dy, "text-anchor": anchor };
 }
 
 /** Move one ring, its number and its words to where the goal is. */
@@ -230,7 +252,7 @@ function placeRing(group, view, goal, name, state, i) {
   const [stalk, dot, number, words, far] = [".dt-stalk", ".dt-badge", ".dt-count", ".dt-name", ".dt-catch-badge"].map((s) => group.querySelector(s));
   for (const node of [stalk, dot, number, far]) node.style.display = badge ? "" : "none";
   words.style.display = badge ? "none" : "";
-  if (!badge) return change(words, { x: 0, y: y > 60 ? -24 : 36, "text-anchor": "middle" }).replaceChildren("goal");
+  if (!badge) return change(words, state.words).replaceChildren("goal");
   const part = (Math.hypot(...badge) - 14) / Math.hypot(...badge);
   change(stalk, { x1: badge[0] * 0.4, y1: badge[1] * 0.4, x2: badge[0] * part, y2: badge[1] * part });
   for (const node of [dot, far]) change(node, { cx: badge[0], cy: badge[1] });

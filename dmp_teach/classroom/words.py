@@ -71,7 +71,7 @@ def goal_message(moved: float, miss: float, error: float, stroke: int | None) ->
         "unit": "mm",
         "text": f"You moved the {which} by {centimetres(moved)}. ",
         "strong": f"The pen stops {millimetres(miss)} mm from the ring.",
-        "after": f" With the goal as written, the letter is {millimetres(error)} mm off.",
+        "after": f" Unmoved, the letter is {millimetres(error)} mm off.",
     }
 
 
