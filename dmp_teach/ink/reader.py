@@ -17,7 +17,9 @@ from dmp_teach.trajectory import Array
 SHORT = 0.1  # a gap up to this long is filled with a straight line anywhere; a longer one only off the ink [s]
 FEWEST = 20  # fewer samples are no letter
 JUMP = 0.004  # a step that is this much longer than its neighbours was no pen ...
-PEN = 8.0  # ... unless the samples are so far apart that a pen could do it [m/s2]
+PEN = 8.0  # ... unless the samples are so far apart that a pen could do it [m/s2] ...
+AIR = 50.0  # ... or a hand in the air, or one that knocks on the paper [m/s2]
+BESIDE = 0.5  # a leap this soon before or after the writing has cut it short [s]
 LARGEST = 4.0  # no hand that writes moves farther [m]
 SMALLEST = 0.004  # or less [m]
 
@@ -52,7 +54,7 @@ def read_recording(path: str | Path, marker: str | None = None, up: str = "+y", 
     except RecordingError as error:
         raise RecordingError(f"{take.name}, marker {take.marker!r}: {error}") from None
     _check_gaps(take, strokes)
-    _check_jumps(filled, strokes)
+    _check_jumps(take, filled.position, strokes)
     _check_ink(take, strokes, up)
     start, end = strokes[0][0], strokes[-1][1]
     ink = np.concatenate([position[a:b] for a, b in strokes])
@@ -123,23 +125,30 @@ def _check_ink(take: Take, strokes: list[tuple[int, int]], up: str) -> None:
         )
 
 
-def _check_jumps(take: Take, strokes: list[tuple[int, int]]) -> None:
-    """Raise where the marker leaps inside a stroke, as it does when the cameras take another one for it.
+def _check_jumps(take: Take, position: Array, strokes: list[tuple[int, int]]) -> None:
+    """Raise where the marker leaps, as it does when the cameras take another one for it.
 
-    A leap is a step far from the mean of its neighbours; where the marker flickers all the time it is noise.
+    A leap is a step far from the mean of its neighbours; where the marker flickers all the time it is noise. A leap off
+    the paper looks like a lift, so lifts are searched, too, and a moment before and after the writing.
     """
-    step = np.diff(take.position, axis=0)
+    dt = float(np.median(np.diff(take.t)))
+    step = np.diff(position, axis=0)
     off = np.zeros(len(take.t))
     off[2:-1] = np.linalg.norm(step[1:-1] - (step[:-2] + step[2:]) / 2, axis=1)
-    limit = JUMP + PEN * float(np.median(np.diff(take.t))) ** 2
+    inked = np.zeros(len(off), dtype=bool)
     for a, b in strokes:
-        for k in np.flatnonzero(off[a:b] > limit) + a:
-            near = np.concatenate([off[max(a, k - 15) : max(a, k - 2)], off[k + 3 : k + 16]])
-            if not len(near) or off[k] > 4 * np.quantile(near, 0.9):
-                raise RecordingError(
-                    f"{take.name}, {take.at(k)}: {take.marker!r} jumps by {off[k] * 1e3:.1f} mm inside a stroke, "
-                    f"which no pen does. Mend the take in Motive. {take.choice}"
-                )
+        inked[a:b] = True
+    seen = np.convolve(np.isfinite(take.position[:, 0]), np.ones(5), "same") == 5
+    limit = np.where(inked, JUMP + PEN * dt**2, np.where(seen, JUMP + AIR * dt**2, np.inf))
+    start, end = np.searchsorted(take.t, take.t[[strokes[0][0], strokes[-1][1] - 1]] + [-BESIDE, BESIDE])
+    for k in np.flatnonzero(off[start:end] > limit[start:end]) + start:
+        near = np.concatenate([off[max(start, k - 15) : max(start, k - 2)], off[k + 3 : k + 16]])
+        if not len(near) or off[k] > 4 * np.quantile(near, 0.9):
+            where = "inside a stroke" if inked[k] else "beside a stroke"
+            raise RecordingError(
+                f"{take.name}, {take.at(k)}: {take.marker!r} jumps by {off[k] * 1e3:.1f} mm {where}, "
+                f"which no pen does. Mend the take in Motive. {take.choice}"
+            )
 
 
 def _labels(name: str) -> tuple[str | None, str | None]:

@@ -37,8 +37,10 @@ def place(
 
     Raises:
         TrajectoryError: No strokes, something that is no stroke, three dimensions, a jump inside a stroke.
-        PageError: Ink that does not fit, or `at` or `size` that cannot be.
+        PageError: No page, ink that does not fit, or `at` or `size` that cannot be.
     """
+    if not isinstance(page, Page):
+        raise PageError(f"page is {page!r}, but must be a Page, such as Page.table() or Page.board().")
     strokes = checked(strokes)
     points = np.concatenate([stroke.position for stroke in strokes])
     low, high = points.min(axis=0), points.max(axis=0)
@@ -56,7 +58,8 @@ def checked(strokes: Iterable[Trajectory] | Trajectory) -> tuple[Trajectory, ...
         strokes = (strokes,) if isinstance(strokes, Trajectory) else tuple(strokes)
     except TypeError:
         raise TrajectoryError(
-            f"strokes is a {type(strokes).__name__}, but must be a tuple of Trajectory, one for each stroke."
+            f"strokes is a {type(strokes).__name__}, but must be a tuple of Trajectory, one for each stroke, "
+            "as recording.strokes() and letter.write() give them."
         ) from None
     if not strokes:
         raise TrajectoryError("There are no strokes to write; a letter needs at least one Trajectory.")

@@ -323,6 +323,26 @@ def test_a_jump_of_5_mm_in_a_stroke_is_refused_by_frame_and_row(tmp_path, leap, 
         read_recording(motive(tmp_path / "D_w07.csv", t, lab(page)))
 
 
+@pytest.mark.parametrize("leap", [0.008, 0.02, 0.06])
+@pytest.mark.parametrize("sample", [135, 170, 330, 380])
+@pytest.mark.parametrize("back", [False, True])
+def test_a_leap_off_the_paper_is_no_lift(tmp_path, leap, sample, back):
+    """A marker taken for another one, higher up: what follows must not be dropped as flight."""
+    t, page = writer_of_d().sampled()
+    page[sample : sample + 1 if back else None, 2] += leap
+    with pytest.raises(
+        RecordingError, match=r"D_w07.csv, frame \d+ .row \d+.*jumps by \d+[.]\d mm (in|be)side a stroke"
+    ):
+        read_recording(motive(tmp_path / "D_w07.csv", t, lab(page)))
+
+
+@pytest.mark.parametrize("rate", [30.0, 60.0, 120.0])
+def test_a_fast_hand_in_the_air_does_not_jump(tmp_path, rate):
+    pen = Pen(speed=0.4).rest(0.5).draw(bar()).hop((0.0, 0.0), lift=0.06, seconds=0.35).draw(bowl())
+    pen.fly((0.4, 0.1), 0.2, 0.4)
+    assert len(read_recording(d_file(tmp_path / "D_w07.csv", pen, rate=rate)).strokes()) == 2
+
+
 def test_flicker_is_noise_and_no_jump(tmp_path):
     t, page = writer_of_d().sampled()
     page[150:190] += np.where(np.random.default_rng(0).random(40) < 0.4, 0.003, 0)[:, None]

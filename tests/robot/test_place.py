@@ -124,6 +124,17 @@ def test_what_cannot_be_strokes_is_refused(strokes, kind):
         place(strokes, PAGE)
 
 
+@pytest.mark.parametrize("page", [None, 5, "table", Page.table])
+def test_what_is_no_page_is_refused(page):
+    with pytest.raises(PageError, match=r"page is .* must be a Page, such as Page\.table\(\)"):
+        place(ink.LETTER, page)
+
+
+def test_a_recording_is_answered_with_its_strokes():
+    with pytest.raises(TrajectoryError, match=r"strokes is a object.*recording\.strokes\(\)"):
+        place(object(), PAGE)
+
+
 def test_what_is_no_stroke_is_named_by_its_number():
     with pytest.raises(TrajectoryError, match="Stroke 1 is a ndarray, but must be a Trajectory"):
         place((ink.LETTER[0], np.zeros((5, 2))), PAGE)
