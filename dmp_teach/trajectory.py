@@ -58,7 +58,8 @@ class Trajectory:
             return cls(t, position)
         position.setflags(write=False)
         drawn = object.__new__(cls)
-        drawn.__dict__.update(t=t, position=position)
+        values = drawn.__dict__
+        values["t"], values["position"] = t, position
         return drawn
 
     @property

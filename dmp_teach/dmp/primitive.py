@@ -165,9 +165,14 @@ class DMP:
 
         What a slider waits for; `_path` draws the same, from any start, in any transformation and step.
         """
-        position = self._longer * (goal - self.goal)
-        position += self._demonstrated
+        position = self._longer * goal
+        position += self._led_to_zero
         return position
+
+    @cached_property
+    def _led_to_zero(self) -> Array:
+        """The same to the goal 0, shape (T, D): with it a path needs no difference of two goals."""
+        return self._demonstrated - self._longer * self.goal
 
     @cached_property
     def _demonstrated(self) -> Array:
