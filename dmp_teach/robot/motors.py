@@ -13,13 +13,13 @@ _STRONG = 1e5  # more than any letter asks for [N m, N]
 BANDWIDTH = 80.0
 """How quickly a real motor answers to an error [rad/s]."""
 
-DRY = (0.004, 0.012)
+DRY = (0.003, 0.010)
 """Dry friction of a joint: between these parts of its greatest effort."""
 
 MASSES = 0.05
 """Every link is heavier or lighter than the controller thinks, by a normal deviate of so much."""
 
-ENCODERS = 0.0005
+ENCODERS = 0.0004
 """Every joint is up to so much away from where its encoder says [rad]; a torso of 1 m away from it [m]."""
 
 _EVERY = 24  # samples for which one mass matrix is good enough
