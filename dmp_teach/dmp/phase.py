@@ -8,6 +8,8 @@ from numpy.typing import ArrayLike
 
 from dmp_teach.trajectory import Array
 
+TINY = 1e-300  # a phase that no exponential comes to, but whose logarithm is a number
+
 
 @dataclass(frozen=True)
 class Phase:
@@ -45,7 +47,7 @@ class Phase:
         if self.kind == "linear":
             return s
         if self.kind == "exponential":
-            return 1 + np.log(s) / self.decay
+            return 1 + np.log(np.maximum(s, TINY)) / self.decay
         tail = np.maximum(self._top / s - 1, np.exp(-self._steepness * self.middle))
         return 1 - self.middle - np.log(tail) / self._steepness
 

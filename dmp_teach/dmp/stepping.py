@@ -67,6 +67,20 @@ class Plan:
         T = p.duration if duration is None else seconds("duration", duration)
         return cls(push, way, start, velocity, T, equation.spring)
 
+    def waiting_push_at(self, clock: float, pace: float) -> Array:
+        """The push for a clock that runs at this `pace`, so that the pen stays on the same path.
+
+        K y + D y' + y'' is what the path needs at full pace; at another its speed is pace y', its acceleration
+        pace^2 y'': without that a spring whose clock is slow would leave the path, and the clock would never recover.
+        """
+        push = self.push_at(clock)
+        if pace == 1:
+            return push
+        y = self.path_at(clock)
+        faster = self.spring.alpha * (self.path_at(clock + 1) - y) * self.spring.steps
+        still = self.spring.K * y
+        return still + pace * faster + pace**2 * (push - still - faster)
+
     def push_at(self, clock: float) -> Array:
         """The push after so many steps: before the start it holds the pen there, and after the end at the goal."""
         if clock < 0:
@@ -153,13 +167,13 @@ class Rollout:
         Raises:
             TrajectoryError: A push of another dimension, or not finite.
         """
-        plan, spring = self.plan, self.plan.spring
-        force = plan.push_at(self.clock)
+        plan, spring, pace = self.plan, self.plan.spring, self._pace
+        force = plan.waiting_push_at(self.clock, pace)
         if push is not None:
             force = force + point("push", push, len(plan.start)) * plan.duration**2
         h = 1 / spring.steps
         states = advanced(spring.integrator, h, force, (spring.K, spring.alpha), self.states)
-        return replace(self, t=self.t + h * plan.duration, clock=self.clock + self._pace, states=states)
+        return replace(self, t=self.t + h * plan.duration, clock=self.clock + pace, states=states)
 
     def moved(self, by: ArrayLike) -> Self:
         """The same pen, taken elsewhere by somebody's hand: `by` (D,) [m]."""

@@ -47,6 +47,31 @@ def scrawls(draw):
     return Trajectory(t, path * draw(st.floats(1e-5, 1.0)))
 
 
+INK = {  # what a path of parts u (T, 1) of its time is, for a generator of random numbers and D dimensions
+    "waves": lambda u, rng, D: letter(len(u), dimensions=D, seed=int(rng.integers(10**6)), size=1.0).position,
+    "crossing": lambda u, rng, D: (
+        np.sin(2 * np.pi * u * rng.integers(1, 4, D) + rng.uniform(0, 6, D)) + u * rng.normal(size=D)
+    ),
+    "closed": lambda u, rng, D: np.sin(2 * np.pi * u * rng.integers(1, 4, D)),
+    "straight": lambda u, rng, D: u**3 * (10 - 15 * u + 6 * u**2) * rng.normal(size=D),
+    "cut off": lambda u, rng, D: np.cos(3 * u * rng.uniform(0.5, 2, D) + rng.uniform(0, 6, D)),
+    "walk": lambda u, rng, D: np.cumsum(rng.normal(size=(len(u), D)), axis=0) / np.sqrt(len(u)),
+}
+
+
+@st.composite
+def any_ink(draw):
+    """Ink of every kind, 1 to 3 dimensions, 5 to 5000 samples, 0.1 mm to 1 m, times even or not."""
+    rng = np.random.default_rng(draw(st.integers(0, 10**6)))
+    n = draw(st.one_of(st.integers(5, 60), st.integers(61, 600), st.integers(601, 5000)))
+    duration = float(np.clip(n / draw(st.sampled_from([30, 60, 120, 240, 1000])), 0.02, 30))
+    path = INK[draw(st.sampled_from(sorted(INK)))](np.linspace(0, 1, n)[:, None], rng, draw(st.integers(1, 3)))
+    t = np.linspace(0, duration, n)
+    if draw(st.integers(0, 4)) == 0:
+        t[1:-1] += rng.uniform(-0.4, 0.4, n - 2) * t[1]
+    return Trajectory(draw(st.sampled_from([0.0, 12.5])) + t, path * 10 ** draw(st.floats(-4, 0)))
+
+
 def rms(path, other):
     """Root mean square distance of two paths, in mm."""
     return 1e3 * float(np.sqrt(((path - other) ** 2).sum(axis=1).mean()))

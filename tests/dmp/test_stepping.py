@@ -1,0 +1,134 @@
+"""A movement step by step: undisturbed it is the rollout; pushed, it comes back."""
+
+import dataclasses
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from dmp_teach.dmp.primitive import DMP
+from dmp_teach.dmp.settings import Settings
+from dmp_teach.dmp.stepping import Rollout
+from dmp_teach.errors import TrajectoryError
+from tests.dmp.ink import letter, letters
+
+few = settings(max_examples=25, deadline=None)
+KINDS = [
+    Settings.star(),
+    Settings.joint(),
+    Settings.plus(),
+    Settings.original(),
+    Settings.as_fixed(),
+    Settings.as_coded(),
+    Settings.star(integrator="exact"),
+    Settings.star(transform="similarity", phase="sigmoid"),
+]
+
+
+@few
+@given(letters(), st.sampled_from(KINDS), st.floats(-0.1, 0.1), st.floats(0.25, 4.0))
+def test_undisturbed_steps_are_the_rollout(demo, kind, shift, factor):
+    p = DMP.imitate(demo, kind)
+    goal, T = p.goal + shift, factor * p.duration
+    stepped = Rollout.begin(p, goal=goal, duration=T).to_the_end()
+    drawn = p.start + p._path(goal - p.start, p.steps)
+    assert np.abs(stepped.position - drawn).max() <= 1e-12 * max(1, np.abs(drawn).max())
+    assert stepped.duration == pytest.approx(T)
+    waiting = Rollout.begin(p, goal=goal, patience=0.01).to_the_end()
+    assert np.abs(waiting.position[:-1] - drawn[: len(waiting) - 1]).max() <= 1e-9 * max(1, np.abs(drawn).max())
+
+
+@few
+@given(letters(), st.sampled_from(KINDS[:3]), st.floats(0.1, 0.5), st.integers(0, 99))
+def test_a_pushed_pen_comes_back_to_its_path(demo, kind, when, seed):
+    p = DMP.imitate(demo, kind)
+    hand = np.random.default_rng(seed).normal(size=len(p.start))
+    begin, end = when * p.duration, (when + 0.05) * p.duration
+    pushed = Rollout.begin(p).to_the_end(lambda t: 100 * hand / p.duration**2 if begin < t < end else None)
+    off = np.linalg.norm(pushed.position - p.start - p._shown, axis=1)
+    before = pushed.t < begin - 1e-9
+    assert off[before].max(initial=0) < 1e-12
+    assert off.max() > 1e-3 * np.linalg.norm(hand)
+    spring, during = Rollout.begin(p).plan.spring, (pushed.t[:-1] > begin) & (pushed.t[:-1] < end)
+    alone = spring.follow(np.outer(during, 100 * hand))  # the spring's own answer, whatever the letter
+    assert np.abs(np.linalg.norm(alone, axis=1) - off).max() <= 1e-9 * off.max()
+    if p.settings.alpha >= 30:
+        assert off[-1] < 0.05 * off.max()
+
+
+def test_a_pen_that_a_hand_has_moved_comes_back_too():
+    p = DMP.imitate(letter())
+    pen = Rollout.begin(p)
+    for _ in range(60):
+        pen = pen.step()
+    taken = pen.moved((0.02, -0.01))
+    assert taken.position == pytest.approx(pen.position + np.array([0.02, -0.01]))
+    assert taken.off_path == pytest.approx(math.hypot(0.02, 0.01), abs=1e-9)
+    assert np.abs(taken.to_the_end().position[-1] - p.rollout().position[-1]).max() < 1e-6
+
+
+def test_every_step_is_a_new_value():
+    pen = Rollout.begin(DMP.imitate(letter()))
+    later = pen.step(push=(1.0, 0.0))
+    assert (pen.t, pen.clock) == (0.0, 0.0)
+    assert (later.clock, later.t) == (1.0, pytest.approx(2.5 / later.plan.spring.steps))
+    assert np.array_equal(pen.step(push=(1.0, 0.0)).states[1], later.states[1])
+    with pytest.raises(dataclasses.FrozenInstanceError):
+        pen.t = 1.0
+
+
+def test_after_the_end_the_pen_goes_on_to_its_goal_and_rests():
+    p = DMP.imitate(letter(), Settings.star(feed_goal=False))
+    goal, pen = p.goal + 0.05, Rollout.begin(p, goal=p.goal + 0.05)
+    while not pen.over:
+        pen = pen.step()
+    missed = np.abs(pen.position - goal).max()
+    for _ in range(200):
+        pen = pen.step()
+    assert missed > 2e-3
+    assert np.abs(pen.position - goal).max() < 1e-6
+    assert np.abs(pen.velocity).max() < 1e-5
+    assert pen.over
+
+
+def test_with_patience_the_clock_waits_for_a_pen_that_is_held():
+    """Phase stopping: what is written while the pen is held off its path is written afterwards."""
+    p = DMP.imitate(letter(seed=2))
+
+    def hold(t):
+        return (6.0, 6.0) if 0.8 < t < 1.4 else None
+
+    hasty, patient = Rollout.begin(p).to_the_end(hold), Rollout.begin(p, patience=0.005).to_the_end(hold)
+    assert hasty.duration == pytest.approx(2.5)
+    assert 3.0 < patient.duration < 4.0
+    shown = p.start + p._shown
+
+    def skipped(drawn):
+        """How much of the letter was never come near to, in samples."""
+        apart = np.linalg.norm(shown[:, None] - drawn.position[None], axis=2).min(axis=1)
+        return (apart > 0.003).sum()
+
+    assert skipped(patient) < 0.7 * skipped(hasty)
+    assert np.linalg.norm(patient.position[-1] - p.goal) < 2e-3
+
+
+@pytest.mark.parametrize(
+    ("ask", "answer"),
+    [
+        (lambda p: Rollout.begin(p, goal=(1, 2, 3)), r"goal has shape \(3,\), but this movement has 2 dimensions"),
+        (lambda p: Rollout.begin(p, duration=0), "duration is 0, but it must be a time longer than 0 s"),
+        (lambda p: Rollout.begin(p, patience=0), "patience is 0, but it must be a distance over 0 m, or None"),
+        (lambda p: Rollout.begin(p).step(push=3.0), r"push has shape \(\), but this movement has 2 dimensions"),
+        (lambda p: Rollout.begin(p).step(push=(math.nan, 0)), "push is .*nan.*, but it must be finite"),
+        (lambda p: Rollout.begin(p).moved("left"), "by is 'left', but it must be 2 numbers"),
+        (
+            lambda p: Rollout.begin(p, patience=1e-4).to_the_end(lambda t: (500.0, 0.0)),
+            "has not ended after 250 s, for the clock waits .* more patience than 0.0001 m",
+        ),
+    ],
+)
+def test_what_cannot_be_stepped_is_said_in_a_sentence(ask, answer):
+    with pytest.raises(TrajectoryError, match=answer):
+        ask(DMP.imitate(letter(60, 2.5)))
