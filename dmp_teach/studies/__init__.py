@@ -6,7 +6,7 @@ from typing import Any
 _HOME = {
     "curves": ("error_against_width", "error_against_number", "ErrorCurves"),
     "choose": ("choose_kernels", "choose_width", "Choice"),
-    "goals": ("goal_change_1d", "goal_change_2d", "goal_traces", "GoalChanges"),
+    "goals": ("goal_change_1d", "goal_change_2d", "goal_traces", "goal_paths", "GoalChanges"),
     "redraw": ("redrawn", "four_widths"),
     "new_letters": ("p_from_d",),
     "style": ("attribution",),

@@ -236,3 +236,36 @@ def _bent(path: Array) -> Array:
     """A path (T, D) without the straight and even way from its start to its end."""
     along = np.linspace(0, 1, len(path))[:, None]
     return path - path[0] - along * (path[-1] - path[0])
+
+
+@dataclass(frozen=True, eq=False)
+class GoalPaths:
+    """One stroke on the page, shown and drawn to a goal that moved.
+
+    Args:
+        stroke: Its name.
+        shift: How far the goal moved, shape (2,) [m].
+        paths: Of "demonstration", "DMP*" and "original", shape (T, 2) each [m].
+        factor: (g' - y0) / (g - y0), shape (2,).
+    """
+
+    stroke: str
+    shift: Array
+    paths: dict[str, Array]
+    factor: Array
+
+
+def goal_paths(stroke: Trajectory, shift: Sequence[float] = (0.1, 0.0), name: str = "") -> GoalPaths:
+    """One stroke whose goal moved, drawn by both forms, as the paper's figure 7 draws the letter a.
+
+    Args:
+        stroke: As it was shown, 2-D.
+        shift: How far its goal moves [m].
+        name: What the stroke is called.
+    """
+    moved, drawn = np.asarray(shift, dtype=float), {"demonstration": stroke.position}
+    for label, settings in zip(("DMP*", "original"), _both(None, None), strict=True):
+        learned = DMP.imitate(stroke, settings)
+        drawn[label] = learned.rollout(goal=learned.goal + moved).position
+    factor = (learned.goal + moved - learned.start) / (learned.goal - learned.start)
+    return GoalPaths(name, locked(moved), {k: locked(path) for k, path in drawn.items()}, locked(factor))
