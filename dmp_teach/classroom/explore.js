@@ -52,8 +52,7 @@ function watch(model, root, parts) {
 /** Let the robot write, where it is seen. A kernel that was started anew cannot hear: then the panel says so. */
 function write(model, parts) {
   if (model.get("work").state === "working") return;
-  const { top, bottom } = parts.robotHost.getBoundingClientRect();
-  if (top + bottom < 0 || (top + bottom) / 2 > window.innerHeight) parts.robotHost.scrollIntoView({ block: "center" });
+  parts.robotHost.scrollIntoView({ block: "nearest" });
   parts.waits();
   try {
     model.send({ kind: "write" });

@@ -80,6 +80,8 @@ function paper({ onGoal, onHome, onPick }) {
       event.preventDefault();
       group.focus({ preventScroll: true, focusVisible: false });
     });
+    // Chromium heeds no `touch-action` inside an SVG: a finger on a ring would scroll the notebook away.
+    group.addEventListener("touchstart", (event) => event.preventDefault(), { passive: false });
     group.addEventListener("pointermove", (event) => {
       const drag = state.dragging;
       if (!drag || drag.i !== i || drag.id !== event.pointerId) return;

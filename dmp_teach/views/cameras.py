@@ -108,9 +108,9 @@ def _box(page: Page, letter: Array) -> Array:
 
 
 def _shoulder(page: Page, robot: Array, letter: Array, corners: Array) -> Camera:
-    """From where the robot's eyes are, the page's up pointing up: of many directions the one from which the arm hides
+    """From where the robot's eyes are, the page's up pointing up.
 
-    least of the letter, above all in the end, when it is read.
+    Of many directions the one from which the arm hides least of the letter, above all in the end, when it is read.
     """
     centre = corners.mean(axis=0)
     ahead = _HEAD - centre
