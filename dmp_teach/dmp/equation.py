@@ -19,7 +19,7 @@ class Equation:
 
         original  z'' = K (g - y0) + (g - y0) f              - K z - D z'   (the paper's equation 1)
         star      z'' = K (g - y0) - K (g - y0) s + K f      - K z - D z'   (Pastor 2009; the paper's DMP*)
-                  + D (change of g - y0) (-ds/dt)                           where the goal is fed forward
+                  + (change of g - y0) (-D s' - s'')     where the goal is fed forward: the path changes by 1 - s
         similarity  as star, with all of it turned and scaled to another way    (Ginesi 2019, DMP++)
 
     Time is counted in movements (t/T), so that a duration changes nothing here; K and D are those of the spring.
@@ -79,7 +79,8 @@ class Equation:
     def longer(self) -> Array:
         """How the push of DMP* changes when its way becomes 1 longer, shape (M, 1)."""
         K, D = self.spring.K, self.spring.alpha
-        ahead = D * self._bumps.phase.speed(self.s) if self.settings.feed_goal else 0.0
+        phase = self._bumps.phase
+        ahead = D * phase.speed(self.s) - phase.bend(self.s) if self.settings.feed_goal else 0.0
         return K * (1 - self.s) + ahead
 
     def answer(self) -> Array:
@@ -90,7 +91,7 @@ class Equation:
 def turned_and_scaled(way: Array, taught: Array) -> Array:
     """The matrix (D, D) that carries the `taught` way (D,) onto `way` (D,): the smallest rotation, times a scale.
 
-        R = (b - a) a' + ... in the plane of a and b:   R = I + b a' - a b' + (b a' - a b')^2 / (1 + a.b)
+        R = I + X + X^2 / (1 + a.b),   X = b a' - a b'      (Rodrigues, in any number of dimensions)
 
     with unit vectors a (taught) and b. In one dimension there is no rotation: it is the signed quotient, so that the
     letter turns over when its goal crosses its start, as in the original form. A way turned right round has no smallest

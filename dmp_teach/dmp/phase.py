@@ -58,6 +58,14 @@ class Phase:
             return np.ones_like(s)
         return self.decay * s if self.kind == "exponential" else self._steepness * s * (1 - s / self._top)
 
+    def bend(self, s: ArrayLike) -> Array:
+        """How fast that fall becomes slower, T^2 d^2s/dt^2."""
+        s = np.asarray(s, dtype=float)
+        if self.kind == "linear":
+            return np.zeros_like(s)
+        rate = self.decay if self.kind == "exponential" else self._steepness * (1 - 2 * s / self._top)
+        return rate * self.speed(s)
+
     @property
     def _steepness(self) -> float:
         """The k of the sigmoid phase."""

@@ -37,7 +37,7 @@ CHOICES = {
 variants = st.tuples(
     st.sampled_from(KERNELS), st.fixed_dictionaries({name: st.sampled_from(of) for name, of in CHOICES.items()})
 )
-REACHED = {"linear": 0.004, "exponential": 0.05, "sigmoid": 0.10}  # of the shift, with feed-forward, from alpha = 12 on
+REACHED = {"linear": 0.004, "exponential": 0.03, "sigmoid": 0.03}  # of the shift, with feed-forward, from alpha = 12 on
 
 
 def close(a, b, size, part=1e-9):

@@ -15,8 +15,20 @@ from dmp_teach.trajectory import Trajectory
 from tests.dmp.ink import letter, letters, scrawls
 
 few = settings(max_examples=40, deadline=None)
+
+
+def sigmoid(**changes):
+    return Settings.star(**{"phase": "sigmoid", "kernel": "mollifier", "kernel_width": 2.5} | changes)
+
+
+def exact(**changes):
+    return Settings.plus(integrator="exact", phase="exponential", **changes)
+
+
 PRESETS = [Settings.star, Settings.joint, Settings.plus]
+ALL = [*PRESETS, Settings.as_fixed, Settings.as_coded, sigmoid, exact]
 presets = st.sampled_from(PRESETS)
+every = st.sampled_from(ALL)
 shifts = st.floats(-0.3, 0.3)
 
 
@@ -26,11 +38,13 @@ def close(a, b, metres=1e-12):
 
 @few
 @given(letters(), presets)
-def test_both_transformations_draw_the_same_path_at_the_demonstrated_goal(demo, preset):
+def test_all_transformations_draw_the_same_path_at_the_demonstrated_goal(demo, preset):
     way = demo.position[-1] - demo.position[0]
     assume(np.abs(way).min() > 1e-3)
-    star, original = (DMP.imitate(demo, preset(transform=name)).rollout().position for name in ("star", "original"))
+    names = ("star", "original", "similarity")
+    star, original, similarity = (DMP.imitate(demo, preset(transform=name)).rollout().position for name in names)
     assert close(star, original)
+    assert close(star, similarity)
 
 
 @few
@@ -52,7 +66,7 @@ def test_without_feed_forward_a_moved_goal_is_missed_by_four_times_the_move_over
 
 
 @few
-@given(letters(), presets, shifts)
+@given(letters(), every, shifts)
 def test_a_goal_shift_moves_every_letter_alike(demo, preset, shift):
     other = letter(len(demo), demo.duration, dimensions=demo.dimensions, seed=99)
     moves = []
@@ -63,7 +77,7 @@ def test_a_goal_shift_moves_every_letter_alike(demo, preset, shift):
 
 
 @few
-@given(letters(), presets, shifts)
+@given(letters(), every, shifts)
 def test_moving_start_and_goal_together_moves_the_letter(demo, preset, shift):
     p = DMP.imitate(demo, preset())
     moved = p.rollout(start=p.start + shift, goal=p.goal + shift)
@@ -71,14 +85,14 @@ def test_moving_start_and_goal_together_moves_the_letter(demo, preset, shift):
 
 
 @few
-@given(letters(), presets, shifts)
+@given(letters(), every, shifts)
 def test_a_letter_taught_elsewhere_is_the_same_letter(demo, preset, shift):
     elsewhere = DMP.imitate(Trajectory(demo.t, demo.position + shift), preset())
     assert close(elsewhere.rollout().position, DMP.imitate(demo, preset()).rollout().position + shift, 1e-11)
 
 
 @few
-@given(letters(), st.sampled_from([*PRESETS, Settings.original]), st.floats(0.25, 4.0))
+@given(letters(), st.sampled_from([*ALL, Settings.original]), st.floats(0.25, 4.0))
 def test_another_duration_is_the_same_path(demo, preset, factor):
     p = DMP.imitate(demo, preset())
     slow = p.rollout(duration=p.duration * factor)
@@ -90,7 +104,7 @@ def test_another_duration_is_the_same_path(demo, preset, factor):
 
 
 @few
-@given(letters(), presets)
+@given(letters(), every)
 def test_when_the_recording_began_does_not_matter(demo, preset):
     for began, metres in ((1000.0, 1e-12), (1.7e9, 1e-6)):
         later = DMP.imitate(Trajectory(demo.t + began, demo.position), preset(n_kernels=6))
@@ -113,7 +127,7 @@ def test_a_closed_stroke_is_drawn_like_any_other(demo, preset):
 
 
 @few
-@given(letters(), presets)
+@given(letters(), every)
 def test_the_mean_of_two_letters_weights_draws_the_mean_of_the_letters(demo, preset):
     other = letter(len(demo), demo.duration, dimensions=demo.dimensions, seed=7)
     a, b = DMP.imitate(demo, preset()), DMP.imitate(Trajectory(demo.t, other.position), preset())
@@ -124,7 +138,7 @@ def test_the_mean_of_two_letters_weights_draws_the_mean_of_the_letters(demo, pre
 
 
 @few
-@given(letters(), presets)
+@given(letters(), every)
 def test_inputs_and_outputs_are_never_changed(demo, preset):
     t, position = demo.t.copy(), demo.position.copy()
     p = DMP.imitate(demo, preset())
@@ -142,7 +156,7 @@ def test_inputs_and_outputs_are_never_changed(demo, preset):
 
 
 @few
-@given(letters(), presets)
+@given(letters(), every)
 def test_start_and_goal_are_the_demonstrated_ones(demo, preset):
     p = DMP.imitate(demo, preset())
     assert np.array_equal(p.start, demo.position[0])
@@ -152,7 +166,7 @@ def test_start_and_goal_are_the_demonstrated_ones(demo, preset):
 
 
 @few
-@given(letters(), presets, st.floats(0.02, 1.0))
+@given(letters(), every, st.floats(0.02, 1.0))
 def test_a_coarser_dt_shows_the_same_path_at_fewer_times(demo, preset, part):
     p = DMP.imitate(demo, preset())
     coarse, fine = p.rollout(dt=part * p.duration), p.rollout(dt=p.duration / p.steps)

@@ -180,6 +180,16 @@ def test_only_with_feed_forward_does_a_moved_goal_of_the_linear_phase_arrive():
         assert 1 - answer[-1, 0] == pytest.approx(miss, rel=0.01, abs=1e-6)
 
 
+@pytest.mark.parametrize("phase", ["exponential", "sigmoid"])
+@pytest.mark.parametrize("alpha", [12.0, 30.0, 60.0])
+def test_a_goal_that_is_fed_forward_moves_the_path_by_what_the_phase_has_run_down(phase, alpha):
+    equation = Equation(Settings.star(alpha=alpha, n_kernels=6, phase=phase, integrator="exact"), 4000)
+    moved, s = equation.answer()[:, 0], Phase(phase).at(np.linspace(1, 0, 4001))
+    late = np.linspace(0, 1, 4001) > 16 / alpha  # by then the pen has forgotten that it began at rest
+    assert np.abs(moved - (1 - s))[late].max(initial=0) < 0.01
+    assert abs(1 - moved[-1]) < 0.03
+
+
 @pytest.mark.parametrize("phase", ["linear", "exponential", "sigmoid"])
 def test_truncated_kernels_touch_gap_and_overlap_by_their_width(phase):
     s = Phase(phase).at(np.linspace(1, 0.002, 499))
