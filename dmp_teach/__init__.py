@@ -31,6 +31,7 @@ _HOME = {
     "goal_change_1d": "studies.goals",
     "goal_change_2d": "studies.goals",
     "ProgressBar": "studies.work",
+    "write_rosbag": "robot.ros",
     "view": "views.scene",
     "explore": "classroom.explore",
 }

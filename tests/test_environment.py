@@ -24,7 +24,10 @@ COMPUTERS = {
     for version in ("3.11", "3.12", "3.13")
 }
 FREE = r"MIT|BSD|Apache|ISC|PSF|Python Software Foundation|Zlib|BSL-1.0|MPL|Mozilla Public"
-SAID_ELSEWHERE = {"cmeel-qhull": "Qhull's own licence, which asks only to be named"}
+SAID_ELSEWHERE = {
+    "cmeel-qhull": "Qhull's own licence, which asks only to be named",
+    "apsw": "any licence that the Open Source Initiative has approved, as one likes",
+}
 
 
 def declared(extras=True):

@@ -27,6 +27,7 @@ ROOMS = {  # where a library from elsewhere may be imported
     "placo": ["robot/arm.py"],
     "pinocchio": ["robot/arm.py"],
     "pybullet": ["robot/physics.py"],
+    "rosbags": ["robot/ros.py"],
     "meshcat": ["views/commands.py"],
     "umsgpack": ["views/"],
     "PIL": ["views/"],

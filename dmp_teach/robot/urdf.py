@@ -120,7 +120,7 @@ def _numbers(element: ET.Element | None, name: str, default: str) -> Array:
     return np.array((default if element is None else element.attrib.get(name, default)).split(), dtype=float)
 
 
-def _origin(element: ET.Element) -> Array:
+def origin(element: ET.Element) -> Array:
     """The pose in an <origin>: a place, and turns about the fixed x, y and z, in this order."""
     origin = element.find("origin")
     X = np.eye(4)
@@ -142,7 +142,7 @@ def _joint(element: ET.Element) -> Joint:
         type=element.attrib["type"],
         parent="" if parent is None else parent.attrib["link"],
         child="" if child is None else child.attrib["link"],
-        X_parent_joint=_origin(element),
+        X_parent_joint=origin(element),
         axis=axis / (np.linalg.norm(axis) or 1.0),
         **bounds,
     )
@@ -168,7 +168,7 @@ def _visual(link: str, element: ET.Element, folder: Path) -> Visual:
     if mesh is None:
         raise JointError(f"A visual of {link!r} is not a mesh; the shells of our robots are all meshes.")
     vertices, normals, faces = read_obj(folder / mesh.attrib["filename"])
-    return Visual(link, _origin(element), vertices, normals, faces, _numbers(color, "rgba", "0.7 0.7 0.7 1"))
+    return Visual(link, origin(element), vertices, normals, faces, _numbers(color, "rgba", "0.7 0.7 0.7 1"))
 
 
 def read_obj(path: Path) -> tuple[Array, Array, Array]:

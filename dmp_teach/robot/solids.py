@@ -1,0 +1,156 @@
+"""How near the arm comes to the robot's own body and to what the page lies on, from simple solids. No PlaCo needed."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from itertools import product
+from xml.etree import ElementTree as ET
+
+import numpy as np
+
+from dmp_teach.paths import ASSETS
+from dmp_teach.robot.page import Page
+from dmp_teach.robot.urdf import origin
+from dmp_teach.trajectory import Array, locked
+
+_SPACING = 0.03
+"""Points on the arm's surface lie about this far apart [m]."""
+
+_BODY = ("base_link", "torso_fixed_link", "torso_lift_link", "head_pan_link", "head_tilt_link", "shoulder_pan_link")
+_ARM = ("shoulder_lift", "upperarm_roll", "elbow_flex", "forearm_roll", "wrist_flex", "wrist_roll")
+_HAND = ("gripper_link", "r_gripper_finger_link", "l_gripper_finger_link", "pen_link", "pen_tip")
+_MOVING = (*(f"{name}_link" for name in _ARM), *_HAND)
+
+_UNDER = 0.7
+"""What the page lies on is this thick [m]: a table down to the floor, a board and its wall."""
+
+
+@dataclass(frozen=True, eq=False)
+class Solid:
+    """A box, cylinder or sphere that stands for a part of a link.
+
+    Args:
+        link: The link that carries it.
+        kind: "box", "cylinder" (along its z) or "sphere".
+        size: Three sides, or radius and length, or radius [m].
+        X_link_solid: Its pose in the link, shape (4, 4) [m].
+    """
+
+    link: str
+    kind: str
+    size: Array
+    X_link_solid: Array
+
+    def __post_init__(self) -> None:
+        """Lock the arrays."""
+        object.__setattr__(self, "size", locked(self.size))
+        object.__setattr__(self, "X_link_solid", locked(self.X_link_solid))
+
+    def distance(self, points: Array) -> Array:
+        """How far points (..., 3) of the solid's frame are from its surface, less than 0 inside, shape (...) [m]."""
+        if self.kind == "sphere":
+            return np.linalg.norm(points, axis=-1) - self.size[0]
+        if self.kind == "box":
+            beyond = np.abs(points) - self.size / 2
+        else:
+            along = np.abs(points[..., 2]) - self.size[1] / 2
+            beyond = np.stack([np.hypot(points[..., 0], points[..., 1]) - self.size[0], along], axis=-1)
+        return np.linalg.norm(np.maximum(beyond, 0), axis=-1) + np.minimum(beyond.max(axis=-1), 0)
+
+    def surface(self) -> Array:
+        """Points all over the surface, in the link's frame, shape (P, 3) [m]."""
+        if self.kind == "sphere":
+            points = self.size[0] * np.vstack([np.eye(3), -np.eye(3)])
+        elif self.kind == "box":
+            ticks = [np.linspace(-side / 2, side / 2, 1 + int(np.ceil(side / _SPACING))) for side in self.size]
+            points = np.array(list(product(*ticks)))
+            points = points[(np.abs(points) >= self.size / 2 - 1e-12).any(axis=1)]
+        else:
+            radius, length = self.size
+            turns = np.arange(max(6, int(np.ceil(2 * np.pi * radius / _SPACING)))) * _SPACING / radius
+            turns *= 2 * np.pi / (len(turns) * _SPACING / radius)
+            ticks = np.linspace(-length / 2, length / 2, 1 + int(np.ceil(length / _SPACING)))
+            points = [(radius * np.cos(a), radius * np.sin(a), z) for a, z in product(turns, ticks)]
+            points = np.array([*points, (0, 0, ticks[0]), (0, 0, ticks[-1])])
+        return points @ self.X_link_solid[:3, :3].T + self.X_link_solid[:3, 3]
+
+
+def solids_of(urdf: str = "fetch.urdf") -> tuple[Solid, ...]:
+    """The solids of all links of a robot among the assets."""
+    found = []
+    for link in ET.parse(ASSETS / urdf).getroot().iter("link"):
+        for element in link.findall("collision"):
+            (shape,) = element.find("geometry")
+            names = {"box": ("size",), "cylinder": ("radius", "length"), "sphere": ("radius",)}[shape.tag]
+            size = [float(number) for name in names for number in shape.attrib[name].split()]
+            found.append(Solid(link.attrib["name"], shape.tag, size, origin(element)))
+    return tuple(found)
+
+
+class Clearances:
+    """The distances between each part of the arm and each part of the body, and the arm's own other parts.
+
+    Args:
+        page: What the arm must not go through, with `around` of it on every side; None: nothing but itself.
+        around: How far what the page lies on is thought to go beyond the page [m].
+    """
+
+    def __init__(self, page: Page | None = None, around: float = 0.0) -> None:
+        solids = solids_of()
+        self._points = {
+            link: np.concatenate([solid.surface() for solid in solids if solid.link == link]) for link in _MOVING
+        }
+        self._solids = {link: [solid for solid in solids if solid.link == link] for link in (*_BODY, *_MOVING)}
+        self.pairs = [(link, other) for link in _MOVING for other in (*_BODY, *_MOVING) if _may_meet(link, other)]
+        if page is not None:
+            size = (page.width + 2 * around, page.height + 2 * around, _UNDER)
+            under = np.eye(4)
+            under[2, 3] = -_UNDER / 2
+            self._solids["page"] = [Solid("page", "box", size, page.X_world_page @ under)]
+            self.pairs += [(link, "page") for link in _MOVING[1:]]
+        self.page = [number for number, (_, other) in enumerate(self.pairs) if other == "page"]
+
+    def __call__(self, poses: Mapping[str, Array]) -> Array:
+        """The least distance of each pair, less than 0 where they overlap.
+
+        Args:
+            poses: X_world_link of every link, each of shape (T, 4, 4) [m]: see `Model.link_poses`.
+
+        Returns:
+            Distances, shape (T, P) for P `pairs` [m].
+        """
+        steps = len(next(iter(poses.values())))
+        poses = {**poses, "page": np.broadcast_to(np.eye(4), (steps, 4, 4))}
+        inverse = {}
+        least = np.empty((steps, len(self.pairs)))
+        for column, (link, other) in enumerate(self.pairs):
+            if other not in inverse:
+                inverse[other] = [_undone(poses[other] @ solid.X_link_solid) for solid in self._solids[other]]
+            away = [
+                solid.distance(_moved(X @ poses[link], self._points[link])).min(axis=1)
+                for solid, X in zip(self._solids[other], inverse[other], strict=True)
+            ]
+            least[:, column] = np.min(away, axis=0)
+        return least
+
+
+def _may_meet(link: str, other: str) -> bool:
+    """Whether two links could meet: neighbours always do, and the hand and the pen are one."""
+    chain = ("shoulder_pan_link", *_MOVING[: len(_ARM)])
+    if other not in _MOVING and other not in chain:
+        return True
+    place = {name: number for number, name in enumerate(chain)} | dict.fromkeys(_HAND, len(chain))
+    return place[link] - place[other] > 1
+
+
+def _undone(X: Array) -> Array:
+    """The inverses of poses (T, 4, 4)."""
+    back = np.zeros_like(X)
+    back[:, :3, :3] = X[:, :3, :3].transpose(0, 2, 1)
+    back[:, :3, 3] = -np.einsum("tij,tj->ti", back[:, :3, :3], X[:, :3, 3])
+    back[:, 3, 3] = 1
+    return back
+
+
+def _moved(X: Array, points: Array) -> Array:
+    """Points (P, 3) under poses (T, 4, 4), shape (T, P, 3)."""
+    return points @ X[:, :3, :3].transpose(0, 2, 1) + X[:, None, :3, 3]
