@@ -93,7 +93,7 @@ def smoothed(path: Array, cutoff: float) -> Array:
         x = x[:, ::-1]
     x = x[:, pad:-pad].T
     first, last, along = path[0] - x[0], path[-1] - x[-1], np.arange(len(x)) / (len(x) - 1)
-    x = x + np.outer(last - first, along).T
+    x = x + np.multiply.outer(last - first, along).T
     x += first
     x[0], x[-1] = path[0], path[-1]  # to the last bit
     return x

@@ -23,7 +23,8 @@ def forcing(kernels: Cells | Overlap, s: Array, weights: Array, biases: Array | 
 
 def lwr(kernels: Cells | Overlap, s: Array, F: Array, spring: Spring) -> tuple[Array, None]:
     """Locally weighted regression, each kernel for itself (the paper's equation 5): w_i = sum psi s F / sum psi s^2."""
-    return ratio(kernels.gather(s * F), kernels.gather(s * s)), None
+    sums = kernels.gather(s * np.concatenate([F, s], axis=1))  # both sums at once
+    return ratio(sums[:, :-1], sums[:, -1:]), None
 
 
 def bias(kernels: Cells | Overlap, s: Array, F: Array, spring: Spring) -> tuple[Array, Array]:

@@ -56,9 +56,10 @@ class DMP:
 
     def __post_init__(self) -> None:
         """Lock the arrays."""
+        values = self.__dict__
         for name in ("weights", "biases", "start", "goal", "start_velocity", "times"):
-            if getattr(self, name) is not None:
-                object.__setattr__(self, name, locked(getattr(self, name)))
+            if values[name] is not None:
+                values[name] = locked(values[name])
 
     @classmethod
     def imitate(cls, trajectory: Trajectory, settings: Settings | None = None) -> Self:
@@ -78,7 +79,8 @@ class DMP:
         if not isinstance(trajectory, Trajectory):
             what = type(trajectory).__name__
             raise TrajectoryError(f"A primitive is learned from a Trajectory(t, position), but got a {what}.")
-        settings = (settings or Settings.star()).resolved(trajectory.duration, len(trajectory))
+        T = trajectory.duration
+        settings = (settings or Settings.star()).resolved(T, len(trajectory))
         refuse_no_way(trajectory, settings)
         path, notes = prepared(trajectory, settings.smoothing, least_steps(settings.alpha, settings.damping))
         z, way = path - path[0], path[-1] - path[0]
@@ -96,9 +98,9 @@ class DMP:
         if settings.start_velocity == "fitted":  # the one that fits best
             faster = kick @ (z - drawn) / (kick @ kick)
             drawn, velocity = drawn + np.multiply.outer(faster, kick).T, velocity + faster
-        notes += asleep(kernels, settings, trajectory.duration)
-        velocity, T = velocity / trajectory.duration, trajectory.duration
-        learned = cls(weights, biases, path[0], path[-1], T, settings, velocity, trajectory.t, equation.steps, notes)
+        notes += asleep(kernels, settings, T)
+        measures = trajectory.t, equation.steps, notes
+        learned = cls(weights, biases, path[0], path[-1], T, settings, velocity / T, *measures)
         learned.__dict__["_shown"] = drawn  # what `_shown` would draw again
         return learned
 

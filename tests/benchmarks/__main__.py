@@ -23,7 +23,7 @@ from dmp_teach.errors import TeachError
 from dmp_teach.ink.alphabet import recording_of
 from dmp_teach.ink.reader import read_recording
 from dmp_teach.letters.letter import Letter
-from dmp_teach.trajectory import Array
+from dmp_teach.trajectory import Trajectory
 from tests.benchmarks.contenders import HOW_TO_INSTALL, Contender, others, ours
 from tests.benchmarks.measure import Times, exponent, in_turns, peak_memory, rms
 from tests.dmp.ink import letter
@@ -34,27 +34,28 @@ SHIFT = np.array([0.03, -0.02])  # of the goal [m]
 MOST = 30_000  # samples, for the growth
 
 
-def the_letter() -> tuple[Array, Array]:
-    """Our own `a`, its time and path sampled evenly: t (300,) [s], y (300, 2) [m]."""
+def the_letter() -> Trajectory:
+    """Our own `a`, sampled evenly: 300 times from 0 on, in 2-D."""
     (stroke,) = recording_of("a").strokes()
     t = np.linspace(0, stroke.duration, SAMPLES)
-    return t, np.column_stack([np.interp(t, stroke.t - stroke.t[0], axis) for axis in stroke.position[:, :2].T])
+    path = [np.interp(t, stroke.t - stroke.t[0], axis) for axis in stroke.position.T[:2]]
+    return Trajectory(t, np.column_stack(path))
 
 
 def race(contenders: list[Contender], turns: int) -> list[dict[str, Any]]:
-    """A row a contender: from nothing to a path, and with only the goal changed."""
-    t, y = the_letter()
-    learned = {each.name: each.learn(t, y) for each in contenders}
-    errors = {each.name: rms(each.draw(learned[each.name], None), y) for each in contenders}
-    goal = y[-1] + SHIFT
-    scratch = in_turns({each.name: lambda each=each: each.draw(each.learn(t, y), None) for each in contenders}, turns)
+    """A row a contender: fit and rollout, and a rollout with only the goal changed."""
+    shown = the_letter()
+    learned = {each.name: each.learn(shown) for each in contenders}
+    errors = {each.name: rms(each.draw(learned[each.name], None), shown.position) for each in contenders}
+    goal = shown.position[-1] + SHIFT
+    scratch = in_turns({each.name: lambda each=each: each.draw(each.learn(shown), None) for each in contenders}, turns)
     moved = in_turns({each.name: lambda each=each: each.draw(learned[each.name], goal) for each in contenders}, turns)
     first = contenders[0].name
     return [
         {
             "name": each.name,
             "error_mm": errors[each.name],
-            "from_nothing": _figures(scratch[each.name], scratch[first], each.bound),
+            "fit_and_rollout": _figures(scratch[each.name], scratch[first], each.bound),
             "goal_changed": _figures(moved[each.name], moved[first], each.bound_for_goal),
         }
         for each in contenders
@@ -118,16 +119,17 @@ def printed(results: dict[str, Any]) -> str:
     """The results as plain tables."""
     lines = [
         f"Python {platform.python_version()}, NumPy {np.__version__}, SciPy {scipy.__version__}, {platform.machine()}",
-        f"One letter, {SAMPLES} samples in 2-D, {KERNELS} kernels. Ratios: how many times longer than dmp_teach star,",
-        "of the medians, and in brackets the quartiles of the ratios turn by turn; 'of' names what is to be reached.",
+        f"One letter, {SAMPLES} samples in 2-D, {KERNELS} kernels. Processor time. Ratios: how many times longer than",
+        "dmp_teach star, of the medians, and in brackets the quartiles of the ratios turn by turn; 'of' names what is",
+        "to be reached.",
         "",
-        f"{'':35}{'error':>9}  {'from nothing':<41}{'only the goal changed':<41}",
+        f"{'':38}{'error':>9}  {'fit and rollout':<43}only the goal changed",
     ]
     for row in results["race"]:
-        cells = "".join(f"{_cell(row[part]):<41}" for part in ("from_nothing", "goal_changed"))
-        lines.append(f"{row['name']:35}{row['error_mm']:6.2f} mm  {cells}".rstrip())
+        cells = "".join(f"{_cell(row[part]):<43}" for part in ("fit_and_rollout", "goal_changed"))
+        lines.append(f"{row['name']:38}{row['error_mm']:6.2f} mm  {cells}".rstrip())
     grown = results["growth"]
-    lines += ["", "Fit and rollout from nothing, star, N = n/10", f"{'n':>8}{'time':>12}{'memory':>12}{'a sample':>12}"]
+    lines += ["", "Fit and rollout, star, N = n/10", f"{'n':>8}{'time':>12}{'memory':>12}{'a sample':>12}"]
     for n, seconds, peak in zip(grown["samples"], grown["seconds_by_samples"], grown["peak_bytes"], strict=True):
         lines.append(f"{n:8}{1e3 * seconds:9.3f} ms{peak / 1e6:9.3f} MB{peak / n:10.0f} B")
     lines += ["", f"The same, n = {MOST}", f"{'N':>8}{'time':>12}"]

@@ -28,31 +28,34 @@ class Contender:
 
     Args:
         name: As it is printed.
-        learn: From times (T,) [s] and positions (T, D) [m] to whatever `draw` takes, from nothing.
+        learn: From a letter to whatever `draw` takes, with nothing kept from one time to the next.
         draw: The path (T, D) to a goal (D,), or to the demonstrated one for None.
-        bound: The least ratio that our default has to reach, from nothing; 0 where it is only reported.
+        bound: The least ratio that our default has to reach, fit and rollout; 0 where it is only reported.
         bound_for_goal: The same, with only the goal changed.
     """
 
     name: str
-    learn: Callable[[Array, Array], Any]
+    learn: Callable[[Trajectory], Any]
     draw: Callable[[Any, Array | None], Array]
     bound: float = 0.0
     bound_for_goal: float = 0.0
 
 
 def ours(kernels: int) -> list[Contender]:
-    """Our presets; the first is the default, `star`."""
+    """Our presets; the first is the default, `star`, and the second the same with all checks of its input, too."""
 
-    def contender(name: str) -> Contender:
-        preset = getattr(Settings, name)
-        return Contender(
-            f"dmp_teach {name}",
-            lambda t, y: DMP.imitate(Trajectory(t, y), preset(n_kernels=kernels)),
-            lambda primitive, goal: primitive.rollout(goal=goal).position,
-        )
+    def contender(name: str, learn: Callable[[Trajectory], Any]) -> Contender:
+        return Contender(f"dmp_teach {name}", learn, lambda primitive, goal: primitive.rollout(goal=goal).position)
 
-    return [contender(name) for name in ("star", "joint", "plus")]
+    def with_settings(settings: Settings) -> Callable[[Trajectory], Any]:
+        return lambda letter: DMP.imitate(letter, settings)
+
+    def from_arrays(letter: Trajectory) -> Any:
+        return DMP.imitate(Trajectory(letter.t, letter.position), Settings.star(n_kernels=kernels))
+
+    star, *more = [(name, getattr(Settings, name)(n_kernels=kernels)) for name in ("star", "joint", "plus")]
+    first = [contender("star", with_settings(star[1])), contender("star, all checks too", from_arrays)]
+    return first + [contender(name, with_settings(settings)) for name, settings in more]
 
 
 def others(kernels: int) -> tuple[list[Contender], list[str]]:
@@ -72,11 +75,10 @@ def _movement_primitives(kernels: int) -> list[Contender]:
     from movement_primitives.dmp_fast import dmp_step  # noqa: F401, PLC0415 (without Cython it is far slower)
 
     def contender(name: str, stepper: str, least: float = 0, for_goal: float = 0, **about: Any) -> Contender:
-        def learn(t: Array, y: Array) -> Any:
-            settings = {key: value(t) if callable(value) else value for key, value in about.items()}
-            dt = (t[-1] - t[0]) / (len(t) - 1)
-            primitive = Theirs(y.shape[1], t[-1] - t[0], dt, kernels, **settings)
-            primitive.imitate(t - t[0], y)
+        def learn(letter: Trajectory) -> Any:
+            settings = {key: value(letter) if callable(value) else value for key, value in about.items()}
+            primitive = Theirs(letter.dimensions, letter.duration, own_step(letter), kernels, **settings)
+            primitive.imitate(letter.t, letter.position)
             return primitive
 
         def draw(primitive: Any, goal: Array | None) -> Array:
@@ -86,8 +88,8 @@ def _movement_primitives(kernels: int) -> list[Contender]:
 
         return Contender(f"movement_primitives {name}", learn, draw, least, for_goal)
 
-    def own_step(t: Array) -> float:
-        return (t[-1] - t[0]) / (len(t) - 1)
+    def own_step(letter: Trajectory) -> float:
+        return letter.duration / (len(letter) - 1)
 
     return [
         contender("default", "rk4-cython", 50, 800),
@@ -103,11 +105,12 @@ def _pydmps(kernels: int) -> list[Contender]:
         from pydmps.dmp_discrete import DMPs_discrete  # noqa: PLC0415 (only where it is installed)
 
     def contender(name: str, least: float = 0, for_goal: float = 0, narrower: float = 1.0) -> Contender:
-        def learn(t: Array, y: Array) -> Any:
-            primitive = DMPs_discrete(n_dmps=y.shape[1], n_bfs=kernels, dt=1 / len(t))  # its movements last 1 s
+        def learn(letter: Trajectory) -> Any:
+            step = 1 / len(letter)  # its movements last 1 s
+            primitive = DMPs_discrete(n_dmps=letter.dimensions, n_bfs=kernels, dt=step)
             if narrower != 1.0:
                 primitive.h = narrower * primitive.h
-            primitive.imitate_path(y_des=y.T)
+            primitive.imitate_path(y_des=letter.position.T)
             return primitive
 
         def draw(primitive: Any, goal: Array | None) -> Array:

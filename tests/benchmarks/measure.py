@@ -3,7 +3,7 @@
 import tracemalloc
 from collections.abc import Callable
 from dataclasses import dataclass
-from time import perf_counter
+from time import process_time
 from typing import Any
 
 import numpy as np
@@ -13,7 +13,7 @@ from dmp_teach.trajectory import Array
 
 @dataclass(frozen=True)
 class Times:
-    """The seconds that one thing took, turn by turn, shape (turns,)."""
+    """The seconds of processor time that one thing took, turn by turn, shape (turns,)."""
 
     seconds: Array
 
@@ -32,21 +32,22 @@ def in_turns(tasks: dict[str, Callable[[], Any]], turns: int, turn: float = 0.02
     """Measure several things fairly: each turn every task runs for about `turn` [s], one task after the other.
 
     A short task is repeated within its turn, so that neither the clock nor the caches, which the task before it
-    filled, decide; and whatever else the computer does meets all of them alike.
+    filled, decide. Processor time is measured, not the clock on the wall: what else the computer does is no part of it,
+    and slows all of them alike where it fills the caches.
     """
     repeats = {}
     for name, task in tasks.items():
         task()
-        began = perf_counter()
+        began = process_time()
         task()
-        repeats[name] = max(1, int(turn / (perf_counter() - began)))
+        repeats[name] = max(1, int(turn / (process_time() - began)))
     seconds: dict[str, list[float]] = {name: [] for name in tasks}
     for _ in range(turns):
         for name, task in tasks.items():
-            began = perf_counter()
+            began = process_time()
             for _ in range(repeats[name]):
                 task()
-            seconds[name].append((perf_counter() - began) / repeats[name])
+            seconds[name].append((process_time() - began) / repeats[name])
     return {name: Times(np.array(each)) for name, each in seconds.items()}
 
 
