@@ -31,6 +31,7 @@ class GoalChange:
         mirrored: Whether a factor is negative: the original form turns that coordinate over.
         turned_over: Whether DMP* as it was drawn runs against the demonstration in some coordinate that is not straight
             (its way from the straight line between its ends has a negative product with the demonstration's).
+        original_turned_over: The same for the original form.
         star: DMP* from the demonstration, root mean square [m]; a stroke that slides along can be |shift| off.
         original: The original form from the demonstration, root mean square [m].
         star_velocity: The same for velocities [m/s].
@@ -44,6 +45,7 @@ class GoalChange:
     factor: tuple[float, ...]
     mirrored: bool
     turned_over: bool
+    original_turned_over: bool
     star: float
     original: float
     star_velocity: float
@@ -216,13 +218,14 @@ def _case(name: str, path: Trajectory, shift: Array, star: DMP, old: DMP) -> Goa
     factor = (old.goal + shift - old.start) / (old.goal - old.start)
     bent = _bent(path.position)
     curved = np.sqrt((bent**2).mean(axis=0)) > CURVED * np.ptp(path.position, axis=0).max()
-    along = (_bent(drawn[0]) * bent).sum(axis=0)[curved]
+    turned = [bool(((_bent(each) * bent).sum(axis=0)[curved] < 0).any()) for each in drawn]
     return GoalChange(
         stroke=name,
         shift=tuple(map(float, shift)),
         factor=tuple(map(float, factor)),
         mirrored=bool((factor < 0).any()),
-        turned_over=bool((along < 0).any()),
+        turned_over=turned[0],
+        original_turned_over=turned[1],
         star=rms(apart[0]),
         original=rms(apart[1]),
         star_velocity=speed[0],

@@ -20,7 +20,7 @@ from dmp_teach.trajectory import Array, Trajectory, locked
 
 ARM = JOINTS[1:]
 STEP = 1e-5  # of the difference quotients [rad]
-TABLE = np.array([[0.0, 1.0, 0.0], [-1.0, 0.0, 0.0]])  # right on the page is the world's -y, up is its +x
+TABLE = np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0]])  # right on the page is the world's -y, up is its +x
 
 
 @dataclass(frozen=True, eq=False)

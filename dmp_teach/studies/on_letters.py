@@ -21,14 +21,16 @@ def goal_changes(recordings: Any = None) -> Claim:
     """DMP* keeps the shape and the original does not, for goals moved by 0.01 m and by 0.1 m.
 
     DMP* keeps it if it turns no coordinate over and stays within the shift of the demonstration (root mean square, and
-    a tenth more), everywhere. The original loses it if it mirrors a case or gets farther than twice the shift.
+    a tenth more), everywhere. The original loses it if it turns one over or gets farther than twice the shift.
     """
     bench = bench_of(recordings)
     cases, words = {}, []
     for changes, what in ((bench.small_shifts, "0.01 m"), (bench.large_shifts, "0.1 m")):
         kept = (changes.values("star") <= 1.1 * changes.values("distance")).all() and not changes.turned_over
         farthest = changes.values("original_farthest").max(initial=0.0)
-        lost = changes.mirrored > 0 or farthest > 2 * changes.values("distance").max(initial=0.0)
+        lost = changes.values("original_turned_over").any() or farthest > 2 * changes.values("distance").max(
+            initial=0.0
+        )
         cases[f"goals moved by {what}"] = bool(kept and lost)
         words.append(
             f"{what}: DMP* at most {mm(changes.values('star').max(initial=0.0))} off and {changes.turned_over} turned "

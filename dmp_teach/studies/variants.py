@@ -20,7 +20,8 @@ class Variant:
 
     Args:
         settings: Everything but the number of kernels.
-        share: Kernels for each sample, such as 0.1 for Num/10; None: as the settings say (but never more than samples).
+        share: Kernels for each sample, such as 0.1 for Num/10; None: as the settings say, but no more than one for two
+            samples.
     """
 
     settings: Settings
@@ -28,11 +29,12 @@ class Variant:
 
     def on(self, path: Trajectory, **changes: object) -> Settings:
         """The settings for one stroke."""
-        samples = len(path)
         number = self.settings.n_kernels
         if self.share is not None:
-            number = max(1, round(self.share * samples))
-        return replace(self.settings, **{"n_kernels": None if number is None else min(number, samples), **changes})
+            number = max(1, round(self.share * len(path)))
+        elif number is not None:
+            number = min(number, max(1, len(path) // 2))
+        return replace(self.settings, **{"n_kernels": number, **changes})
 
 
 PLAIN = {"sharpen": False, "feed_goal": False}

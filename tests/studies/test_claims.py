@@ -1,0 +1,234 @@
+"""The paper's claims: computed from whatever is given, reproduced by their calls, and turned by other data."""
+
+from dataclasses import replace
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+import dmp_teach as teach
+from dmp_teach.dmp.settings import Settings
+from dmp_teach.errors import SettingError
+from dmp_teach.ink.alphabet import alphabets, recording_of
+from dmp_teach.studies import on_kernels, on_letters
+from dmp_teach.studies.against import Against
+from dmp_teach.studies.bench import Bench
+from dmp_teach.studies.claims import ALL, claims
+from dmp_teach.studies.curves import ErrorCurves
+from dmp_teach.studies.lifts import Lifts, Segmentation
+from dmp_teach.studies.new_letters import p_from_d
+from dmp_teach.studies.style import Attribution, Attributions
+from dmp_teach.studies.verdict import DEPENDS, FAILS, HOLDS, judged, mm, per_cent, times
+from tests.dmp.ink import letter
+from tests.recordings import RECORDINGS, needs_recordings
+
+FEW = [recording_of(character, alphabet) for character in "aD" for alphabet in alphabets()]
+NAMES = ("Gaussian, LWR", "Gaussian, joint")
+
+
+@pytest.fixture(scope="module")
+def ours():
+    return claims()
+
+
+@pytest.fixture(scope="module")
+def few():
+    return claims(FEW)
+
+
+def again(row, recordings):
+    return eval(row.call, {"teach": teach, "recordings": recordings})
+
+
+def test_every_claim_of_the_paper_has_a_row(ours):
+    assert len(ours) == len(ALL) == 17
+    assert len({row.name for row in ours}) == 17
+    for row in ours:
+        assert row.verdict in (HOLDS, FAILS, DEPENDS)
+        assert all((row.claim, row.figure.endswith("."), row.depends_on, row.call))
+
+
+@pytest.mark.parametrize("number", range(17))
+def test_the_call_of_a_row_reproduces_its_figure(ours, few, number):
+    assert again(ours[number], None) == ours[number].figure
+    assert ours[number].call.endswith("().figure")
+    if number >= 7:  # one bench makes the study of widths once, six calls make it six times
+        assert again(few[number], FEW) == few[number].figure
+    assert few[number].call.endswith("(recordings).figure")
+
+
+def test_a_row_is_found_by_its_name_and_others_are_named(ours):
+    assert ours["decay term"].name == "decay term"
+    with pytest.raises(SettingError, match="There is no claim 'x'; there are: narrow kernels, "):
+        _ = ours["x"]
+
+
+def test_the_table_is_read_as_text_and_in_a_notebook(ours):
+    text = str(ours)
+    assert repr(ours) == text == ours.table()
+    assert max(map(len, text.splitlines())) <= 170
+    assert all(row.name.split()[0] in text for row in ours)
+    assert ours._repr_html_().count("<tr>") == 18
+    assert ours[0].call in str(ours[0])
+
+
+def test_progress_counts_the_claims_and_an_executor_changes_nothing(few):
+    from concurrent.futures import ThreadPoolExecutor  # noqa: PLC0415
+
+    told = []
+    with ThreadPoolExecutor(2) as threads:
+        found = teach.claims(FEW, executor=threads, progress=lambda done, total: told.append((done, total)))
+    assert told == [(k, 17) for k in range(18)]
+    assert [row.verdict for row in found] == [row.verdict for row in few]
+
+
+def test_any_ink_can_be_asked_strokes_without_a_name_too():
+    found = claims([letter(150, 1.2, seed=seed) for seed in range(2)])
+    assert len(found) == 17
+    assert "our own D" in found["D becomes P"].depends_on
+    assert "our own letters" in found["strokes from height"].depends_on
+
+
+def test_a_verdict_is_over_all_cases():
+    assert judged({"a": True, "b": True}) == (HOLDS, "holds for: a; b")
+    assert judged({"a": False}) == (FAILS, "fails for: a")
+    assert judged({"a": True, "b": False}) == (DEPENDS, "holds for: a. Not for: b")
+
+
+def test_numbers_in_sentences_have_two_digits():
+    assert [mm(x) for x in (0.000123, 0.0123, 2.5, 250.0)] == ["0.12 mm", "12 mm", "2.5 m", "250 m"]
+    assert [per_cent(x) for x in (0.0123, 0.5, 0.0)] == ["1.2 %", "50 %", "0 %"]
+    assert [times(x) for x in (1.23, 123.4)] == ["1.2 times", "123 times"]
+
+
+# Made-up data: the same function, another verdict.
+
+
+def made(**studies):
+    """A bench whose studies are made up."""
+    bench = Bench(FEW, **{name: studies.pop(name) for name in ("star", "original") if name in studies})
+    bench.__dict__.update(studies)
+    return bench
+
+
+def curves(errors, names=NAMES):
+    """The same made-up errors {x: error [mm]} for two strokes and every variant."""
+    x = np.array(list(errors))
+    error = np.tile(1e-3 * np.array(list(errors.values())), (len(names), 2, 1))
+    return ErrorCurves(x, "x", names, ("a 1", "a 2"), ("a", "a"), [100, 100], error, np.ones_like(error))
+
+
+X = (0.2, 0.3, 0.4, 0.5, 2 / 3, 0.8, 0.9, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 7.0, 10.0, 14.0, 20.0, 28.0, 40.0, np.inf)
+AS_THE_PAPER = (60, 55, 50, 45, 40, 20, 5, 1, 1.1, 1.1, 1.1, 1.2, 2, 3, 4, 6, 10, 10.2, 10.3, 10.4)
+AS_THE_PAPER = curves(dict(zip(X, AS_THE_PAPER, strict=True)))
+FALLING = curves({x: 0.5 + 1 / x for x in X})
+RISING = curves({x: min(x, 60.0) for x in X})
+
+
+@pytest.mark.parametrize(
+    ("claim", "against"),
+    [
+        (on_kernels.narrow_kernels, FALLING),
+        (on_kernels.best_width, FALLING),
+        (on_kernels.wide_kernels, FALLING),
+        (on_kernels.truncation, FALLING),
+        (on_kernels.gaps_between_kernels, RISING),
+        (on_kernels.four_widths_on_a, RISING),
+    ],
+    ids=lambda value: getattr(value, "__name__", ""),
+)
+def test_a_claim_about_widths_goes_with_its_curves(claim, against):
+    assert claim(made(widths=AS_THE_PAPER)).verdict == HOLDS
+    assert claim(made(widths=against)).verdict == FAILS
+
+
+def test_a_claim_that_one_variant_keeps_depends_on_it():
+    mixed = np.stack([AS_THE_PAPER.error[0], RISING.error[0]])
+    both = replace(AS_THE_PAPER, error=mixed)
+    found = on_kernels.narrow_kernels(made(widths=both))
+    assert found.verdict == DEPENDS
+    assert found.depends_on == "holds for: Gaussian, LWR. Not for: Gaussian, joint"
+
+
+def test_the_number_of_kernels_is_enough_where_more_do_not_help():
+    level, falling = curves({0.01: 9, 0.1: 1, 0.5: 0.9}), curves({0.01: 9, 0.1: 1, 0.5: 0.1})
+    assert on_kernels.number_of_kernels(made(numbers=level, fewer_samples=level)).verdict == HOLDS
+    assert on_kernels.number_of_kernels(made(numbers=falling, fewer_samples=falling)).verdict == FAILS
+    assert on_kernels.number_of_kernels(made(numbers=level, fewer_samples=falling)).verdict == DEPENDS
+
+
+def test_redrawn_letters_are_identical_only_if_the_kernels_leave_no_gap():
+    assert on_letters.redrawn_letters(made()).verdict == HOLDS
+    assert on_letters.redrawn_letters(made(star=Settings.star(kernel_width=0.5))).verdict == FAILS
+
+
+def test_only_the_original_stays_at_its_start():
+    assert on_letters.goal_on_start(made()).verdict == HOLDS
+    assert on_letters.goal_on_start(made(original=Settings.star())).verdict == FAILS
+
+
+def test_goals_change_well_only_with_dmp_star():
+    assert on_letters.goal_changes(made()).verdict == HOLDS
+    assert on_letters.goal_changes(made(star=Settings.original())).verdict == FAILS
+    assert on_letters.goal_changes(made(original=Settings.star())).verdict != HOLDS
+
+
+def test_accelerations_are_huge_only_with_the_original():
+    assert on_letters.huge_accelerations(made()).verdict in (HOLDS, DEPENDS)
+    assert on_letters.huge_accelerations(made(original=Settings.star())).verdict == FAILS
+
+
+def test_the_decay_term_is_judged_by_what_it_leaves():
+    ones = np.ones(3)
+    for with_term, fed, verdict in ((0.05, 0.05, HOLDS), (0.05, 0.5, DEPENDS), (0.5, 0.5, FAILS)):
+        first = SimpleNamespace(shift=0.01, without=ones, with_term=with_term * ones, fed=fed * ones)
+        assert on_letters.decay_term(made(first=first)).verdict == verdict
+
+
+def test_accuracy_and_efficiency_are_two_things():
+    for error, time, verdict in ((0.1, 0.5, HOLDS), (0.1, 1.5, DEPENDS), (2.0, 0.5, DEPENDS), (2.0, 1.5, FAILS)):
+        found = Against(("a",), [10], 1e-3 * np.array([[error, 1.0]]), time)
+        assert on_letters.accuracy_and_efficiency(made(against=found)).verdict == verdict
+
+
+def test_a_p_is_neat_sheared_or_none():
+    ways = {
+        HOLDS: Settings.star(transform="similarity"),
+        DEPENDS: Settings.star(),
+        FAILS: Settings.star(kernel_width=0.3),
+    }
+    for verdict, settings in ways.items():
+        found = p_from_d(FEW, {"DMP*": settings})
+        assert on_letters.d_becomes_p(made(new_letters=found)).verdict == verdict
+
+
+def test_strokes_are_found_as_often_as_they_are_found():
+    for right, verdict in ((10, HOLDS), (7, DEPENDS), (2, FAILS)):
+        items = tuple(Lifts("D w", 2, True, 2, k < right, False, True) for k in range(10))
+        assert on_letters.strokes_from_height(made(lifts=Segmentation(items))).verdict == verdict
+
+
+def test_a_style_is_kept_where_guessing_would_fail():
+    for hits, verdict in ((8, HOLDS), (0, FAILS), (2, DEPENDS)):
+        items = tuple(Attribution(f"w{k}", *([f"w{k if k < hits else (k + 1) % 8}"] * 2), f"w{k}") for k in range(8))
+        assert on_letters.writing_style(made(hands=Attributions(items, 8))).verdict == verdict
+
+
+def test_any_ink_needs_enough_kernels():
+    assert on_letters.any_ink(made()).verdict == DEPENDS
+    assert on_letters.any_ink(made(star=Settings.star(n_kernels=2))).verdict in (DEPENDS, FAILS)
+    found = SimpleNamespace(rates=(1.0, 2.0), error=np.full((1, 2, 3), 0.001), miss=np.full((1, 2, 3), 0.001))
+    assert on_letters.any_ink(made(shapes=found)).verdict == HOLDS
+    bad = SimpleNamespace(rates=(1.0, 2.0), error=np.full((1, 2, 3), 0.1), miss=np.full((1, 2, 3), 0.001))
+    assert on_letters.any_ink(made(shapes=bad)).verdict == FAILS
+
+
+@needs_recordings
+def test_the_recordings_say_what_the_design_measured():
+    """What must hold for any writers: not the numbers, but the sense of them."""
+    found = claims(RECORDINGS)
+    holds = {"narrow kernels", "goal on the start", "goal changes", "redrawn letters"}
+    assert {row.name for row in found if row.verdict == HOLDS} >= holds
+    assert found["best width"].verdict == found["truncation"].verdict == DEPENDS
+    assert found["strokes from height"].verdict != HOLDS
+    assert found["D becomes P"].verdict == DEPENDS

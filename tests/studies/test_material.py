@@ -1,0 +1,39 @@
+"""What studies take: recordings, their files, strokes; nothing means our own letters."""
+
+import pytest
+
+from dmp_teach.errors import RecordingError
+from dmp_teach.ink.alphabet import recording_of, write_json
+from dmp_teach.studies.material import letters_of, strokes_of
+from tests.dmp.ink import letter
+
+
+def test_recordings_files_and_strokes_are_all_letters(tmp_path):
+    d = recording_of("D")
+    write_json(d, tmp_path / "d.json")
+    for given in ([d], d, [tmp_path / "d.json"], str(tmp_path / "d.json"), [d.strokes()]):
+        (found,) = letters_of(given)
+        assert [len(stroke) for stroke in found.strokes] == [len(stroke) for stroke in d.strokes()]
+    assert letters_of(d)[0].name == f"D {d.writer}"
+    letters = letters_of(d)
+    assert letters_of(letters) == letters
+
+
+def test_strokes_are_named_by_letter_writer_and_number():
+    assert [each.name for each in strokes_of([recording_of("D")])] == ["D writer-1 1", "D writer-1 2"]
+    assert [each.name for each in strokes_of([letter()])] == ["? 1"]
+
+
+def test_without_recordings_our_alphabets_are_taken():
+    found = letters_of()
+    assert {each.writer for each in found} == {"writer-1", "writer-2"}
+    assert {"a", "b", "e", "m", "D"} <= {each.character for each in found}
+
+
+def test_what_is_no_recording_is_named():
+    with pytest.raises(RecordingError, match=r"recordings\[0\] is a int, but must be a recording"):
+        letters_of([3])
+    with pytest.raises(RecordingError, match="recordings is a int, but must be recordings"):
+        letters_of(3)
+    with pytest.raises(RecordingError, match="recordings is empty; give at least one"):
+        letters_of([])

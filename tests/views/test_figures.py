@@ -1,0 +1,106 @@
+"""Figures show what the study says, with units, and stay apart without colour."""
+
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+from dmp_teach.dmp.kernels import Kernels
+from dmp_teach.ink.alphabet import recording_of
+from dmp_teach.studies.choose import choose_kernels, choose_width
+from dmp_teach.studies.curves import error_against_number, error_against_width
+from dmp_teach.studies.goals import goal_paths, goal_traces
+from dmp_teach.studies.new_letters import p_from_d
+from dmp_teach.studies.redraw import four_widths, redrawn
+from dmp_teach.views import figures
+
+A = recording_of("a")
+OURS = [A, recording_of("e"), recording_of("D")]
+STROKE = A.strokes()[0]
+
+
+@pytest.fixture(scope="module")
+def every():
+    """Every figure, by its name."""
+    widths, numbers = error_against_width(OURS), error_against_number(OURS)
+    return {
+        "kernel_types": figures.kernel_types(),
+        "error_over_width": figures.error_over_width(widths),
+        "error_over_width, all": figures.error_over_width(widths, "all"),
+        "error_over_number": figures.error_over_number(numbers, "our DMP*"),
+        "four_widths_drawn": figures.four_widths_drawn(four_widths(OURS)),
+        "letters_redrawn": figures.letters_redrawn(redrawn(OURS)),
+        "goal_change_over_time": figures.goal_change_over_time(goal_traces(STROKE, 0, 0.01, "a")),
+        "goal_change_drawn": figures.goal_change_drawn(goal_paths(STROKE, (-0.1, 0.0))),
+        "d_to_p": figures.d_to_p(p_from_d(OURS)),
+        "kernel_choice": figures.kernel_choice(choose_kernels(STROKE, candidates=(5, 10, 20, 33))),
+        "width_choice": figures.kernel_choice(choose_width(STROKE, candidates=(1.0, 4.0, np.inf))),
+    }
+
+
+def test_every_figure_can_be_shown_in_a_notebook_and_saved(every, tmp_path):
+    for name, figure in every.items():
+        assert isinstance(figure, Figure)
+        assert figure._repr_png_().startswith(b"\x89PNG")
+        figure.savefig(tmp_path / f"{name}.svg")
+
+
+def test_every_axis_is_named_with_its_unit(every):
+    plain = {"phase s", "height ψ(s)", "kernels per sample, N / Num", "number of kernels N"}
+    for figure in every.values():
+        labels = [text for panel in figure.axes for text in (panel.get_xlabel(), panel.get_ylabel()) if text]
+        assert labels
+        assert [text for text in labels if text not in plain and not text.endswith("]")] == []
+
+
+def test_curves_differ_by_line_and_marker_not_by_colour_alone(every):
+    for name in ("error_over_width", "error_over_width, all", "error_over_number"):
+        lines = [line for line in every[name].axes[0].lines if line.get_marker() != "None"]
+        looks = {(line.get_marker(), str(line._dash_pattern), line.get_linestyle()) for line in lines}
+        assert len(looks) == len(lines) >= 3
+
+
+def test_the_curve_of_a_letter_is_the_median_of_its_strokes():
+    curves = error_against_width(OURS, widths=(0.5, 1.0, 2.0, 4.0))
+    (panel,) = figures.error_over_width(curves, "box, LWR").axes
+    shown = {line.get_label(): line.get_ydata() for line in panel.lines}
+    of_d = curves.of("box, LWR")[np.array(curves.characters) == "D"]
+    np.testing.assert_allclose(shown["‘D’"], 1e3 * np.median(of_d, axis=0))
+    assert {"‘a’", "‘e’", "‘D’"} <= set(shown)
+
+
+def test_kernels_are_drawn_as_they_are():
+    panels = figures.kernel_types(5).axes
+    assert len(panels) == 4
+    for line, height in zip(panels[1].lines, Kernels(5, 1.0, 0.5).heights(np.linspace(0, 1, 2001)).T, strict=True):
+        shown = line.get_ydata()
+        np.testing.assert_allclose(shown[np.isfinite(shown)], height[np.isfinite(shown)])
+        assert height[~np.isfinite(shown)].sum() == 0
+
+
+def test_letters_are_drawn_in_mm_where_they_are_on_the_page():
+    panel = figures.letters_redrawn(redrawn([A])).axes[0]
+    line = next(line for line in panel.lines if line.get_label() == "as it was drawn")
+    drawn = redrawn([A]).items[0].drawn[0].position
+    np.testing.assert_allclose(np.column_stack(line.get_data()), 1e3 * drawn)
+
+
+def test_a_moved_goal_is_drawn_with_both_forms_and_mirrors_are_named():
+    paths = goal_paths(STROKE, (-0.1, 0.0))
+    star, original = figures.goal_change_drawn(paths).axes
+    assert star.get_title(loc="left") == "DMP*"
+    assert original.get_title(loc="left") == "original, mirrored in x"
+    assert star.get_xlim() == original.get_xlim()
+
+
+def test_ink_that_flies_off_is_cut_and_said():
+    paths = goal_paths(STROKE, (0.9, 0.0))
+    original = figures.goal_change_drawn(paths).axes[1]
+    assert any("leaves the page" in text.get_text() for text in original.texts)
+    assert np.ptp(original.get_xlim()) < 2000
+
+
+def test_both_rules_stand_in_the_picture_of_a_choice():
+    panel = figures.kernel_choice(choose_kernels(STROKE, candidates=(5, 10, 20, 33))).axes[0]
+    labels = [line.get_label() for line in panel.lines]
+    assert "Num/10: 33" in labels
+    assert any(label.startswith("chosen: ") for label in labels)
