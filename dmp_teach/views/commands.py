@@ -16,6 +16,7 @@ from meshcat.animation import Animation, AnimationClip
 
 from dmp_teach.trajectory import Array
 from dmp_teach.views.packing import PackedMesh, Track, bundle
+from dmp_teach.views.pressing import SHADES, rgb
 from dmp_teach.views.ribbon import Ribbon
 from dmp_teach.views.shapes import LIGHTS, Shape, floor, lamp
 from dmp_teach.views.stage import Stage, robot_model
@@ -38,9 +39,11 @@ class Recorder:
 class _Mesh(meshcat.geometry.Geometry):
     """A mesh in few bytes, with the normals that make it smooth."""
 
-    def __init__(self, name: str, vertices: Array, normals: Array | None, faces: Array) -> None:
+    def __init__(
+        self, name: str, vertices: Array, normals: Array | None, faces: Array, colors: Array | None = None
+    ) -> None:
         self.uuid = name  # meshcat would take the machine's address and the time
-        self.mesh = PackedMesh(vertices, normals, faces)
+        self.mesh = PackedMesh(vertices, normals, faces, colors)
 
     def intrinsic_transform(self) -> Array:
         """Transposed: three.js reads columns where meshcat writes rows."""
@@ -97,7 +100,9 @@ def run_commands(stage: Stage) -> tuple[bytes, ...]:
         _put(viewer["around"], shape, gloss=0)
     _put_ribbon(viewer["plan"], "plan", stage.plan, stage, PLAN)
     _put_ribbon(viewer["ink"], "ink", stage.ink, stage, INK)
-    model, paths = robot_model(), link_paths()
+    model, paths = stage.model, link_paths()
+    pen = next(joint for joint in model.joints if joint.child == "pen_link")
+    viewer[paths["pen_link"]].set_transform(pen.pose(np.zeros(1))[0])  # where another motion may have left it
     times, q = stage.keys
     clips = {}
     for name, column in zip(stage.joint_names, q.T, strict=True):
@@ -127,8 +132,12 @@ def _put(parent: meshcat.Visualizer, shape: Shape, material: Any = None, gloss: 
 
 
 def _put_ribbon(node: meshcat.Visualizer, name: str, ribbon: Ribbon, stage: Stage, color: int) -> None:
-    """A ribbon on the page, in a colour that no lamp changes."""
-    _set(node, _Mesh(name, ribbon.vertices, None, ribbon.faces), meshcat.geometry.MeshBasicMaterial(color=color))
+    """A ribbon on the page, in a colour that no lamp changes; the ink of a run in the shades of its force."""
+    colors = None
+    if name == "ink" and stage.shades is not None:
+        colors, color = np.array([rgb(n) for n in range(len(SHADES))])[stage.shades][ribbon.owners], 0xFFFFFF
+    material = meshcat.geometry.MeshBasicMaterial(color=color, vertexColors=colors is not None)
+    _set(node, _Mesh(name, ribbon.vertices, None, ribbon.faces, colors), material)
     node.set_transform(stage.page.X_world_page)
 
 

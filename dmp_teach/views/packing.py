@@ -9,7 +9,7 @@ import umsgpack
 
 from dmp_teach.trajectory import Array
 
-_CODES = {"int8": 0x11, "uint16": 0x14, "int16": 0x13, "uint32": 0x16, "float32": 0x17}
+_CODES = {"int8": 0x11, "uint8": 0x12, "uint16": 0x14, "int16": 0x13, "uint32": 0x16, "float32": 0x17}
 """The numbers by which the viewer's msgpack knows a typed array."""
 
 _UNTIL_THE_NEXT_KEY = 2300
@@ -28,9 +28,9 @@ FINE = 2e-5
 
 
 class PackedMesh:
-    """A mesh in whole numbers: 16 bits a coordinate (a part of 65 000 of the mesh's size), 8 bits a normal."""
+    """A mesh in whole numbers: 16 bits a coordinate (a part of 65 000 of the mesh's size), 8 a normal and a colour."""
 
-    def __init__(self, vertices: Array, normals: Array | None, faces: Array) -> None:
+    def __init__(self, vertices: Array, normals: Array | None, faces: Array, colors: Array | None = None) -> None:
         coarse = FINE if normals is None else 0.0
         middle = (vertices.min(axis=0) + vertices.max(axis=0)) / 2 if len(vertices) else np.zeros(3)
         scale = max(float(np.abs(vertices - middle).max(initial=0.0)) / 32767, coarse, 1e-9)
@@ -38,6 +38,7 @@ class PackedMesh:
         self.X[:3, 3] = middle
         self.vertices = np.rint((vertices - middle) / scale).astype(np.int16)
         self.normals = None if normals is None else np.rint(normals * 127).astype(np.int8)
+        self.colors = None if colors is None else np.rint(np.asarray(colors) * 255).astype(np.uint8)
         self.faces = faces.astype(np.uint16 if len(vertices) < 65536 else np.uint32)
 
     def lower(self, name: str) -> dict:
@@ -45,6 +46,8 @@ class PackedMesh:
         attributes = {"position": typed(self.vertices) | {"itemSize": 3, "normalized": False}}
         if self.normals is not None:
             attributes["normal"] = typed(self.normals) | {"itemSize": 3, "normalized": True}
+        if self.colors is not None:
+            attributes["color"] = typed(self.colors) | {"itemSize": 3, "normalized": True}
         return {
             "uuid": name,
             "type": "BufferGeometry",

@@ -8,12 +8,15 @@ from dmp_teach.errors import SettingError
 from dmp_teach.robot.physics import Mesh, picture
 from dmp_teach.trajectory import Array
 from dmp_teach.views.cameras import known_camera
+from dmp_teach.views.force_strip import force_strip
+from dmp_teach.views.pressing import rgb
 from dmp_teach.views.ribbon import Ribbon
 from dmp_teach.views.shapes import lamp
 from dmp_teach.views.stage import Stage
 
 INK_COLOR, PLAN_COLOR = (0.0, 0.447, 0.698, 1.0), (0.62, 0.64, 0.67, 1.0)
 _SIZES = (64, 4000)
+_STRIP = 0.26  # of a run's picture shows the force
 
 
 def png(stage: Stage, time: float | None, camera: str, width: int, height: int) -> bytes:
@@ -38,6 +41,8 @@ def png(stage: Stage, time: float | None, camera: str, width: int, height: int) 
         if not (isinstance(size, int | np.integer) and low <= size <= high):
             raise SettingError(f"{name} is {size!r}, but must be a whole number of pixels from {low} to {high}.")
     seen = stage.cameras[known_camera(camera)]
+    under = None if stage.run is None else force_strip(stage.run, time, width, round(_STRIP * height))
+    height -= 0 if under is None else len(under)
     pixels = picture(
         _meshes(stage, time, seen.see_through),
         eye=seen.eye,
@@ -48,21 +53,24 @@ def png(stage: Stage, time: float | None, camera: str, width: int, height: int) 
         height=height,
         lamp=lamp(stage.page),
     )
-    return _encoded(pixels)
+    return _encoded(pixels if under is None else np.vstack([pixels, under]))
 
 
 def _meshes(stage: Stage, time: float, pen_only: bool) -> list[Mesh]:
     """Everything in the world at a time [s], the ink as far as it is written; the renderer knows nothing faint."""
     shapes = (*stage.robot(time, pen_only), *stage.around)
     meshes = [(shape.vertices, shape.normals, shape.faces, shape.color) for shape in shapes]
-    meshes.append(_flat(stage, stage.plan, PLAN_COLOR, len(stage.plan.faces)))
-    meshes.append(_flat(stage, stage.ink, INK_COLOR, stage.ink.triangles(time)))
-    return meshes
+    meshes.append(_flat(stage, stage.plan, PLAN_COLOR, stage.plan.faces))
+    written = stage.ink.faces[: stage.ink.triangles(time)]
+    if stage.shades is None:
+        return [*meshes, _flat(stage, stage.ink, INK_COLOR, written)]
+    shades = stage.shades[stage.ink.owners[written[:, 0]]]
+    colors = (((*rgb(number), 1.0), written[shades == number]) for number in np.unique(shades))
+    return meshes + [_flat(stage, stage.ink, *colored) for colored in colors]
 
 
-def _flat(stage: Stage, line: Ribbon, color: tuple, triangles: int) -> Mesh:
-    """A ribbon on the page, its first triangles only."""
-    faces = line.faces[:triangles]
+def _flat(stage: Stage, line: Ribbon, color: tuple, faces: Array) -> Mesh:
+    """Some triangles of a ribbon on the page."""
     corners = line.vertices[: int(faces.max(initial=0)) + 1]
     up = np.tile(stage.page.normal, (len(corners), 1))
     return stage.page.to_world(corners), up, faces, color

@@ -1,6 +1,6 @@
 """Ink as a mesh: a line is one pixel wide in WebGL, so a stroke of the pen is a ribbon of small triangles."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -30,6 +30,7 @@ class Ribbon:
         vertices: Corners in the page's frame, shape (V, 3) [m].
         faces: Numbers of corners, shape (F, 3).
         ends: How many of the triangles lead up to each dot, with the dot's own, shape (P,).
+        owners: Which dot each corner belongs to, shape (V,).
     """
 
     t: Array
@@ -38,6 +39,7 @@ class Ribbon:
     vertices: Array
     faces: Array
     ends: Array
+    owners: Array
 
     def triangles(self, t: float) -> int:
         """How many triangles the pen has drawn at time `t` [s]: those of every dot that it has reached."""
@@ -45,12 +47,14 @@ class Ribbon:
         return int(self.ends[reached - 1]) if reached else 0
 
 
-def ribbon(strokes: Sequence[Trajectory], width: float, height: float, spacing: float = 0.0007) -> Ribbon:
+def ribbon(
+    strokes: Sequence[Trajectory], width: float | Callable[[Array], Array], height: float, spacing: float = 0.0007
+) -> Ribbon:
     """The mesh of some strokes.
 
     Args:
         strokes: 2-D, in the page's frame, one after the other in time [s], [m].
-        width: Of the ribbon [m].
+        width: Of the ribbon [m]; or what gives it at times (P,) [s].
         height: Over the paper [m].
         spacing: Between two dots [m]; wider where there are so many strokes that the file would grow large.
 
@@ -63,8 +67,9 @@ def ribbon(strokes: Sequence[Trajectory], width: float, height: float, spacing: 
     t = np.concatenate([np.empty(0), *(walk[0] for walk in walks)])
     dots = np.concatenate([np.empty((0, 2)), *(walk[1] for walk in walks)])
     first = np.concatenate([np.empty(0, bool), *(np.arange(len(walk[0])) == 0 for walk in walks)])
-    vertices, faces, ends = _mesh(dots, first, width, height)
-    whole = locked(faces, np.uint32), locked(ends, int)
+    widths = width(t) if callable(width) else np.full(len(t), width)
+    vertices, faces, ends, owners = _mesh(dots, first, widths, height)
+    whole = locked(faces, np.uint32), locked(ends, int), locked(owners, int)
     return Ribbon(locked(t), locked(dots), locked(first, bool), locked(vertices), *whole)
 
 
@@ -87,14 +92,14 @@ def _walk(stroke: Trajectory, spacing: float) -> tuple[Array, Array]:
     return np.interp(dots, way, stroke.t), np.column_stack(columns)
 
 
-def _mesh(dots: Array, first: Array, width: float, height: float) -> tuple[Array, Array, Array]:
+def _mesh(dots: Array, first: Array, widths: Array, height: float) -> tuple[Array, Array, Array, Array]:
     """Corners 0 and 4 of a dot stand square to the line; pieces between them, and whole dots where it bends."""
     along = np.where(first[:, None], np.roll(dots, -1, axis=0) - dots, dots - np.roll(dots, 1, axis=0))
     heading = np.arctan2(along[:, 1], along[:, 0])
     bend = np.abs(np.angle(np.exp(1j * (np.roll(heading, -1) - heading)))) > _BEND
     whole = first | np.roll(first, -1) | bend
     angles = heading[:, None] + np.pi / 2 + 2 * np.pi * np.arange(CORNERS) / CORNERS
-    flat = dots[:, None] + width / 2 * np.stack([np.cos(angles), np.sin(angles)], axis=2)
+    flat = dots[:, None] + widths[:, None, None] / 2 * np.stack([np.cos(angles), np.sin(angles)], axis=2)
     corners = np.concatenate([flat, np.full((*flat.shape[:2], 1), height)], axis=2)
     half = CORNERS // 2
     kept = whole[:, None] | (np.arange(CORNERS) % half == 0)
@@ -105,4 +110,4 @@ def _mesh(dots: Array, first: Array, width: float, height: float) -> tuple[Array
     fan = [[number[:, 0], number[:, k], number[:, k + 1]] for k in range(1, CORNERS - 1)]
     faces = np.array(piece + fan).transpose(2, 0, 1)
     drawn = whole[:, None] | (np.arange(CORNERS) < len(piece))
-    return corners[kept], faces[drawn], drawn.sum(axis=1).cumsum()
+    return corners[kept], faces[drawn], drawn.sum(axis=1).cumsum(), kept.nonzero()[0]

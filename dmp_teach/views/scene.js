@@ -10,7 +10,7 @@ let sceneCount = 0;
 
 /** An element with attributes and children. */
 function el(tag, attributes = {}, ...children) {
-  const svg = ["svg", "path", "circle", "rect", "g", "pattern", "defs"].includes(tag);
+  const svg = ["svg", "path", "circle", "rect", "g", "text", "clipPath"].includes(tag);
   const node = svg ? document.createElementNS("http://www.w3.org/2000/svg", tag) : document.createElement(tag);
   for (const [name, value] of Object.entries(attributes)) node.setAttribute(name, value);
   node.append(...children);
@@ -40,13 +40,16 @@ function inset() {
   const plan = el("path", { class: "dts-plan" });
   const ink = el("path", { class: "dts-ink" });
   const pen = el("circle", { class: "dts-pen" });
-  const svg = el("svg", { "aria-hidden": "true" }, plan, ink, pen);
+  const shades = shadedInk();
+  const svg = el("svg", { "aria-hidden": "true" }, plan, ink, shades.node, pen);
   const share = el("span", {}, "0 %");
   const node = el("div", { class: "dts-inset" }, el("div", {}, el("b", {}, "Ink so far"), share), svg);
-  let dots = [];
+  let [dots, whole, curve] = [[], 1, null];
   const step = ([, x, y, first]) => `${first ? "M" : "L"}${x} ${-y}`;
   const load = (facts) => {
     dots = facts.ink;
+    whole = 100 * (facts.force?.inked ?? 1); // of the letter has ink in the end
+    curve = facts.force?.curve;
     const all = [...facts.plan, ...dots];
     const [xs, ys] = [all.map((dot) => dot[1]), all.map((dot) => -dot[2])];
     node.hidden = !all.length;
@@ -62,11 +65,11 @@ function inset() {
   const show = (time) => {
     let count = 0;
     while (count < dots.length && dots[count][0] <= time + 1e-6) count += 1;
-    ink.setAttribute("d", dots.slice(0, count).map(step).join(""));
-    const last = dots[Math.max(0, count - 1)] ?? [0, 0, 0];
-    pen.setAttribute("cx", last[1]);
-    pen.setAttribute("cy", -last[2]);
-    share.textContent = `${dots.length ? Math.round((100 * count) / dots.length) : 0} %`;
+    ink.setAttribute("d", shades.show(dots, count) ? "" : dots.slice(0, count).map(step).join(""));
+    const [x, y] = curve ? feltAt(curve, time).slice(2) : (dots[Math.max(0, count - 1)] ?? [0, 0, 0]).slice(1);
+    pen.setAttribute("cx", x);
+    pen.setAttribute("cy", -y);
+    share.textContent = `${dots.length ? Math.round((whole * count) / dots.length) : 0} %`;
   };
   return { node, load, show };
 }
@@ -103,7 +106,7 @@ function bar({ onPlay, onTime, onDone }) {
     button.title = name;
   };
   const enable = (on) => (button.disabled = slider.disabled = !on);
-  return { node, show, face, enable };
+  return { node, slider, show, face, enable };
 }
 
 function render({ model, el: host }) {
@@ -128,11 +131,12 @@ function render({ model, el: host }) {
   const says = el("p", { class: "dts-says", hidden: "" });
   const stage = el("div", { class: "dts-picture", role: "img" }, box, page.node, says);
   const controls = bar({ onPlay: () => press(), onTime: (t) => (stop(), show(t)), onDone: () => set({ time }) });
+  const strip = forceStrip(controls.slider);
   const notes = el("p", { class: "dts-notes" });
   const head = el("div", { class: "dts-head" }, cameraBar.node);
   const foot = el("div", { class: "dts-foot" }, notes, speeds.node);
   const under = el("div", { class: "dts-under" }, controls.node, cameraList.node);
-  const root = el("div", { class: "dt-scene", "data-lm-suppress-shortcuts": "true" }, head, stage, under, foot);
+  const root = el("div", { class: "dt-scene", "data-lm-suppress-shortcuts": "true" }, head, stage, under, strip.node, foot);
   // JupyterLab would take arrows and letters for its own commands.
   root.addEventListener("keydown", (event) => event.stopPropagation());
   host.append(root);
@@ -146,6 +150,7 @@ function render({ model, el: host }) {
     picture.seek(time);
     controls.show(time, facts().duration);
     page.show(time);
+    strip.show(time);
     root.dataset.dtTime = time.toFixed(3);
     tell();
   };
@@ -201,6 +206,7 @@ function render({ model, el: host }) {
 
   const load = () => {
     page.load(facts());
+    strip.load(facts());
     stage.setAttribute("aria-label", facts().label);
     notes.textContent = facts().notes;
     controls.enable(facts().duration > 0);
@@ -256,7 +262,7 @@ function render({ model, el: host }) {
     if (entry.isIntersecting) wake().then(() => model.get("playing") && start());
     else if (playing) pause();
   });
-  const size = new ResizeObserver(() => picture.resize());
+  const size = new ResizeObserver(() => (picture.resize(), strip.draw()));
   const light = new MutationObserver(() => picture.sky(theme()));
   seen.observe(stage);
   size.observe(box);

@@ -9,6 +9,7 @@ import traitlets
 from dmp_teach.errors import ViewError
 from dmp_teach.paths import write_whole
 from dmp_teach.robot.motion import Motion
+from dmp_teach.robot.run import Run
 from dmp_teach.views.cameras import CAMERAS
 from dmp_teach.views.commands import robot_bundle, run_commands, viewer_script
 from dmp_teach.views.packing import bundle
@@ -16,8 +17,8 @@ from dmp_teach.views.page_file import page, read_beside
 from dmp_teach.views.picture import png
 from dmp_teach.views.stage import Stage
 
-_SCRIPT = read_beside("scene_3d.js") + read_beside("scene.js")
-_STYLE = read_beside("scene.css")
+_SCRIPT = read_beside("scene_3d.js") + read_beside("force.js") + read_beside("scene.js")
+_STYLE = read_beside("scene.css") + read_beside("force.css")
 
 
 def _as_bytes() -> traitlets.Bytes:
@@ -26,14 +27,14 @@ def _as_bytes() -> traitlets.Bytes:
 
 
 class SceneView(anywidget.AnyWidget):
-    """The live view of a motion, in a cell of its own or inside another widget.
+    """The live view of a motion, or of what became of it, in a cell of its own or inside another widget.
 
     Args:
-        motion: What the robot does; without one it waits at an empty page.
+        motion: What the robot does, or the run that shows what it did; without one it waits at an empty page.
         compact: Without a frame and with one row of controls, to stand inside a panel.
 
     Raises:
-        ViewError: Something that is not a motion.
+        ViewError: Something that is neither a motion nor a run.
     """
 
     _esm = _SCRIPT
@@ -50,26 +51,26 @@ class SceneView(anywidget.AnyWidget):
     camera = traitlets.Enum(CAMERAS, default_value="over the shoulder").tag(sync=True)
     compact = traitlets.Bool(False).tag(sync=True)
 
-    def __init__(self, motion: Motion | None = None, **traits: Any) -> None:
+    def __init__(self, motion: Motion | Run | None = None, **traits: Any) -> None:
         self._count = 0
         start = _traits(_stage(motion))
         super().__init__(viewer=viewer_script(), robot=robot_bundle(), motion_id="0", **start, **traits)
         self._motion = motion
 
     @property
-    def motion(self) -> Motion | None:
-        """What the robot does in this view."""
+    def motion(self) -> Motion | Run | None:
+        """What is shown in this view."""
         return self._motion
 
-    def show(self, motion: Motion | None, play: bool = True) -> None:
+    def show(self, motion: Motion | Run | None, play: bool = True) -> None:
         """Another motion in the same view; the camera stays where it is.
 
         Args:
-            motion: What the robot does now; None lets it wait at an empty page.
+            motion: What the robot does now, or what it did; None lets it wait at an empty page.
             play: Whether it starts at once. Where people ask for less movement it shows the written letter instead.
 
         Raises:
-            ViewError: Something that is not a motion.
+            ViewError: Something that is neither a motion nor a run.
         """
         start = _traits(_stage(motion), play)
         self._motion, self._count = motion, self._count + 1
@@ -129,7 +130,7 @@ def view(motion: Motion) -> SceneView:
     """Show a motion: live in a notebook; `.html(path)` and `.png(path)` write it to a file.
 
     Raises:
-        ViewError: Something that is not a motion.
+        ViewError: Something that is neither a motion nor a run.
     """
     if motion is None:
         raise ViewError(_not_a_motion(motion))
@@ -138,6 +139,8 @@ def view(motion: Motion) -> SceneView:
 
 def _stage(motion: Any) -> Stage:
     """What is to be seen of a motion."""
+    if isinstance(motion, Run):
+        return Stage(motion.motion, motion)
     if motion is not None and not isinstance(motion, Motion):
         raise ViewError(_not_a_motion(motion))
     return Stage(motion)
@@ -146,7 +149,10 @@ def _stage(motion: Any) -> Stage:
 def _not_a_motion(value: Any) -> str:
     """What can be shown, and how to get it."""
     kind = type(value).__name__
-    return f"A {kind} cannot be shown; a Motion can, and Fetch().write(strokes, Page.table()) gives one."
+    return (
+        f"A {kind} cannot be shown; a Motion can, and Fetch().write(strokes, Page.table()) gives one; "
+        "so can a Run, which simulate(motion) gives."
+    )
 
 
 def _traits(stage: Stage, play: bool = True) -> dict[str, Any]:

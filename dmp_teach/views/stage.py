@@ -5,10 +5,13 @@ from functools import cached_property, lru_cache
 
 import numpy as np
 
+from dmp_teach.robot.bench import PENS
 from dmp_teach.robot.model import Model
 from dmp_teach.robot.motion import Motion
 from dmp_teach.robot.page import Page
-from dmp_teach.trajectory import Array
+from dmp_teach.robot.run import Run
+from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.views import pressing
 from dmp_teach.views.cameras import Camera, cameras
 from dmp_teach.views.keyframes import key_rows
 from dmp_teach.views.ribbon import Ribbon, inked, ribbon
@@ -32,10 +35,10 @@ _MOMENTS = 6
 _POINTS = 1500
 
 
-@lru_cache(maxsize=1)
-def robot_model() -> Model:
-    """The Fetch with its pen, read once."""
-    return Model.load()
+@lru_cache(maxsize=2)
+def robot_model(pen: str = "rigid") -> Model:
+    """The Fetch with its pen, read once: held fast, as in a plan, or on a spring."""
+    return Model.load(PENS[pen])
 
 
 @dataclass(frozen=True, eq=False)
@@ -44,9 +47,16 @@ class Stage:
 
     Args:
         motion: What the robot does, or None.
+        run: What became of it, if that is to be seen; then `motion` is its motion.
     """
 
     motion: Motion | None = None
+    run: Run | None = None
+
+    @property
+    def model(self) -> Model:
+        """The robot, with the pen that it holds here."""
+        return robot_model() if self.run is None else robot_model(self.run.pen)
 
     @property
     def page(self) -> Page:
@@ -68,14 +78,21 @@ class Stage:
         """Times from 0 (K,) [s], and joint positions at them (K, J) [rad, m]."""
         if self.motion is None:
             return np.zeros(1), np.array([list(REST.values())])
-        rows = key_rows(robot_model(), self.motion)
+        rows = key_rows(self.model, self.motion)
         return self.motion.t[rows] - self.motion.t[0], self.motion.q[rows]
 
     @cached_property
     def ink(self) -> Ribbon:
-        """What the nib has written in the end, in the order in which it does."""
+        """What the nib has written in the end, in the order in which it does; of a run as wide as it was pressed."""
+        if self.run is not None:
+            return ribbon(self._inked(), lambda t: pressing.width(self._force(t)), INK_HEIGHT)
         strokes = () if self.motion is None else inked(self.motion)
         return ribbon(strokes, INK_WIDTH, INK_HEIGHT)
+
+    @cached_property
+    def shades(self) -> Array | None:
+        """Of a run, the number of the shade of ink at each dot of `ink`, shape (P,)."""
+        return None if self.run is None else pressing.shade(self._force(self.ink.t))
 
     @cached_property
     def plan(self) -> Ribbon:
@@ -105,7 +122,8 @@ class Stage:
             "cameras": {name: camera.as_dict() for name, camera in self.cameras.items()},
             "page": [*self.page.X_world_page.ravel().tolist(), self.page.width, self.page.height],
             "plan": _dots(self.plan),
-            "ink": _dots(self.ink),
+            "ink": _dots(self.ink, self.shades),
+            "force": None if self.run is None else pressing.strip(self.run),
             "label": f"A Fetch robot with a pen at its page. {does if strokes else 'It waits for a letter.'}",
             "notes": " ".join(() if self.motion is None else self.motion.notes),
         }
@@ -117,7 +135,7 @@ class Stage:
 
     def robot(self, t: float, pen_only: bool = False) -> tuple[Shape, ...]:
         """The robot's shell in the world at time `t` [s], or the pen alone."""
-        model = robot_model()
+        model = self.model
         poses = model.link_poses(self.joints(t), self.joint_names)
         pieces = (
             (Shape(f"{v.link} {n}", v.vertices, v.normals, v.faces, tuple(v.color)), poses[v.link][0] @ v.X_link_visual)
@@ -125,6 +143,17 @@ class Stage:
             if not pen_only or v.link.startswith("pen_")
         )
         return tuple(shape.moved(X) for shape, X in pieces)
+
+    def _inked(self) -> tuple[Trajectory, ...]:
+        """The ink of the run, its clock from 0."""
+        return tuple(Trajectory(stroke.t - self.run.t[0], stroke.position) for stroke in self.run.ink)
+
+    def _force(self, t: Array) -> Array:
+        """With which the pen pressed at times (P,) [s], where it left ink [N]."""
+        run = self.run
+        if not run.contact.any():
+            return np.zeros(len(t))
+        return np.interp(t, run.t[run.contact] - run.t[0], run.force[run.contact])
 
     def _robot_points(self) -> Array:
         """Some points of the shell at some moments of the writing, shape (M, P, 3) [m]."""
@@ -134,8 +163,8 @@ class Stage:
         return np.stack([shell[:: len(shell) // _POINTS + 1] for shell in shells])
 
 
-def _dots(line: Ribbon) -> list[list[float]]:
-    """Time [s], right and up [mm], and 1 where a stroke begins, for each dot; of a long text for some."""
+def _dots(line: Ribbon, shades: Array | None = None) -> list[list[float]]:
+    """Time [s], right and up [mm], 1 where a stroke begins, and the shade, for each dot; of a long text for some."""
     kept = line.first | np.roll(line.first, -1) | (np.arange(len(line.t)) % (len(line.t) // 800 + 1) == 0)
     columns = np.round(line.t, 3), *np.round(1000 * line.dots.T, 1), line.first.astype(int)
-    return np.column_stack(columns)[kept].tolist()
+    return np.column_stack(columns if shades is None else (*columns, shades))[kept].tolist()

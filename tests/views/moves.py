@@ -1,10 +1,14 @@
 """A motion that needs no PlaCo: the resting arm, swayed; two strokes with a lift between them."""
 
+from dataclasses import replace
+
 import numpy as np
 
+from dmp_teach.robot.bench import PENS, SLIDE
 from dmp_teach.robot.model import Model
 from dmp_teach.robot.motion import Motion
 from dmp_teach.robot.page import Page
+from dmp_teach.robot.run import Run
 from dmp_teach.trajectory import Trajectory
 from dmp_teach.views.stage import REST
 
@@ -26,3 +30,19 @@ def sway(seconds=2.4, rate=240, size=0.06, page=None):
     halves = (down & (part < 0.5), down & (part > 0.5))
     strokes = tuple(Trajectory(t[half], on_page[half]) for half in halves)
     return Motion(t, q, tuple(REST), tip, tip, down, page, strokes, ("Slowed from 2.2 s to 2.4 s: elbow_flex_joint.",))
+
+
+def pressed(motion):
+    """What a motion might become without pybullet: the pen pushed in by 4 mm wherever it writes, harder and softer."""
+    slide = np.where(motion.pen_down, -0.004, 0.0)
+    q, names = np.column_stack([motion.q, slide]), (*motion.joint_names, SLIDE)
+    tip = Model.load(PENS["sprung"]).frame("pen_tip", q, names)[:, :3, 3]
+    happened = replace(motion, q=q, joint_names=names, tip=tip)
+    force = np.where(motion.pen_down, 0.6 + 0.9 * np.sin(3 * motion.t) ** 3, 0.0).clip(0.0)
+    contact = force > 0.03
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], contact, [False]]).astype(int))).reshape(-1, 2)
+    nib = motion.page.to_page(tip)
+    ink = [Trajectory(motion.t[a:b], nib[a:b, :2]) for a, b in edges if b - a > 1]
+    effort = np.zeros_like(motion.q)
+    limits = np.ones(motion.q.shape[1])
+    return Run(happened, motion, ink, nib, force, contact, effort, limits)
