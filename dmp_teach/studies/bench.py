@@ -5,14 +5,16 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
+from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
+from dmp_teach.errors import RecordingError, SettingError
 from dmp_teach.studies.against import Against, against_original
 from dmp_teach.studies.beginnings import FirstMoments, first_moments
 from dmp_teach.studies.closeness import Closeness, goals_near_start
 from dmp_teach.studies.curves import ErrorCurves, error_against_number, error_against_width
 from dmp_teach.studies.goals import GoalChanges, goal_change_1d, goal_change_2d
 from dmp_teach.studies.lifts import Segmentation, segmentation
-from dmp_teach.studies.material import Written, letters_of, recordings_of, strokes_of
+from dmp_teach.studies.material import Stroke, Written, letters_of, recordings_of, strokes_of
 from dmp_teach.studies.new_letters import MadeLetters, p_from_d
 from dmp_teach.studies.redraw import Redrawings, redrawn
 from dmp_teach.studies.shapes import AnyShape, any_shape
@@ -49,8 +51,38 @@ class Bench:
 
     @cached_property
     def letters(self) -> tuple[Written, ...]:
-        """Every letter, cut into strokes once."""
-        return letters_of(self.recordings)
+        """Every letter, cut into strokes once.
+
+        Raises:
+            RecordingError: A stroke that is not 2-D: these claims are about ink on a page.
+        """
+        found = letters_of(self.recordings)
+        for letter in found:
+            for stroke in letter.strokes:
+                if stroke.dimensions != 2:
+                    raise RecordingError(
+                        f"{letter.name} has a stroke of {stroke.dimensions} dimensions, but the paper's claims are "
+                        "about ink on a page: give strokes of x and y."
+                    )
+        return found
+
+    @cached_property
+    def open_letters(self) -> tuple[Written, ...]:
+        """The letters, or our own where the original form can learn none of their strokes: all end where they began."""
+        return self.letters if any(map(self._has_way, strokes_of(self.letters))) else letters_of()
+
+    @property
+    def borrowed(self) -> str:
+        """Words that say so."""
+        return "" if self.open_letters is self.letters else "; our own letters, since all strokes end where they began"
+
+    def _has_way(self, stroke: Stroke) -> bool:
+        """Whether the original form can learn a stroke."""
+        try:
+            DMP.imitate(stroke.path, self.original)
+        except SettingError:
+            return False
+        return True
 
     @cached_property
     def widths(self) -> ErrorCurves:
@@ -72,17 +104,17 @@ class Bench:
     @cached_property
     def small_shifts(self) -> GoalChanges:
         """Goals moved by 0.01 m in one coordinate."""
-        return goal_change_1d(self.letters, settings=self.star, original=self.original, executor=self.executor)
+        return goal_change_1d(self.open_letters, settings=self.star, original=self.original, executor=self.executor)
 
     @cached_property
     def large_shifts(self) -> GoalChanges:
         """Goals moved by 0.1 m in two."""
-        return goal_change_2d(self.letters, settings=self.star, original=self.original, executor=self.executor)
+        return goal_change_2d(self.open_letters, settings=self.star, original=self.original, executor=self.executor)
 
     @cached_property
     def closeness(self) -> Closeness:
         """Goals near the start."""
-        return goals_near_start(self.letters, settings=self.star, original=self.original, executor=self.executor)
+        return goals_near_start(self.open_letters, settings=self.star, original=self.original, executor=self.executor)
 
     @cached_property
     def first(self) -> FirstMoments:
@@ -112,7 +144,7 @@ class Bench:
     @cached_property
     def against(self) -> Against:
         """DMP* against the original form."""
-        return against_original(self.letters, self.star, self.original, executor=self.executor)
+        return against_original(self.open_letters, self.star, self.original, executor=self.executor)
 
     @cached_property
     def shapes(self) -> AnyShape:

@@ -38,7 +38,9 @@ def goal_changes(recordings: Any = None) -> Claim:
         )
     verdict, why = judged(cases)
     said = "DMP* keeps the shape when the goal moves by 0.01 m and 0.1 m; the original mirrors letters."
-    return Claim("goal changes", said, verdict, f"{'; '.join(words)}.", why, _call("goal_changes", bench))
+    return Claim(
+        "goal changes", said, verdict, f"{'; '.join(words)}.", why + bench.borrowed, _call("goal_changes", bench)
+    )
 
 
 def d_becomes_p(recordings: Any = None) -> Claim:
@@ -94,7 +96,7 @@ def goal_on_start(recordings: Any = None) -> Claim:
     """The original form with its goal on its start stays at x_0: no stroke that it can learn gets 0.001 mm away."""
     bench = bench_of(recordings)
     farthest = []
-    for stroke in strokes_of(bench.letters):
+    for stroke in strokes_of(bench.open_letters):
         try:
             learned = DMP.imitate(stroke.path, bench.original)
         except SettingError:
@@ -108,7 +110,7 @@ def goal_on_start(recordings: Any = None) -> Claim:
     )
     said = "With goal equal to start, the original system stays at x_0 all the time."
     why = "every stroke that the original form can learn" if verdict == HOLDS else "the form and its settings"
-    return Claim("goal on the start", said, verdict, figure, why, _call("goal_on_start", bench))
+    return Claim("goal on the start", said, verdict, figure, why + bench.borrowed, _call("goal_on_start", bench))
 
 
 def huge_accelerations(recordings: Any = None) -> Claim:
@@ -136,7 +138,7 @@ def huge_accelerations(recordings: Any = None) -> Claim:
     said = (
         "With the original form and g close to x_0, a small change of g causes accelerations that break robot limits."
     )
-    return Claim("huge accelerations", said, verdict, figure, why, _call("huge_accelerations", bench))
+    return Claim("huge accelerations", said, verdict, figure, why + bench.borrowed, _call("huge_accelerations", bench))
 
 
 def decay_term(recordings: Any = None) -> Claim:
@@ -193,7 +195,9 @@ def accuracy_and_efficiency(recordings: Any = None) -> Claim:
         f"{mm(original)}) in {per_cent(found.time_ratio)} of its time."
     )
     said = "The choice of number and shape of kernels improves both accuracy and efficiency."
-    return Claim("accuracy and efficiency", said, verdict, figure, why, _call("accuracy_and_efficiency", bench))
+    return Claim(
+        "accuracy and efficiency", said, verdict, figure, why + bench.borrowed, _call("accuracy_and_efficiency", bench)
+    )
 
 
 def any_ink(recordings: Any = None) -> Claim:
