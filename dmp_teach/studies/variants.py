@@ -20,8 +20,7 @@ class Variant:
 
     Args:
         settings: Everything but the number of kernels.
-        share: Kernels for each sample, such as 0.1 for Num/10; None: as the settings say, but no more than one for two
-            samples.
+        share: Kernels for each sample, such as 0.1 for Num/10; None: as the settings say, but no more than samples.
     """
 
     settings: Settings
@@ -33,7 +32,7 @@ class Variant:
         if self.share is not None:
             number = max(1, round(self.share * len(path)))
         elif number is not None:
-            number = min(number, max(1, len(path) // 2))
+            number = min(number, len(path))
         return replace(self.settings, **{"n_kernels": number, **changes})
 
 
