@@ -18,6 +18,7 @@ from dmp_teach.ink.recording import Recording
 from dmp_teach.letters.letter import Letter, rms_distance
 from dmp_teach.robot.page import Page
 from dmp_teach.trajectory import Trajectory
+from dmp_teach.views.page_file import read_beside
 from dmp_teach.views.scene import SceneView
 
 _HERE = Path(__file__).parent
@@ -50,7 +51,7 @@ class Explore(anywidget.AnyWidget):
     """The panel. Its knobs are traits: `n_kernels`, `kernel_width` [1/N], `stroke`, `goal_x` and `goal_y` [m]."""
 
     _esm = bundle("controls.js", "paper.js", "explore.js")
-    _css = bundle("panel.css", "paper.css")
+    _css = read_beside("tokens.css") + bundle("panel.css", "paper.css")
 
     choices = traitlets.List().tag(sync=True)
     near = traitlets.List(list(_NEAR)).tag(sync=True)

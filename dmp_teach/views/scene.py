@@ -18,7 +18,7 @@ from dmp_teach.views.picture import png
 from dmp_teach.views.stage import Stage
 
 _SCRIPT = read_beside("scene_3d.js") + read_beside("force.js") + read_beside("scene.js")
-_STYLE = read_beside("scene.css") + read_beside("force.css")
+_STYLE = read_beside("tokens.css") + read_beside("scene.css") + read_beside("force.css")
 
 
 def _as_bytes() -> traitlets.Bytes:
