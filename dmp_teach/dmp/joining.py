@@ -113,6 +113,7 @@ def _blended(part: _Part, following: _Part, t: float, h: float) -> tuple[Array, 
     if t < a - 1e-9:
         return one, K, D
     other, K_2, D_2 = following.pull(t, h)
+    t += part.plan.spring.middle * h  # an exact spring holds what is right in the middle of its step
     p, span = min((t - a) / (b - a), 1.0) if b > a else 1.0, max(b - a, h)
     share = p**3 * (10 - 15 * p + 6 * p * p)
     rate, bend = 30 * (p * (1 - p)) ** 2 / span, 60 * p * (1 - p) * (1 - 2 * p) / span**2

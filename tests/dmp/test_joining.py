@@ -75,6 +75,25 @@ def test_nothing_jumps_at_a_joint(preset, seed, overlap):
     assert change[1] < 0.5 * change[0]
 
 
+@pytest.mark.parametrize("overlap", [0.3, 0.6])
+def test_at_a_joint_the_pen_passes_from_one_path_to_the_other_by_their_shares(overlap):
+    """Two springs alike: what the moving goal needs is given, so that the pen does not trail behind it."""
+    settings = Settings.star(alpha=30.0, n_kernels=20, integrator="exact", smoothing=None)
+    t = np.linspace(0, 1.5, 1201)
+    lines = [Trajectory(t, np.outer(t, way)) for way in ((0.2, 0.1), (-0.1, 0.2))]  # at full speed at both ends
+    one, two = (DMP.imitate(each, settings) for each in lines)
+    drawn = joined([one, two], overlap)
+    t = np.linspace(1.5 - overlap, 1.5, 200)
+    at = np.column_stack([np.interp(t, drawn.t, column) for column in drawn.position.T])
+    p = ((t - t[0]) / overlap)[:, None]
+    share = p**3 * (10 - 15 * p + 6 * p**2)
+    y, y_2 = (
+        np.column_stack([np.interp(t - begin, each.times, column) for column in each.rollout().position.T])
+        for each, begin in ((one, 0.0), (two, 1.5 - overlap))
+    )
+    assert np.abs(at - y - share * (y_2 - y)).max() < 0.002 * np.abs(y_2 - y).max()
+
+
 @pytest.mark.parametrize("preset", PRESETS)
 def test_the_pen_does_not_stop_between_two_strokes_that_overlap(preset):
     one, two = letter(200, 1.6, seed=1), letter(200, 1.6, seed=5)

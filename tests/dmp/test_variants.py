@@ -124,7 +124,7 @@ def test_the_exact_spring_follows_a_held_push_to_the_last_digit_whatever_its_ste
 
 
 @pytest.mark.parametrize("preset", [Settings.star, Settings.joint, Settings.plus])
-def test_with_the_exact_spring_a_finer_dt_is_the_same_path_to_a_twentieth_of_a_millimetre(preset):
+def test_with_the_exact_spring_a_finer_dt_draws_the_same_path_where_kernels_end_at_a_step(preset):
     demo = letter(301, 2.5, seed=4)
     p = DMP.imitate(demo, preset(integrator="exact"))
     assert rms(p.rollout(dt=2.5 / 3000).position[::10], p.rollout().position) < 0.05
