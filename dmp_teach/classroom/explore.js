@@ -237,7 +237,8 @@ function drawWork(model, parts) {
   if (work.state === "cannot") {
     const words = make("span", {}, make("b", {}, work.strong), ` ${work.text}`);
     const cure = work.cure ? button(work.cure, { main: true, onClick: () => model.send({ kind: "cure" }) }) : null;
-    host.replaceChildren(make("p", { role: "alert" }, icon(ICONS.warning), words), ...(cure ? [cure] : []));
+    const close = button("Close", { onClick: () => model.send({ kind: "close" }) });
+    host.replaceChildren(make("p", { role: "alert" }, icon(ICONS.warning), words), make("div", { class: "dt-cures" }, cure, close));
   }
 }
 

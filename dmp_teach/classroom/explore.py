@@ -127,6 +127,8 @@ class Explore(anywidget.AnyWidget):
             self._job.stop()
         elif kind == "cure":
             self._cure()
+        elif kind == "close":
+            self.work = _IDLE
         elif kind == "file":
             self._open_bytes(message["name"], bytes(buffers[0]))
         elif kind == "too large":
@@ -161,7 +163,6 @@ class Explore(anywidget.AnyWidget):
             self.stroke = len(self._demo) - 1
             self.goal_shifts = [[0.0, 0.0] for _ in self._demo]
             self._size = None
-            self.work = self.work if self.work["state"] == "working" else _IDLE
         self._redraw()
 
     @traitlets.observe("n_kernels", "kernel_width", "goal_shifts", "stroke", "letter", "asked")
@@ -183,6 +184,7 @@ class Explore(anywidget.AnyWidget):
             self.goal_x, self.goal_y = self.goal_shifts[self.stroke]
             self._describe(taught, shifts)
             self.older = self.motion is not None and self.robot != self._on_the_table
+            self.work = self.work if self.work["state"] == "working" else _IDLE  # what could not be done was before
             self.answered = self.asked
             self.drawing += 1
 

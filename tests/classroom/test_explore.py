@@ -200,3 +200,11 @@ def test_a_file_that_is_no_recording_gets_a_sentence_and_the_letter_stays(panel,
 def test_a_file_of_many_megabytes_is_refused_with_its_size(panel):
     panel._hear(panel, {"kind": "too large", "name": "film.csv", "size": 90_000_000}, [])
     assert panel.work["strong"] == "film.csv has 90 MB."
+
+
+@pytest.mark.parametrize("end", [lambda p: p._hear(p, {"kind": "close"}, []), lambda p: setattr(p, "n_kernels", 20)])
+def test_what_cannot_be_done_goes_away_when_closed_and_when_something_is_changed(panel, end):
+    panel._open_bytes("notes.csv", b"shopping,list\n")
+    assert panel.work["state"] == "cannot"
+    end(panel)
+    assert panel.work == {"state": "idle"}
