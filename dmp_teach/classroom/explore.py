@@ -1,5 +1,6 @@
 """The start panel: a person's letter, the robot's copy, sliders, and the robot that writes what is seen."""
 
+import warnings
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -11,7 +12,7 @@ import traitlets
 from dmp_teach.classroom import words
 from dmp_teach.classroom.writing import Job, StopPressed
 from dmp_teach.dmp.settings import Settings, knob_of
-from dmp_teach.errors import RecordingError, TeachError
+from dmp_teach.errors import RecordingError, SettingWarning, TeachError
 from dmp_teach.ink.alphabet import characters, recording_of
 from dmp_teach.ink.reader import read_recording
 from dmp_teach.ink.recording import Recording
@@ -175,7 +176,10 @@ class Explore(anywidget.AnyWidget):
             return
         self._drawn = now
         settings = Settings.star(n_kernels=self.n_kernels, kernel_width=self.kernel_width)
-        letter = Letter.learn(self._demo, settings)
+        with warnings.catch_warnings(
+            action="ignore", category=SettingWarning
+        ):  # the sentence tells of gaps
+            letter = Letter.learn(self._demo, settings)
         taught = letter.write()
         shifts = {i: shift for i, shift in enumerate(self.goal_shifts) if np.any(shift)}
         self._written = letter.write(goal_shifts=shifts) if shifts else taught

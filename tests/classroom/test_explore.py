@@ -208,3 +208,10 @@ def test_what_cannot_be_done_goes_away_when_closed_and_when_something_is_changed
     assert panel.work["state"] == "cannot"
     end(panel)
     assert panel.work == {"state": "idle"}
+
+
+def test_gaps_between_bumps_are_told_by_the_panels_own_sentence(panel, recwarn):
+    panel.n_kernels = 40
+    panel.kernel_width = 0.5
+    assert "gaps" in panel.message["after"]
+    assert not recwarn.list
