@@ -176,9 +176,7 @@ class Explore(anywidget.AnyWidget):
             return
         self._drawn = now
         settings = Settings.star(n_kernels=self.n_kernels, kernel_width=self.kernel_width)
-        with warnings.catch_warnings(
-            action="ignore", category=SettingWarning
-        ):  # the sentence tells of gaps
+        with warnings.catch_warnings(action="ignore", category=SettingWarning):  # the sentence tells of gaps
             letter = Letter.learn(self._demo, settings)
         taught = letter.write()
         shifts = {i: shift for i, shift in enumerate(self.goal_shifts) if np.any(shift)}
