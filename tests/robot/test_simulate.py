@@ -196,6 +196,16 @@ def test_a_rigid_pen_would_break():
     assert sentence.endswith('use pen="sprung".')
 
 
+def test_real_motors_give_no_more_than_they_have_and_ideal_ones_what_is_needed():
+    motion = written()
+    q = np.array(motion.q)
+    q[300:, 1] += 0.05  # in one step
+    jerked = replace(motion, q=q)
+    real, ideal = (simulate(jerked, motors=motors) for motors in ("real", "ideal"))
+    np.testing.assert_allclose((np.abs(real.effort) / real.limits).max(), 1.0)
+    assert (np.abs(ideal.effort) > ideal.limits).any()
+
+
 def test_a_motor_that_gives_all_it_has_is_named():
     run = simulate(written(), motors="real")
     effort = np.array(run.effort)
