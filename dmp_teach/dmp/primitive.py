@@ -61,6 +61,11 @@ class DMP:
             if values[name] is not None:
                 values[name] = locked(values[name])
 
+    def __repr__(self) -> str:
+        """In one line, without the numbers."""
+        n_kernels, dimensions = self.weights.shape
+        return f"DMP({n_kernels} kernels, {dimensions}-D, {self.duration:.3f} s, {self.settings.transform})"
+
     @classmethod
     def imitate(cls, trajectory: Trajectory, settings: Settings | None = None) -> Self:
         """Learn a movement from one demonstration (Algorithm 1 and 2 of the paper).

@@ -95,3 +95,9 @@ def test_any_stiffness_that_is_taken_is_followed(alpha, preset):
     demo = letter()
     drawn = DMP.imitate(demo, preset(alpha=alpha)).rollout().position
     assert np.abs(drawn - demo.position).max() < (0.1 if alpha > 1 else 10)
+
+
+def test_a_primitive_says_in_one_line_what_it_is():
+    t = np.linspace(0, 2, 241)
+    learned = DMP.imitate(Trajectory(t, np.column_stack([np.sin(t), t])), Settings.star(n_kernels=20))
+    assert repr(learned) == "DMP(20 kernels, 2-D, 2.000 s, star)"
