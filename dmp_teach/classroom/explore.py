@@ -144,7 +144,6 @@ class Explore(anywidget.AnyWidget):
             try:
                 path.write_bytes(content)
                 self.load(path)
-                self.work = _IDLE
             except (TeachError, OSError) as error:
                 self._cannot(str(error))
 

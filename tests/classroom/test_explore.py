@@ -215,3 +215,12 @@ def test_gaps_between_bumps_are_told_by_the_panels_own_sentence(panel, recwarn):
     panel.kernel_width = 0.5
     assert "gaps" in panel.message["after"]
     assert not recwarn.list
+
+
+def test_a_file_opened_while_the_robot_plans_leaves_its_steps_in_sight(panel, tmp_path):
+    path = tmp_path / "q.json"
+    write_json(dmp_teach.recording_of("q"), path)
+    panel._progress("joints", 0.5)
+    panel._open_bytes("q.json", path.read_bytes())
+    assert panel.work["state"] == "working"
+    assert panel.title.startswith("Your own q")
