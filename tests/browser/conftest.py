@@ -197,6 +197,32 @@ def open_notebook(chromium, lab, shot):
 
 
 @pytest.fixture
+def opened(chromium, file, request):
+    """Open the module's `file` in a browser without network; no trouble and no request may have been seen at the end.
+
+    The module's VIEWPORT is the size of the window, unless a test gives another.
+    """
+    contexts, seen = [], []
+
+    def open_it(**options):
+        context = chromium.new_context(**{"viewport": request.module.VIEWPORT, **options})
+        contexts.append(context)
+        context.set_offline(True)
+        page = context.new_page()
+        page.on("request", lambda request: seen.append(request.url))
+        page.on("pageerror", lambda error: seen.append(f"page error: {error}"))
+        page.on("console", lambda message: message.type == "error" and seen.append(f"console: {message.text}"))
+        page.goto(file.as_uri())
+        page.wait_for_selector(".dt-scene[data-dt-awake='true']")
+        return page
+
+    yield open_it
+    for context in contexts:
+        context.close()
+    assert [url for url in seen if not url.startswith(("blob:", file.as_uri()))] == []
+
+
+@pytest.fixture
 def ask():
     """What Python answers in the notebook's kernel: the repr of an expression."""
     return lambda page, expression: page.evaluate(ASK, expression)

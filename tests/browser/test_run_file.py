@@ -8,6 +8,7 @@ from dmp_teach.views.scene import view
 from tests.views.moves import pressed, sway
 
 ROOT = ".dt-scene"
+VIEWPORT = {"width": 1000, "height": 1150}
 PLACES = """() => {
     const middle = (node) => { const box = node.getBoundingClientRect(); return box.left + box.width / 2; };
     const slider = document.querySelector('.dts-bar input');
@@ -26,26 +27,6 @@ def run():
 @pytest.fixture(scope="module")
 def file(run, tmp_path_factory):
     return view(run).html(tmp_path_factory.mktemp("file") / "run.html")
-
-
-@pytest.fixture
-def opened(chromium, file):
-    contexts, troubles = [], []
-
-    def open_it(**options):
-        context = chromium.new_context(**{"viewport": {"width": 1000, "height": 1150}, **options})
-        contexts.append(context)
-        page = context.new_page()
-        page.on("pageerror", lambda error: troubles.append(f"page error: {error}"))
-        page.on("console", lambda message: message.type == "error" and troubles.append(message.text))
-        page.goto(file.as_uri())
-        page.wait_for_selector(f"{ROOT}[data-dt-awake='true']")
-        return page
-
-    yield open_it
-    for context in contexts:
-        context.close()
-    assert troubles == []
 
 
 def go(page, time):

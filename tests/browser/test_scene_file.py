@@ -6,34 +6,12 @@ from dmp_teach.views.scene import view
 from tests.views.moves import sway
 
 ROOT = ".dt-scene"
+VIEWPORT = {"width": 1000, "height": 900}
 
 
 @pytest.fixture(scope="module")
 def file(tmp_path_factory):
     return view(sway()).html(tmp_path_factory.mktemp("file") / "robot.html")
-
-
-@pytest.fixture
-def opened(chromium, file):
-    """Open the file in a browser without network; no trouble and no request may have been seen at the end."""
-    contexts, seen = [], []
-
-    def open_it(**options):
-        context = chromium.new_context(**{"viewport": {"width": 1000, "height": 900}, **options})
-        contexts.append(context)
-        context.set_offline(True)
-        page = context.new_page()
-        page.on("request", lambda request: seen.append(request.url))
-        page.on("pageerror", lambda error: seen.append(f"page error: {error}"))
-        page.on("console", lambda message: message.type == "error" and seen.append(f"console: {message.text}"))
-        page.goto(file.as_uri())
-        page.wait_for_selector(f"{ROOT}[data-dt-awake='true']")
-        return page
-
-    yield open_it
-    for context in contexts:
-        context.close()
-    assert [url for url in seen if not url.startswith(("blob:", file.as_uri()))] == []
 
 
 def data(page, name):

@@ -1,7 +1,5 @@
 """Pictures without a browser."""
 
-import builtins
-
 import numpy as np
 import pytest
 from PIL import Image
@@ -64,15 +62,7 @@ def test_every_client_is_closed(shown, tmp_path):
     assert not pybullet.isConnected(number)
 
 
-def test_without_pybullet_it_says_what_still_works(shown, tmp_path, monkeypatch):
-    real = builtins.__import__
-
-    def without(name, *rest):
-        if name == "pybullet":
-            raise ImportError(name)
-        return real(name, *rest)
-
-    monkeypatch.setattr(builtins, "__import__", without)
+def test_without_pybullet_it_says_what_still_works(shown, tmp_path, without_pybullet):
     with pytest.raises(MissingPartError, match=r"need pybullet.*\.html\(path\) work without it"):
         picture(shown, tmp_path)
     assert not list(tmp_path.iterdir())

@@ -1,6 +1,5 @@
 """What must hold for every letter under gravity, on paper; and that what goes wrong is said."""
 
-import builtins
 import os
 from dataclasses import replace
 from functools import cache
@@ -367,14 +366,7 @@ def test_nothing_is_printed(capfd):
     assert capfd.readouterr() == ("", "")
 
 
-def test_without_pybullet_it_says_what_still_works(monkeypatch):
-    motion, real = short(), builtins.__import__
-
-    def without(name, *rest):
-        if name == "pybullet":
-            raise ImportError(name)
-        return real(name, *rest)
-
-    monkeypatch.setattr(builtins, "__import__", without)
+def test_without_pybullet_it_says_what_still_works(without_pybullet):
+    motion = short()
     with pytest.raises(MissingPartError, match=r"need pybullet.*\.html\(path\) work without it"):
         simulate(motion)
