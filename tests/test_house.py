@@ -24,6 +24,9 @@ EVERYWHERE = {"numpy", "scipy", "dmp_teach"}
 ROOMS = {  # where a library from elsewhere may be imported
     "csv": ["ink/"],
     "pandas": ["ink/"],
+    "dtaidistance": ["ink/"],
+    "svgelements": ["ink/"],
+    "defusedxml": ["ink/"],
     "placo": ["robot/arm.py"],
     "pinocchio": ["robot/arm.py"],
     "pybullet": ["robot/physics.py"],
