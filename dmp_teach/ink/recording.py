@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.ink.strokes import find_strokes
@@ -23,10 +24,12 @@ class Recording:
         baseline: The y of the line that the letter stands on [m], or None where nobody knows.
         given_strokes: Where the source knows its strokes: pairs (start, end), a stroke being the
             samples `start:end` (end not included). None: strokes are found from the height.
+        pressure: How hard the pen was pressed, as a share of the hardest press that the device can tell, shape (T,),
+            0 in the air and at most 1; or None where nobody knows.
 
     Raises:
         RecordingError: Shapes that do not match, values that are not finite, times that do not
-            increase, or strokes that are not increasing runs of at least 2 samples.
+            increase, strokes that are not increasing runs of at least 2 samples, or a pressure out of its range.
     """
 
     t: Array
@@ -35,6 +38,7 @@ class Recording:
     writer: str | None = None
     baseline: float | None = None
     given_strokes: tuple[tuple[int, int], ...] | None = None
+    pressure: Array | None = None
 
     def __post_init__(self) -> None:
         """Copy, check and lock."""
@@ -53,6 +57,8 @@ class Recording:
             object.__setattr__(self, "baseline", float(self.baseline))
         if self.given_strokes is not None:
             object.__setattr__(self, "given_strokes", _checked(self.given_strokes, len(path)))
+        if self.pressure is not None:
+            object.__setattr__(self, "pressure", _checked_pressure(self.pressure, len(path)))
 
     @property
     def duration(self) -> float:
@@ -99,3 +105,19 @@ def _checked(spans: tuple[tuple[int, int], ...], samples: int) -> tuple[tuple[in
             f"one after the other, within {samples} samples."
         )
     return pairs
+
+
+def _checked_pressure(pressure: ArrayLike, samples: int) -> Array:
+    """The pressure as a locked array, or an error that names the first value that cannot be."""
+    try:
+        values = np.asarray(pressure, dtype=float)
+    except (TypeError, ValueError, OverflowError):
+        values = np.empty(0)
+    if values.shape != (samples,):
+        raise RecordingError(f"pressure must be one number for every sample, shape ({samples},), or None.")
+    odd = np.flatnonzero(~((values >= 0) & (values <= 1)))
+    if len(odd):
+        raise RecordingError(
+            f"pressure[{odd[0]}] is {values[odd[0]]}, but must be between 0 and 1: a share of the hardest press."
+        )
+    return locked(values)

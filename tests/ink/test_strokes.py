@@ -243,3 +243,17 @@ def test_a_broken_clock_is_refused():
     t = np.concatenate([np.arange(99) / 120, [1e9]])
     with pytest.raises(RecordingError, match="too uneven to find strokes"):
         find_strokes(t, np.zeros((100, 3)))
+
+
+def test_pressure_is_kept_locked_and_within_0_and_1():
+    t, page = np.arange(4.0), np.zeros((4, 3))
+    recording = Recording(t, page, pressure=[0, 0.5, 1, 0])
+    assert recording.pressure.tolist() == [0, 0.5, 1, 0]
+    assert not recording.pressure.flags.writeable
+    assert Recording(t, page).pressure is None
+    for odd in ([0, 1], "hard", [[0]] * 4, 0.5, [10**400] * 4):
+        with pytest.raises(RecordingError, match=r"pressure must be one number for every sample, shape \(4,\)"):
+            Recording(t, page, pressure=odd)
+    for odd in (-0.1, 1.1, np.nan, np.inf):
+        with pytest.raises(RecordingError, match=r"pressure\[2\] is .*, but must be between 0 and 1"):
+            Recording(t, page, pressure=[0, 1, odd, 0])
