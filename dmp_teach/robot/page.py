@@ -1,9 +1,11 @@
 """The sheet of paper, as the robot sees it."""
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
+from scipy.spatial.transform import Rotation
 
 from dmp_teach.errors import PageError
 from dmp_teach.trajectory import Array, locked
@@ -44,9 +46,12 @@ class Page:
             raise PageError(
                 f"The page's centre is at ({place}) m, 10 m or more from the robot; is that in millimetres?"
             )
-        for name, value in (("width", self.width), ("height", self.height)):
-            if not (np.isfinite(value) and 0.01 <= value <= 2.0):
-                raise PageError(f"The page's {name} is {value} m, but must be between 0.01 and 2 m.")
+        for name in ("width", "height"):
+            value = finite(name, getattr(self, name), "a length in metres, such as 0.21")
+            if not 0.01 <= value <= 2.0:
+                hint = " Is that in millimetres?" if value >= 10 else ""
+                raise PageError(f"The page's {name} is {value:g} m, but must be between 0.01 and 2 m.{hint}")
+            object.__setattr__(self, name, value)
         object.__setattr__(self, "X_world_page", locked(X))
 
     @classmethod
@@ -57,9 +62,27 @@ class Page:
         z: float = 0.72,
         width: float = A4[0],
         height: float = A4[1],
+        *,
+        tilt: float = 0.0,
+        turn: float = 0.0,
+        yaw: float = 0.0,
     ) -> "Page":
-        """A sheet flat on a table: its right is the world's -y, its up is +x [m]."""
-        return cls(_pose(_TABLE, (x, y, z)), width, height)
+        """A sheet on a table or a desk: its right is the world's -y, its up is +x.
+
+        Args:
+            x: Where its centre is, ahead of the robot [m].
+            y: To the robot's left [m].
+            z: Over the floor [m].
+            width: Along the page's x: 0.148 for A5 upright, 0.297 for A4 on its side [m].
+            height: Along the page's y [m].
+            tilt: How far its top is raised, about the page's own x axis [rad].
+            turn: How far the sheet is turned on its desk, to the left as one reads it [rad].
+            yaw: How far the desk with its sheet is turned about the vertical, to the robot's left [rad].
+
+        Raises:
+            PageError: What is no number, or so large that it must have been meant in another unit.
+        """
+        return cls(_pose("table", (x, y, z), tilt, turn, yaw), width, height)
 
     @classmethod
     def board(
@@ -69,17 +92,35 @@ class Page:
         z: float = 1.10,
         width: float = A4[0],
         height: float = A4[1],
+        *,
+        tilt: float = 0.0,
+        turn: float = 0.0,
+        yaw: float = 0.0,
     ) -> "Page":
-        """A sheet on a whiteboard that faces the robot: its right is the world's -y, its up is +z [m]."""
-        return cls(_pose(_BOARD, (x, y, z)), width, height)
+        """A sheet on a whiteboard that faces the robot: its right is the world's -y, its up is +z.
+
+        Everything else is as for `table`; a board that leans back has a negative `tilt`.
+        """
+        return cls(_pose("board", (x, y, z), tilt, turn, yaw), width, height)
 
     @property
-    def kind(self) -> str | None:
-        """How it lies: "table", "board", or None for any other way."""
-        for kind, pose in (("table", _TABLE), ("board", _BOARD)):
-            if np.allclose(self.X_world_page[:3, :3], pose, atol=1e-9):
-                return kind
-        return None
+    def kind(self) -> str:
+        """Whether it lies more like a sheet on a "table" or on a "board"."""
+        return "table" if self.normal[2] > np.sqrt(0.5) else "board"
+
+    @property
+    def angles(self) -> tuple[float, float, float]:
+        """Its `tilt`, `turn` and `yaw` from a table or board, whichever is its kind [rad]."""
+        normal = self.normal
+        lean = np.arctan2(np.hypot(normal[0], normal[1]), normal[2])
+        yaw = np.arctan2(-normal[1], -normal[0]) if np.sin(lean) > 1e-7 else 0.0
+        upright = 0.0 if self.kind == "table" else np.pi / 2
+        found = []
+        for tilt, about in ((lean - upright, yaw), (-lean - upright, yaw - np.copysign(np.pi, yaw))):
+            straight = _pose(self.kind, (0, 0, 0), tilt, 0.0, about)[:3, :3]
+            across = straight.T @ self.X_world_page[:3, 0]
+            found.append((float(tilt), float(np.arctan2(across[1], across[0])), float(about)))
+        return min(found, key=lambda angles: sum(map(abs, angles)))
 
     @property
     def size(self) -> Array:
@@ -93,14 +134,16 @@ class Page:
         return Page(X, self.width, self.height)
 
     def __repr__(self) -> str:
-        """What one types to get it."""
-        sheet = "" if tuple(self.size) == A4 else f", width={self.width:g}, height={self.height:g}"
-        if self.kind is None:
-            return f"Page(X_world_page={np.round(self.X_world_page, 4).tolist()}{sheet})"
-        standard = getattr(Page, self.kind)().X_world_page[:3, 3]
-        moved = zip("xyz", self.X_world_page[:3, 3], standard, strict=True)
-        where = ", ".join(f"{axis}={value:.4g}" for axis, value, usual in moved if abs(value - usual) > 1e-9)
-        return f"Page.{self.kind}({(where + sheet).removeprefix(', ')})"
+        """What one types to get it, to a micrometre."""
+        usual = getattr(Page, self.kind)()
+        said = dict(zip("xyz", zip(self.X_world_page[:3, 3], usual.X_world_page[:3, 3], strict=True), strict=True))
+        if tuple(self.size) != A4:
+            said |= {"width": (self.width, np.inf), "height": (self.height, np.inf)}
+        said |= {name: (value, 0.0) for name, value in zip(("tilt", "turn", "yaw"), self.angles, strict=True)}
+        words = [
+            f"{name}={round(value, 6):.7g}" for name, (value, left_out) in said.items() if abs(value - left_out) > 5e-7
+        ]
+        return f"Page.{self.kind}({', '.join(words)})"
 
     @property
     def normal(self) -> Array:
@@ -130,8 +173,35 @@ def _four_by_four(values: ArrayLike) -> Array:
     return X
 
 
-def _pose(R_world_page: Array, centre: ArrayLike) -> Array:
-    """A pose (4, 4) from a turn (3, 3) and a place (3,) [m]."""
+def _pose(kind: str, centre: tuple[Any, Any, Any], tilt: Any, turn: Any, yaw: Any) -> Array:
+    """The pose (4, 4) of a sheet on a table or a board."""
     X = np.eye(4)
-    X[:3, :3], X[:3, 3] = R_world_page, centre
+    X[:3, 3] = [
+        finite(name, value, "a place in metres, such as 0.7") for name, value in zip("xyz", centre, strict=True)
+    ]
+    tilt, turn, yaw = (_angle(*given) for given in (("tilt", tilt), ("turn", turn), ("yaw", yaw)))
+    about_the_vertical = Rotation.from_euler("Z", yaw).as_matrix()
+    on_the_desk = Rotation.from_euler("XZ", (tilt, turn)).as_matrix()
+    X[:3, :3] = about_the_vertical @ (_TABLE if kind == "table" else _BOARD) @ on_the_desk
     return X
+
+
+def _angle(name: str, value: Any) -> float:
+    """An angle of at most a whole turn [rad]."""
+    angle = finite(name, value, "an angle in radians, such as 0.35")
+    if abs(angle) > 2 * np.pi:
+        raise PageError(
+            f"{name} is {angle:g} rad, more than a whole turn. If that is in degrees, write {np.radians(angle):.4g}."
+        )
+    return angle
+
+
+def finite(name: str, value: Any, meaning: str) -> float:
+    """A finite number, or a PageError that says what it should be."""
+    try:
+        found = float(value)
+    except (TypeError, ValueError):
+        found = np.nan
+    if not np.isfinite(found):
+        raise PageError(f"{name} is {value!r}, but must be {meaning}.")
+    return found

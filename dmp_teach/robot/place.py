@@ -1,13 +1,12 @@
 """The letter on the sheet: is it one, does it fit, and where does it go."""
 
 from collections.abc import Iterable
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from dmp_teach.errors import PageError, TrajectoryError
-from dmp_teach.robot.page import Page
+from dmp_teach.robot.page import Page, finite
 from dmp_teach.trajectory import Array, Trajectory
 
 MARGIN = 0.005
@@ -106,7 +105,7 @@ def _scale(extent: Array, page: Page, size: float | None) -> float:
     room = page.size - 2 * MARGIN
     if size is not None and extent[1] < 1e-9:
         raise PageError("The ink has no height (a dot, or a level line), so size cannot set it; leave size out.")
-    scale = 1.0 if size is None else _number("size", size, "a height in metres, such as 0.1") / extent[1]
+    scale = 1.0 if size is None else finite("size", size, "a height in metres, such as 0.1") / extent[1]
     if scale <= 0:
         raise PageError(f"size is {size} m, but the ink's height must be more than 0.")
     if (extent * scale > room + 1e-9).any():
@@ -140,17 +139,6 @@ def _spot(at: ArrayLike | None, extent: Array, page: Page) -> Array:
             f"x must be between {-x:g} and {x:g} m, y between {-y:g} and {y:g} m."
         )
     return spot
-
-
-def _number(name: str, value: Any, meaning: str) -> float:
-    """A finite number, or a PageError."""
-    try:
-        number = float(value)
-    except (TypeError, ValueError):
-        number = np.nan
-    if not np.isfinite(number):
-        raise PageError(f"{name} is {value!r}, but must be {meaning}.")
-    return number
 
 
 def _mm(size: Array) -> str:
