@@ -40,7 +40,7 @@ body[data-jp-theme-light="false"] {{ --jp-ui-font-color0: #f4f4f4; }}
 _START = """
 const part = (name) => Uint8Array.from(atob(document.getElementById(name).textContent), (c) => c.charCodeAt(0));
 const state = JSON.parse(new TextDecoder().decode(await gunzip(part("state"))));
-for (const name of ["viewer", "robot", "run"]) state[name] = part(name);
+for (const { id } of document.querySelectorAll("script[id]:not(#state)")) state[id] = part(id);
 const heard = {};
 const model = {
   get: (name) => state[name],
@@ -68,7 +68,7 @@ def page(title: str, css: str, script: str, state: dict, parts: dict[str, bytes]
         css: The view's style sheet.
         script: The view's script; it defines `render({model, el})`.
         state: The view's traits that are not bytes.
-        parts: Those that are: "viewer", "robot" and "run", compressed.
+        parts: Those that are: "viewer", "robot", "run" and "planned_run", compressed.
 
     Returns:
         The file's bytes.

@@ -14,7 +14,8 @@ CORNERS = 8
 _BEND = np.radians(20)
 """Where the line bends more than this, and at its ends, a whole dot is drawn: ends and corners are round [rad]."""
 
-_MOST_DOTS = 3000
+MOST_DOTS = 2000
+"""Of a ribbon: a long text is drawn a little less round, so that its file stays small."""
 _STILL = 1e-12
 """A pen at rest counts as moving so little, so that its way always grows [m]."""
 
@@ -48,7 +49,11 @@ class Ribbon:
 
 
 def ribbon(
-    strokes: Sequence[Trajectory], width: float | Callable[[Array], Array], height: float, spacing: float = 0.0007
+    strokes: Sequence[Trajectory],
+    width: float | Callable[[Array], Array],
+    height: float,
+    spacing: float = 0.0007,
+    most: int = MOST_DOTS,
 ) -> Ribbon:
     """The mesh of some strokes.
 
@@ -56,13 +61,14 @@ def ribbon(
         strokes: 2-D, in the page's frame, one after the other in time [s], [m].
         width: Of the ribbon [m]; or what gives it at times (P,) [s].
         height: Over the paper [m].
-        spacing: Between two dots [m]; wider where there are so many strokes that the file would grow large.
+        spacing: Between two dots [m]; wider where there would be more than `most`.
+        most: Dots in all, or a few more.
 
     Returns:
         A `Ribbon`; without strokes an empty one.
     """
     length = sum(np.linalg.norm(np.diff(s.position, axis=0), axis=1).sum() for s in strokes)
-    spacing = max(spacing, float(length) / _MOST_DOTS)
+    spacing = max(spacing, float(length) / most)
     walks = [_walk(stroke, spacing) for stroke in strokes]
     t = np.concatenate([np.empty(0), *(walk[0] for walk in walks)])
     dots = np.concatenate([np.empty((0, 2)), *(walk[1] for walk in walks)])

@@ -1,6 +1,7 @@
 // The view: the picture, what is written so far, and the controls under it. Needs scene_3d.js before it.
 
 const CAMERA_NAMES = { "whole robot": "Whole robot", "over the shoulder": "Over the shoulder", "page from above": "Page from above" };
+const SEEN_NAMES = { "as planned": "as planned", "as it happened": "as it happened" };
 const SPEEDS = { 1: "1×", 0.5: "½×", 0.25: "¼×" };
 const PLAY = "M8 5.5v13l11-6.5z";
 const PAUSE = "M8 5.5h3v13H8zM14 5.5h3v13h-3z";
@@ -111,7 +112,9 @@ function bar({ onPlay, onTime, onDone }) {
 
 function render({ model, el: host }) {
   const still = window.matchMedia("(prefers-reduced-motion: reduce)");
-  const facts = () => model.get("facts");
+  const plan = () => model.get("seen") === "as planned" && Boolean(model.get("planned_facts").duration);
+  const facts = () => model.get(plan() ? "planned_facts" : "facts");
+  const run = () => model.get(plan() ? "planned_run" : "run");
   let time = Math.min(model.get("time"), facts().duration);
   let playing = false;
   let before = null;
@@ -125,6 +128,9 @@ function render({ model, el: host }) {
   const chooseCamera = (name) => set({ camera: name });
   const cameraBar = choice("Camera", CAMERA_NAMES, chooseCamera);
   const cameraList = list("Camera", CAMERA_NAMES, chooseCamera);
+  const chooseSeen = (name) => set({ seen: name });
+  const seenBar = choice("What is shown", SEEN_NAMES, chooseSeen);
+  const seenList = list("What is shown", SEEN_NAMES, chooseSeen);
   const speeds = choice("Speed", SPEEDS, (value) => set({ speed: Number(value) }));
   const page = inset();
   const box = el("div", { class: "dts-box" });
@@ -133,9 +139,9 @@ function render({ model, el: host }) {
   const controls = bar({ onPlay: () => press(), onTime: (t) => (stop(), show(t)), onDone: () => set({ time }) });
   const strip = forceStrip(controls.slider);
   const notes = el("p", { class: "dts-notes" });
-  const head = el("div", { class: "dts-head" }, cameraBar.node);
+  const head = el("div", { class: "dts-head" }, cameraBar.node, seenBar.node);
   const foot = el("div", { class: "dts-foot" }, notes, speeds.node);
-  const under = el("div", { class: "dts-under" }, controls.node, cameraList.node);
+  const under = el("div", { class: "dts-under" }, controls.node, cameraList.node, seenList.node);
   const root = el("div", { class: "dt-scene", "data-lm-suppress-shortcuts": "true" }, head, stage, under, strip.node, foot);
   // JupyterLab would take arrows and letters for its own commands.
   root.addEventListener("keydown", (event) => event.stopPropagation());
@@ -211,6 +217,10 @@ function render({ model, el: host }) {
     notes.textContent = facts().notes;
     controls.enable(facts().duration > 0);
     root.classList.toggle("dts-empty", !facts().duration);
+    for (const { node, show } of [seenBar, seenList]) {
+      node.hidden = !model.get("planned_facts").duration;
+      show(model.get("seen"));
+    }
   };
   // Another letter on the same page is seen by the same camera, as a hand may have turned it.
   const place = () => JSON.stringify([facts().page, facts().duration > 0]);
@@ -225,7 +235,7 @@ function render({ model, el: host }) {
   const wake = async () => {
     if (picture.viewer || picture.gone) return;
     try {
-      await picture.wake(model.get("viewer"), model.get("robot"), model.get("run"), theme());
+      await picture.wake(model.get("viewer"), model.get("robot"), run(), theme());
       show(time);
     } catch (error) {
       console.warn(error);
@@ -237,15 +247,23 @@ function render({ model, el: host }) {
   };
   const fresh = async () => {
     load();
-    await picture.change(model.get("run"));
+    await picture.change(run());
     if (place() !== seenPlace) aim();
     show(model.get("playing") ? 0 : model.get("time"));
     if (model.get("playing") && picture.seen) start();
+  };
+  // The same moment of the same letter: camera and time stay.
+  const swap = async () => {
+    load();
+    show(time);
+    await picture.change(run());
+    show(time);
   };
   const shape = () => root.classList.toggle("dts-compact", model.get("compact"));
 
   model.on("change:motion_id", fresh);
   model.on("change:camera", aim);
+  model.on("change:seen", swap);
   model.on("change:compact", shape);
   model.on("change:speed", () => speeds.show(model.get("speed")));
   model.on("change:time", () => !playing && Math.abs(model.get("time") - time) > 1e-6 && show(model.get("time")));

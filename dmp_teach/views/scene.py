@@ -21,6 +21,10 @@ _SCRIPT = read_beside("scene_3d.js") + read_beside("force.js") + read_beside("sc
 _STYLE = read_beside("tokens.css") + read_beside("scene.css") + read_beside("force.css")
 
 
+SEEN = ("as planned", "as it happened")
+"""What a view of a run can show; a motion is only planned."""
+
+
 def _as_bytes() -> traitlets.Bytes:
     """Bytes for the browser; from it they come as a memoryview, which traitlets would refuse."""
     return traitlets.Bytes().tag(sync=True, from_json=lambda value, widget: bytes(value))
@@ -44,6 +48,9 @@ class SceneView(anywidget.AnyWidget):
     robot = _as_bytes()
     run = _as_bytes()
     facts = traitlets.Dict().tag(sync=True)
+    planned_run = _as_bytes()
+    planned_facts = traitlets.Dict().tag(sync=True)
+    seen = traitlets.Enum(SEEN, default_value=SEEN[1]).tag(sync=True)
     motion_id = traitlets.Unicode().tag(sync=True)
     time = traitlets.Float(0.0).tag(sync=True)
     playing = traitlets.Bool(False).tag(sync=True)
@@ -53,7 +60,7 @@ class SceneView(anywidget.AnyWidget):
 
     def __init__(self, motion: Motion | Run | None = None, **traits: Any) -> None:
         self._count = 0
-        start = _traits(_stage(motion))
+        start = _traits(motion)
         super().__init__(viewer=viewer_script(), robot=robot_bundle(), motion_id="0", **start, **traits)
         self._motion = motion
 
@@ -72,7 +79,7 @@ class SceneView(anywidget.AnyWidget):
         Raises:
             ViewError: Something that is neither a motion nor a run.
         """
-        start = _traits(_stage(motion), play)
+        start = _traits(motion, play)
         self._motion, self._count = motion, self._count + 1
         with self.hold_sync():
             self.set_trait("playing", False)
@@ -93,9 +100,10 @@ class SceneView(anywidget.AnyWidget):
         Raises:
             PathError: A path that cannot be written; what was there before stays.
         """
-        parts = {"viewer": self.viewer, "robot": self.robot, "run": self.run}
-        state = {"facts": self.facts, "time": 0.0, "playing": True, "speed": 1.0, "camera": self.camera}
-        text = page("A robot writes a letter", _STYLE, _SCRIPT, state | {"compact": False, "motion_id": "0"}, parts)
+        parts = {name: getattr(self, name) for name in ("viewer", "robot", "run", "planned_run")}
+        state = {name: getattr(self, name) for name in ("facts", "planned_facts", "camera", "seen")}
+        state |= {"time": 0.0, "playing": True, "speed": 1.0, "compact": False, "motion_id": "0"}
+        text = page("A robot writes a letter", _STYLE, _SCRIPT, state, parts)
         return write_whole(path, text, ".html")
 
     def png(
@@ -123,11 +131,13 @@ class SceneView(anywidget.AnyWidget):
             PathError: A path that cannot be written.
             MissingPartError: pybullet is not installed.
         """
-        return write_whole(path, png(_stage(self._motion), time, camera, width, height), ".png")
+        planned = isinstance(self._motion, Run) and self.seen == SEEN[0]
+        shown = self._motion.planned if planned else self._motion
+        return write_whole(path, png(_stage(shown), time, camera, width, height), ".png")
 
 
-def view(motion: Motion) -> SceneView:
-    """Show a motion: live in a notebook; `.html(path)` and `.png(path)` write it to a file.
+def view(motion: Motion | Run) -> SceneView:
+    """Show a motion, or a run as it was planned and as it happened: live in a notebook; `.html(path)` and `.png(path)` write it to a file.
 
     Raises:
         ViewError: Something that is neither a motion nor a run.
@@ -155,7 +165,14 @@ def _not_a_motion(value: Any) -> str:
     )
 
 
-def _traits(stage: Stage, play: bool = True) -> dict[str, Any]:
+def _traits(motion: Motion | Run | None, play: bool = True) -> dict[str, Any]:
     """The traits of a view that change with the motion."""
-    playing = play and stage.duration > 0
-    return {"run": bundle(run_commands(stage)), "facts": stage.facts(), "time": 0.0, "playing": playing}
+    stage, plan = _stage(motion), Stage(motion.planned) if isinstance(motion, Run) else None
+    return {
+        "run": bundle(run_commands(stage)),
+        "facts": stage.facts(),
+        "planned_run": bundle(run_commands(plan)) if plan else b"",
+        "planned_facts": plan.facts() if plan else {},
+        "time": 0.0,
+        "playing": play and stage.duration > 0,
+    }

@@ -14,7 +14,7 @@ from dmp_teach.trajectory import Array, Trajectory
 from dmp_teach.views import pressing
 from dmp_teach.views.cameras import Camera, cameras
 from dmp_teach.views.keyframes import key_rows
-from dmp_teach.views.ribbon import Ribbon, inked, ribbon
+from dmp_teach.views.ribbon import MOST_DOTS, Ribbon, inked, ribbon
 from dmp_teach.views.shapes import Shape, around
 
 REST = {
@@ -98,7 +98,7 @@ class Stage:
     def plan(self) -> Ribbon:
         """The letter that was asked for."""
         strokes = () if self.motion is None else self.motion.strokes
-        return ribbon(strokes, PLAN_WIDTH, PLAN_HEIGHT, spacing=0.002)
+        return ribbon(strokes, PLAN_WIDTH, PLAN_HEIGHT, spacing=0.002, most=MOST_DOTS // 2)
 
     @cached_property
     def around(self) -> tuple[Shape, ...]:

@@ -76,3 +76,19 @@ def test_the_small_page_has_a_path_for_each_shade_and_grows(opened):
         lengths.append(sum(len(path) for path in shades.evaluate_all("all => all.map(n => n.getAttribute('d'))")))
     assert lengths[0] == 0 < lengths[1] < lengths[2]
     assert page.locator(".dts-ink").get_attribute("d") == ""
+
+
+def test_the_plan_and_what_happened_are_seen_at_the_same_moment(opened, shot):
+    page = opened(reduced_motion="reduce")
+    go(page, 1.2)
+    ink = page.locator(".dts-ink")
+    assert page.locator(".dts-force").is_visible()
+    page.get_by_role("radio", name="as planned").check()
+    page.wait_for_function("document.querySelector('.dts-force').hidden")
+    assert ink.get_attribute("d").startswith("M"), "the plan has one shade"
+    assert page.locator(ROOT).get_attribute("data-dt-time") == "1.200"
+    shot(page, "run_as_planned")
+    page.get_by_role("radio", name="as it happened").check()
+    page.wait_for_function("!document.querySelector('.dts-force').hidden")
+    assert ink.get_attribute("d") == ""
+    assert page.evaluate(PLACES)["head"] == pytest.approx(page.evaluate(PLACES)["thumb"], abs=1.5)

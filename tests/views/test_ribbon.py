@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 
 from dmp_teach.trajectory import Trajectory
-from dmp_teach.views.ribbon import inked, ribbon
+from dmp_teach.views.ribbon import MOST_DOTS, inked, ribbon
 from tests.views.moves import sway
 
 WIDTH = 0.002
@@ -30,7 +30,7 @@ def test_every_dot_lies_on_the_pens_path_and_no_piece_of_it_is_left_out(position
     expected = np.column_stack([np.interp(line.t, 0.1 * np.arange(len(position)), c) for c in position.T])
     # a corner between two dots is cut by less than their distance
     way = np.linalg.norm(np.diff(position, axis=0), axis=1).sum()
-    spacing = max(0.0007, way / 3000)
+    spacing = max(0.0007, way / MOST_DOTS)
     assert np.abs(line.dots - expected).max() <= spacing
     assert np.linalg.norm(line.dots[[0, -1]] - position[[0, -1]], axis=1).max() <= 1e-6 + (way == 0)
     assert np.linalg.norm(np.diff(line.dots, axis=0), axis=1).max(initial=0) <= 1.001 * spacing

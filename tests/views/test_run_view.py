@@ -16,6 +16,7 @@ from dmp_teach.robot.bench import SLIDE
 from dmp_teach.robot.run import BAND, Run
 from dmp_teach.views import pressing
 from dmp_teach.views.commands import run_commands
+from dmp_teach.views.packing import unbundle
 from dmp_teach.views.picture import INK_COLOR
 from dmp_teach.views.scene import SceneView, view
 from dmp_teach.views.stage import Stage
@@ -165,3 +166,14 @@ def test_the_run_of_the_tests_is_one(run):
     assert isinstance(run, Run)
     assert run.motion.joint_names[-1] == SLIDE
     assert run.shape_error < 1e-6
+
+
+def test_a_run_is_shown_as_planned_too(run, tmp_path):
+    shown = view(run)
+    assert shown.planned_facts == Stage(run.planned).facts()
+    assert unbundle(shown.planned_run) == run_commands(Stage(run.planned))
+    shown.seen = "as planned"
+    planned, alone = (v.png(tmp_path / "a.png", width=300, height=200).read_bytes() for v in (shown, view(run.planned)))
+    assert planned == alone
+    shown.show(run.planned, play=False)
+    assert (shown.planned_run, shown.planned_facts) == (b"", {})
