@@ -17,7 +17,8 @@ from shapes_slanted import SLANTED
 HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))  # the script also runs where dmp_teach is not installed
 
-from dmp_teach.ink.alphabet import file_name, write_json  # noqa: E402
+from dmp_teach.ink.alphabet import file_name  # noqa: E402
+from dmp_teach.ink.our_json import write_json  # noqa: E402
 from dmp_teach.ink.recording import Recording  # noqa: E402
 
 ALPHABETS = {

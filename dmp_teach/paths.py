@@ -23,7 +23,9 @@ def write_whole(path: str | os.PathLike, data: bytes, suffix: str) -> Path:
     Raises:
         PathError: The name ends otherwise, the folder is missing, or the place cannot be written.
     """
-    path = Path(path).expanduser()
+    if not isinstance(path, str | os.PathLike) or not isinstance(os.fspath(path), str):
+        raise PathError(f"The path is {path!r}, but must be the name of a file, such as {'a' + suffix!r}.")
+    path = Path(os.path.expanduser(path))
     if path.suffix.lower() != suffix:
         raise PathError(f"The path is {str(path)!r}, but its name must end with {suffix}: try {path.stem + suffix!r}.")
     if not path.parent.is_dir():
@@ -33,12 +35,14 @@ def write_whole(path: str | os.PathLike, data: bytes, suffix: str) -> Path:
         handle, partial = tempfile.mkstemp(dir=path.parent, prefix=".dmp_teach_", suffix=suffix)
         with os.fdopen(handle, "wb") as file:
             file.write(data)
+            file.flush()
+            os.fsync(file.fileno())
         os.chmod(partial, 0o666 & ~_umask())
         os.replace(partial, path)
     except OSError as error:
         if partial is not None and os.path.exists(partial):
             os.unlink(partial)
-        raise PathError(f"{str(path)!r} cannot be written: {error.strerror}. Choose another place.") from None
+        raise PathError(f"{str(path)!r} cannot be written: {error.strerror}. What was there is unchanged.") from None
     return path
 
 

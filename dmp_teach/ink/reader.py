@@ -9,6 +9,7 @@ import numpy as np
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.ink.motive import Take, read_take
+from dmp_teach.ink.our_json import read_json
 from dmp_teach.ink.plane import find_page, level_axes
 from dmp_teach.ink.recording import Recording
 from dmp_teach.ink.strokes import find_strokes
@@ -41,8 +42,6 @@ def read_recording(path: str | Path, marker: str | None = None, up: str = "+y", 
         RecordingError: What is wrong, in which file, row and column, and what would work.
     """
     if str(path).lower().endswith(".json"):
-        from dmp_teach.ink.alphabet import read_json  # noqa: PLC0415 (alphabets are built on recordings)
-
         return read_json(path)
     level_axes(up, right)
     take = _seen(read_take(path, marker))

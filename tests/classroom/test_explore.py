@@ -9,7 +9,7 @@ import dmp_teach
 from dmp_teach.classroom import explore as room
 from dmp_teach.classroom.explore import explore
 from dmp_teach.classroom.writing import Job, StopPressed
-from dmp_teach.ink.alphabet import read_json, write_json
+from dmp_teach.ink.our_json import read_json, write_json
 from dmp_teach.ink.recording import Recording
 
 

@@ -1,8 +1,6 @@
 """Our alphabets are written as a person writes, and JSON keeps what it was given."""
 
 import importlib
-import json
-import os
 import sys
 from functools import cache
 from itertools import pairwise
@@ -10,13 +8,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import given
-from hypothesis import strategies as st
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.ink import alphabet
-from dmp_teach.ink.alphabet import alphabets, characters, file_name, read_json, recording_of, write_json
-from dmp_teach.ink.recording import Recording
+from dmp_teach.ink.alphabet import alphabets, characters, file_name, recording_of
 from dmp_teach.paths import ASSETS
 
 EVERY = [(name, letter) for name in alphabets() for letter in characters(name)]
@@ -165,153 +160,6 @@ def test_the_script_writes_all_letters_and_the_same_bytes_twice(tmp_path):
     once, twice = ({p.relative_to(r): p.read_bytes() for p in r.rglob("*.json")} for r in tmp_path.iterdir())
     assert once == twice
     assert set(once) == {p.relative_to(alphabet.FOLDER) for p in alphabet.FOLDER.rglob("*.json")}
-
-
-numbers = st.floats(-1e6, 1e6, allow_nan=False)
-texts = st.none() | st.text(st.characters(codec="utf-8"), max_size=5)
-
-
-@given(
-    rows=st.lists(st.tuples(numbers, numbers, numbers, numbers), min_size=2, max_size=8, unique_by=lambda row: row[0]),
-    about=st.tuples(texts, texts, st.none() | numbers),
-    given=st.booleans(),
-)
-def test_what_is_written_is_read_again_bit_for_bit(tmp_path_factory, rows, about, given):
-    rows = np.array(sorted(rows))
-    strokes = ((0, len(rows)),) if given else None
-    path = tmp_path_factory.getbasetemp() / "ink.json"
-    write_json(Recording(rows[:, 0], rows[:, 1:], *about, strokes), path)
-    again = read_json(path)
-    assert np.array_equal(again.t, rows[:, 0])
-    assert np.array_equal(again.position, rows[:, 1:])
-    assert (again.character, again.writer, again.baseline) == about
-    assert again.given_strokes == strokes
-
-
-GOOD = {
-    "format": "dmp_teach recording",
-    "version": 1,
-    "character": "l",
-    "writer": "writer-1",
-    "baseline": 0.0,
-    "units": {"t": "s", "x": "m", "y": "m", "z": "m"},
-    "strokes": [[0, 3]],
-    "pressure": [0.1, 0.5, 0.2],
-    "samples": [[0.0, 0.0, 0.1, 0.0], [0.1, 0.0, 0.05, 0.0], [0.2, 0.0, 0.0, 0.0]],
-}
-ROW = [0.3, 0.0, 0.0, 0.0]
-MALFORMED = {
-    "another format": ({"format": "font"}, "'format' must be 'dmp_teach recording'"),
-    "newer version": ({"version": 2}, "version is 2, but this program reads version 1; update dmp_teach"),
-    "version as text": ({"version": "1"}, "version is '1', but this program reads version 1"),
-    "version true": ({"version": True}, "version is True"),
-    "a name": ({"name": "Kim"}, "fields too many or too few: name;"),
-    "a number for a letter": ({"character": 3}, "character is 3, but must be text or null"),
-    "a list for a writer": ({"writer": ["x"]}, "writer is ['x'], but must be text or null"),
-    "text for a baseline": ({"baseline": "0"}, "baseline is '0', but must be a number [m] or null"),
-    "true for a baseline": ({"baseline": True}, "baseline is True"),
-    "other units": ({"units": {"t": "ms"}}, "units is {'t': 'ms'}, but must be"),
-    "strokes not pairs": ({"strokes": [[0, 1, 2]]}, "strokes is [[0, 1, 2]], but must be pairs [start, end]"),
-    "strokes not whole": ({"strokes": [[0, 1.5]]}, "strokes is [[0, 1.5]], but must be pairs"),
-    "strokes too long": ({"strokes": [[0, 9]]}, "given_strokes is ((0, 9),)"),
-    "no strokes": ({"strokes": []}, "given_strokes is empty"),
-    "pressure too short": ({"pressure": [0.1]}, "pressure is [0.1], but must be null or one number for every sample"),
-    "pressure as text": ({"pressure": "hard"}, "pressure is 'hard'"),
-    "samples no list": ({"samples": 7}, "samples is 7, but must be rows [t, x, y, z]"),
-    "no samples": ({"samples": [], "pressure": None, "strokes": None}, "A recording needs a clean path"),
-    "one sample": ({"samples": [ROW], "pressure": None, "strokes": None}, "needs at least 2 samples"),
-    "a short row": ({"samples": [[0.0, 1.0]]}, "samples[0] is [0.0, 1.0], but must be four finite numbers"),
-    "text in a row": ({"samples": [ROW, [0.4, "1", 0, 0]]}, "samples[1] is [0.4, '1', 0, 0], but must be four"),
-    "null in a row": ({"samples": [ROW, [0.4, None, 0, 0]]}, "samples[1] is [0.4, None, 0, 0], but must be four"),
-    "an endless number": ({"samples": [ROW, [10**400, 0, 0, 0]]}, "but must be four finite numbers"),
-    "time standing still": ({"samples": [ROW] * 3}, "times must increase"),
-}
-
-
-@pytest.mark.parametrize(("change", "sentence"), MALFORMED.values(), ids=MALFORMED)
-def test_a_malformed_field_is_named(tmp_path, change, sentence):
-    path = tmp_path / "l.json"
-    path.write_text(json.dumps(GOOD | change))
-    with pytest.raises(RecordingError) as caught:
-        read_json(path)
-    assert str(caught.value).startswith("l.json: ")
-    assert sentence in str(caught.value)
-
-
-@pytest.mark.parametrize("field", [name for name in GOOD if name not in ("format", "version")])
-def test_a_missing_field_is_named(tmp_path, field):
-    path = tmp_path / "l.json"
-    path.write_text(json.dumps({name: value for name, value in GOOD.items() if name != field}))
-    with pytest.raises(RecordingError, match=f"too few: {field};"):
-        read_json(path)
-
-
-def test_a_good_file_is_read_and_its_pressure_left(tmp_path):
-    path = tmp_path / "l.json"
-    path.write_text(json.dumps(GOOD))
-    recording = read_json(str(path))
-    assert recording.given_strokes == ((0, 3),)
-    assert recording.position.shape == (3, 3)
-
-
-NOT_JSON = {
-    "text": (b"hello", "is not plain JSON"),
-    "empty": (b"", "is not plain JSON"),
-    "half": (b'{"format": "dmp', "is not plain JSON"),
-    "bytes": (b"\x80\x04\x95", "is not plain JSON"),
-    "deep": (b"[" * 100_000, "is not plain JSON"),
-    "nan": (json.dumps(GOOD | {"baseline": float("nan")}).encode(), "NaN is not a number"),
-    "infinity": (json.dumps(GOOD | {"baseline": float("inf")}).encode(), "Infinity is not a number"),
-    "too large": (json.dumps(GOOD).replace('"baseline": 0.0', '"baseline": 1e999').encode(), "baseline is inf"),
-    "a list": (b"[]", "'format' must be 'dmp_teach recording'"),
-}
-
-
-@pytest.mark.parametrize(("content", "sentence"), NOT_JSON.values(), ids=NOT_JSON)
-def test_a_file_of_another_kind_is_refused_in_a_sentence(tmp_path, content, sentence):
-    path = tmp_path / "l.json"
-    path.write_bytes(content)
-    with pytest.raises(RecordingError, match=r"l\.json") as caught:
-        read_json(path)
-    assert sentence in str(caught.value)
-
-
-def test_a_file_that_is_not_there_is_named(tmp_path):
-    with pytest.raises(RecordingError, match=r"l\.json cannot be read: No such file"):
-        read_json(tmp_path / "l.json")
-
-
-@pytest.mark.parametrize("path", [3, None, b"a.json", ["a.json"]])
-def test_a_path_must_be_a_path(path):
-    for act in (read_json, lambda path: write_json(recording_of("a"), path)):
-        with pytest.raises(RecordingError, match="must be the name of a file"):
-            act(path)
-
-
-@pytest.mark.parametrize("broken", ["replace", "fsync"])
-def test_a_write_that_fails_leaves_what_was_there(tmp_path, monkeypatch, broken):
-    path = tmp_path / "a.json"
-    write_json(recording_of("a"), path)
-    before = path.read_bytes()
-
-    def full(*_):
-        raise OSError(28, "No space left on device")
-
-    monkeypatch.setattr(os, broken, full)
-    with pytest.raises(RecordingError, match=r"a\.json cannot be written: No space left on device"):
-        write_json(recording_of("D"), path)
-    assert path.read_bytes() == before
-    assert [file.name for file in tmp_path.iterdir()] == ["a.json"]
-
-
-def test_a_folder_that_is_not_there_cannot_be_written_to(tmp_path):
-    with pytest.raises(RecordingError, match="cannot be written: No such file"):
-        write_json(recording_of("a"), tmp_path / "nowhere" / "a.json")
-
-
-def test_only_a_recording_is_written(tmp_path):
-    with pytest.raises(RecordingError, match="write_json got a dict, but writes a Recording"):
-        write_json({}, tmp_path / "a.json")
 
 
 @pytest.mark.parametrize("letter", ["é", "", "ab", "../round/a", 3, None, ["a"]])

@@ -3,7 +3,8 @@
 import pytest
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.ink.alphabet import recording_of, write_json
+from dmp_teach.ink.alphabet import recording_of
+from dmp_teach.ink.our_json import write_json
 from dmp_teach.studies.material import letters_of, strokes_of
 from tests.dmp.ink import letter
 
