@@ -137,7 +137,9 @@ class SceneView(anywidget.AnyWidget):
 
 
 def view(motion: Motion | Run) -> SceneView:
-    """Show a motion, or a run as it was planned and as it happened: live in a notebook; `.html(path)` and `.png(path)` write it to a file.
+    """Show a motion, or a run as it was planned and as it happened.
+
+    It is live in a notebook; `.html(path)` and `.png(path)` write it to a file.
 
     Raises:
         ViewError: Something that is neither a motion nor a run.
