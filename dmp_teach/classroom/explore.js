@@ -1,13 +1,10 @@
 // The start panel: a letter, the robot's copy of it, sliders, and the robot that writes what is seen.
 
-const FETCH = "a robot named Fetch";
-const SLEEPY = 4000;
-const LATE = 300;
-
 function render({ model, el, host, signal }) {
   const root = keepKeys(make("div", { class: "dt-panel dt-explore" }));
   const parts = { ...head(model), ...stage(model), says: says(model), ...knobs(model) };
-  parts.says.write.addEventListener("click", () => write(model, parts));
+  parts.write = parts.says.write;
+  parts.write.addEventListener("click", () => write(model, parts));
   root.append(parts.head, parts.stage, make("div", { class: "dt-says" }, parts.says.node, parts.asleep), parts.knobs, parts.more);
   el.append(root);
 
@@ -16,9 +13,10 @@ function render({ model, el, host, signal }) {
   model.on("change:drawing", redraw);
   model.on("change:work", () => (redrawWork(), tellWork(model, parts)));
   model.on("change:older", () => drawOlder(model, parts));
-  model.on("change:choices change:letter", () => drawChoices(model, parts));
+  const redrawLetters = () => drawLetters(model, parts, { onChange: (letter) => ask(model, { letter }) });
+  model.on("change:choices change:letter", redrawLetters);
   const stopWatching = watch(model, root, parts);
-  drawChoices(model, parts);
+  redrawLetters();
   redraw();
   redrawWork();
   drawOlder(model, parts);
@@ -33,57 +31,11 @@ function ask(model, changes) {
   model.save_changes();
 }
 
-/** Dim the number when an answer is late; say so when the kernel sleeps. */
-function watch(model, root, parts) {
-  let since = null;
-  const asked = () => (since ??= performance.now());
-  const answered = () => (since = null);
-  model.on("change:asked", asked);
-  model.on("change:answered change:work", answered);
-  parts.waits = asked;
-  const timer = setInterval(() => {
-    const waiting = since === null ? 0 : performance.now() - since;
-    root.classList.toggle("dt-late", waiting > LATE);
-    parts.asleep.hidden = waiting < SLEEPY;
-  }, 100);
-  return () => clearInterval(timer);
-}
-
-/** Let the robot write, where it is seen. A kernel that was started anew cannot hear: then the panel says so. */
-function write(model, parts) {
-  if (model.get("work").state === "working") return;
-  parts.robotHost.scrollIntoView({ block: "nearest" });
-  parts.waits();
-  try {
-    model.send({ kind: "write" });
-  } catch (error) {
-    console.warn(error);
-  }
-}
-
 // Rows ---------------------------------------------------------------------------------------------------------------
 
 function head(model) {
   const letters = make("div", { style: "display:contents" });
-  const key = (kind, words) => make("span", {}, make("svg", { "aria-hidden": "true" }, make("path", { class: kind, d: "M2 5H36" })), words);
-  const legend = make("div", { class: "dt-legend" }, key("dt-child-dots", "the person"), key("dt-robot-line", "the robot"));
-  return { head: make("div", { class: "dt-head" }, letters, legend), letters };
-}
-
-function drawChoices(model, parts) {
-  const options = model.get("choices").map(([value, label, name]) => ({ value, label, name: aloud(label, name) }));
-  const focused = parts.letters.contains(document.activeElement);
-  const choose = (letter) => ask(model, { letter });
-  const [near, more] = [options.filter((o) => model.get("near").includes(o.value)), options.filter((o) => !model.get("near").includes(o.value))];
-  const bar = choice({ legend: "Letter", kind: "dt-letters", options: near, value: model.get("letter"), onChange: choose });
-  const rest = list({ name: "More letters", options: more, value: model.get("letter"), onChange: choose });
-  parts.letters.replaceChildren(bar.node, rest);
-  if (focused) (bar.node.querySelector("input:checked") ?? rest).focus();
-}
-
-/** Read aloud, m and M sound the same. */
-function aloud(label, name) {
-  return /^[A-Z]$/.test(label) ? `${name}, capital` : /^[a-z]$/.test(label) ? `${name}, small` : name;
+  return { head: make("div", { class: "dt-head" }, letters, legend("the person", "the robot")), letters };
 }
 
 function stage(model) {
@@ -143,29 +95,7 @@ function widthSpoken(value) {
   return `${widthText(value)}, each bump covers the places of ${widthText(value)}`;
 }
 
-/** A person's own recording, read by the kernel of this notebook and kept nowhere. */
-function fileButton(model) {
-  const input = make("input", { type: "file", accept: ".csv,.json", "aria-label": "Open your own recording, a CSV or JSON file" });
-  const node = make("label", { class: "dt-button" }, icon(ICONS.file), make("span", {}, "Your own recording"), input);
-  input.addEventListener("change", async () => {
-    const file = input.files[0];
-    if (!file) return;
-    if (file.size > 8e6) model.send({ kind: "too large", name: file.name, size: file.size });
-    else model.send({ kind: "file", name: file.name }, undefined, [await file.arrayBuffer()]);
-    input.value = "";
-  });
-  return node;
-}
-
 // What is seen -------------------------------------------------------------------------------------------------------
-
-/** Bytes of float32 x, y, x, y ... [m], cut into strokes of `counts` points. */
-function strokesOf(model, name) {
-  const bytes = model.get(name);
-  const numbers = new Float32Array(bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.byteLength));
-  let at = 0;
-  return model.get("counts").map((n) => Array.from({ length: n }, () => [numbers[at++], numbers[at++]]));
-}
 
 const taughtGoals = (model) => strokesOf(model, "demo").map((points) => points[points.length - 1]);
 
@@ -220,73 +150,6 @@ function showKnobs(model, parts, taught, shift) {
     parts.strokes.dataset.strokes = strokes;
   }
   parts.picker?.show(model.get("stroke"));
-}
-
-function drawOlder(model, parts) {
-  parts.older.textContent = model.get("older") ? "older letter" : FETCH;
-  parts.robotHost.toggleAttribute("data-dt-older", model.get("older"));
-}
-
-/** Named steps with a bar while the robot plans; or what cannot be done, by how much, and the cure. */
-function drawWork(model, parts) {
-  const [work, host] = [model.get("work"), parts.work];
-  host.hidden = work.state === "idle";
-  host.className = `dt-work ${work.state === "cannot" ? "dt-cannot" : ""}`;
-  change(parts.says.write, { "aria-disabled": work.state === "working" ? "true" : null });
-  if (work.state === "working") showSteps(model, parts, work);
-  if (work.state === "cannot") {
-    const words = make("span", {}, make("b", {}, work.strong), ` ${work.text}`);
-    const cure = work.cure ? button(work.cure, { main: true, onClick: () => model.send({ kind: "cure" }) }) : null;
-    const close = button("Close", { onClick: () => model.send({ kind: "close" }) });
-    host.replaceChildren(make("p", { role: "alert" }, icon(ICONS.warning), words), make("div", { class: "dt-cures" }, cure, close));
-  }
-}
-
-/** The list is made anew at every report; the button stays, or a press between two reports would be lost. */
-function showSteps(model, parts, work) {
-  const list = parts.work.querySelector(".dt-steps");
-  const stop = () => (model.send({ kind: "stop" }), (parts.stopped = true));
-  if (list) list.replaceWith(stepList(work));
-  else parts.work.replaceChildren(stepList(work), workFooter(stop));
-}
-
-/** For those who do not see the bar: that the robot plans, that it writes, or that it was stopped. */
-function tellWork(model, parts) {
-  const state = model.get("work").state;
-  if (state === parts.workState) return;
-  const ended = parts.workState === "working" && state === "idle";
-  const says = state === "working" ? "The robot plans." : !ended ? "" : parts.stopped ? "The robot stopped." : "The robot has its plan and writes.";
-  parts.workSpoken.textContent = says;
-  parts.workState = state;
-  parts.stopped = false;
-}
-
-function stepList(work) {
-  const items = work.steps.map((words, i) => {
-    const [done, now] = [i < work.at, i === work.at];
-    const drawing = icon(done ? ICONS.tick : now ? ICONS.arrow : ICONS.later);
-    if (done) drawing.classList.add("dt-done");
-    const figure = done ? "yes" : now ? `${Math.round(100 * work.fraction)} %` : "";
-    const item = make("li", { "aria-current": now ? "step" : null }, drawing, make("span", {}, words), make("span", {}, figure));
-    if (now) item.append(progressBar(words, work.fraction));
-    return item;
-  });
-  return make("ol", { class: "dt-steps" }, ...items);
-}
-
-function progressBar(words, fraction) {
-  const inner = make("div", { style: `width:${100 * fraction}%` });
-  return make("div", { class: "dt-bar", role: "progressbar", "aria-label": words, "aria-valuemin": 0, "aria-valuemax": 100, "aria-valuenow": Math.round(100 * fraction) }, inner);
-}
-
-function workFooter(stop) {
-  return make("footer", {}, make("span", { class: "dt-quiet" }, ""), button("Stop", { onClick: stop }));
-}
-
-/** The 3-D view is a widget of its own; here it stands inside this card. */
-async function showRobot(host, scene, el, signal) {
-  const child = await host.getWidget(scene);
-  await child.render({ el, signal });
 }
 
 export default { render };

@@ -2,17 +2,15 @@
 
 import warnings
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import Any
 
-import anywidget
 import numpy as np
 import traitlets
 
 from dmp_teach.classroom import words
-from dmp_teach.classroom.writing import Job, StopPressed
+from dmp_teach.classroom.robot_panel import RobotPanel, bundle, bytes_of
 from dmp_teach.dmp.settings import Settings, knob_of
-from dmp_teach.errors import RecordingError, SettingWarning, TeachError
+from dmp_teach.errors import RecordingError, SettingWarning
 from dmp_teach.ink.alphabet import characters, recording_of
 from dmp_teach.ink.reader import read_recording
 from dmp_teach.ink.recording import Recording
@@ -22,17 +20,9 @@ from dmp_teach.trajectory import Trajectory
 from dmp_teach.views.page_file import read_beside
 from dmp_teach.views.scene import SceneView
 
-_HERE = Path(__file__).parent
-_STEPS = {"wake": "Waking the robot", "reach": "Can the arm reach the letter?", "joints": "Planning every joint"}
-_IDLE: dict[str, Any] = {"state": "idle"}
 _NEAR = "abemBDMPR"  # the letters of the paper's figures, and two that D becomes
 _OWN = "own recording"
 _MOST_KERNELS = 80
-
-
-def bundle(*names: str) -> str:
-    """Files beside this one, joined: a panel's scripts or its styles."""
-    return "\n".join((_HERE / name).read_text(encoding="utf-8") for name in names)
 
 
 def explore(recording: Recording | str | Path | None = None, page: Page | None = None) -> "Explore":
@@ -48,10 +38,10 @@ def explore(recording: Recording | str | Path | None = None, page: Page | None =
     return Explore(recording, page)
 
 
-class Explore(anywidget.AnyWidget):
+class Explore(RobotPanel):
     """The panel. Its knobs are traits: `n_kernels`, `kernel_width` [1/N], `stroke`, `goal_x` and `goal_y` [m]."""
 
-    _esm = bundle("controls.js", "paper.js", "explore.js")
+    _esm = bundle("controls.js", "robot.js", "paper.js", "explore.js")
     _css = read_beside("tokens.css") + bundle("panel.css", "paper.css")
 
     choices = traitlets.List().tag(sync=True)
@@ -67,28 +57,19 @@ class Explore(anywidget.AnyWidget):
     goal_y = traitlets.Float(0.0).tag(sync=True)
     counts = traitlets.List().tag(sync=True)
     demo = traitlets.Bytes().tag(sync=True)
-    robot = traitlets.Bytes().tag(sync=True)
     sheet = traitlets.List().tag(sync=True)
     message = traitlets.Dict().tag(sync=True)
     title = traitlets.Unicode().tag(sync=True)
-    work = traitlets.Dict(_IDLE).tag(sync=True)
-    older = traitlets.Bool(False).tag(sync=True)
     drawing = traitlets.Int(0).tag(sync=True)
     asked = traitlets.Int(0).tag(sync=True)
     answered = traitlets.Int(0).tag(sync=True)
-    scene = anywidget.WidgetTrait().tag(sync=True)
 
     def __init__(self, recording: Recording | str | Path | None = None, page: Page | None = None):
         knobs = {name: _knob(name) for name in ("n_kernels", "kernel_width")}
         self._demo: tuple[Trajectory, ...] = ()
-        super().__init__(scene=SceneView(compact=True, camera="whole robot"), knobs=knobs)
-        self.page = Page.table() if page is None else page
-        self.motion = None
-        self._job: Job | None = None
-        self._size: float | None = None
+        super().__init__(page, scene=SceneView(compact=True, camera="whole robot"), knobs=knobs)
         self._own: Recording | None = None
         self.choices = [[name, name, f"the letter {name}"] for name in characters()]
-        self.on_msg(self._hear)
         if recording is None:
             self.letter = "a"
         else:
@@ -110,43 +91,6 @@ class Explore(anywidget.AnyWidget):
         else:
             self.letter = _OWN
 
-    def write(self) -> None:
-        """Let the robot write exactly what is seen."""
-        if self.work["state"] == "working":
-            return
-        self._progress("wake", 0.0)
-        strokes, size = self._written, self._size
-        self._asked_for = self.robot
-        self._job = Job(lambda report: _plan(strokes, self.page, size, report), self._progress, self._end)
-
-    def _hear(self, _: Any, message: dict[str, Any], buffers: list[memoryview]) -> None:
-        """A button was pressed or a file was chosen."""
-        kind = message.get("kind")
-        if kind == "write":
-            self.write()
-        elif kind == "stop" and self._job:
-            self._job.stop()
-        elif kind == "cure":
-            self._cure()
-        elif kind == "close":
-            self.work = _IDLE
-        elif kind == "file":
-            self._open_bytes(message["name"], bytes(buffers[0]))
-        elif kind == "too large":
-            self._cannot(
-                f"{message['name']} has {message['size'] / 1e6:.0f} MB. A recording of one letter has less than 8."
-            )
-
-    def _open_bytes(self, name: str, content: bytes) -> None:
-        """Read a file that came from the browser; it is kept nowhere."""
-        with TemporaryDirectory() as folder:
-            path = Path(folder) / (Path(name.replace("\\", "/")).name or "recording.csv")
-            try:
-                path.write_bytes(content)
-                self.load(path)
-            except (TeachError, OSError) as error:
-                self._cannot(str(error))
-
     # What is seen --------------------------------------------------------------------------------
 
     @traitlets.observe("letter")
@@ -158,7 +102,7 @@ class Explore(anywidget.AnyWidget):
             self.most_kernels = min(_MOST_KERNELS, *(len(stroke) - 1 for stroke in self._demo))
             self.n_kernels = min(self.n_kernels, self.most_kernels)
             self.counts = [len(stroke) for stroke in self._demo]
-            self.demo = _bytes(self._demo)
+            self.demo = bytes_of(self._demo)
             self.sheet = _sheet(self._demo)
             self.stroke = len(self._demo) - 1
             self.goal_shifts = [[0.0, 0.0] for _ in self._demo]
@@ -181,11 +125,10 @@ class Explore(anywidget.AnyWidget):
         shifts = {i: shift for i, shift in enumerate(self.goal_shifts) if np.any(shift)}
         self._written = letter.write(goal_shifts=shifts) if shifts else taught
         with self.hold_sync():
-            self.robot = _bytes(self._written)
+            self.robot = bytes_of(self._written)
             self.goal_x, self.goal_y = self.goal_shifts[self.stroke]
             self._describe(taught, shifts)
-            self.older = self.motion is not None and self.robot != self._on_the_table
-            self.work = self.work if self.work["state"] == "working" else _IDLE  # what could not be done was before
+            self._mark_older()
             self.answered = self.asked
             self.drawing += 1
 
@@ -210,65 +153,12 @@ class Explore(anywidget.AnyWidget):
         name = next(name for key, _, name in self.choices if key == self.letter)
         self.title = words.letter_title(name, error, words.largest_gap(self._demo, taught))
 
-    # What the robot does -------------------------------------------------------------------------
-
-    def _progress(self, step: str, fraction: float) -> None:
-        """Which step the robot is at, and how much of it is done; a bar never runs backwards."""
-        at, part = (list(_STEPS).index(step), round(fraction, 2)) if step in _STEPS else (len(_STEPS) - 1, 0.0)
-        before = (self.work["at"], self.work["fraction"]) if self.work["state"] == "working" else (0, 0.0)
-        at, part = max(before, (at, part))
-        self.work = {"state": "working", "steps": list(_STEPS.values()), "at": at, "fraction": part}
-
-    def _end(self, result: Any) -> None:
-        """Show the motion, or say what cannot be done and what would work."""
-        if isinstance(result, StopPressed):
-            self.work = _IDLE
-        elif isinstance(result, Exception):
-            self._cannot(str(result) or type(result).__name__, getattr(result, "cure", None))
-        else:
-            if self.motion is None:  # until now there was nothing to read on the page
-                self.scene.camera = "over the shoulder"
-            self.motion = result
-            self.scene.show(result)
-            self._on_the_table = self._asked_for
-            self.older = self.robot != self._on_the_table
-            self.work = _IDLE
-
-    def _cannot(self, sentence: str, cure: Page | float | None = None) -> None:
-        """What, by how much, and one button that cures it; the last good picture stays."""
-        strong, dot, text = sentence.partition(". ")
-        self._remedy = cure
-        label = "Move the page there" if isinstance(cure, Page) else cure and f"Write it {100 * cure:.1f} cm high"
-        self.work = {"state": "cannot", "strong": strong + dot.strip(), "text": text, "cure": label}
-
-    def _cure(self) -> None:
-        """Write again, on the page or in the size that works."""
-        if isinstance(self._remedy, Page):
-            self.page = self._remedy
-        else:
-            self._size = self._remedy
-        self.work = _IDLE
-        self.write()
-
-
-def _plan(strokes: tuple[Trajectory, ...], page: Page, size: float | None, report: Any) -> Any:
-    """The robot's motion; its solver is built once, in the thread that uses it."""
-    from dmp_teach.robot.fetch import Fetch  # noqa: PLC0415 (PlaCo loads when a robot is wanted)
-
-    report("wake", 0.5)
-    return Fetch().write(strokes, page, size=size, progress=report)
-
 
 def _knob(name: str) -> dict[str, Any]:
     """A knob as the panel's sliders need it."""
     knob = knob_of(name)
     label = knob.label[0].upper() + knob.label[1:]
     return {"low": knob.low, "high": knob.high, "label": label, "term": knob.term}
-
-
-def _bytes(strokes: tuple[Trajectory, ...]) -> bytes:
-    """All points as float32 x, y, x, y ... [m], one stroke after the other."""
-    return np.concatenate([stroke.position for stroke in strokes]).astype("<f4").tobytes()
 
 
 def _sheet(strokes: tuple[Trajectory, ...]) -> list[float]:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import dmp_teach
-from dmp_teach.classroom import explore as room
+from dmp_teach.classroom import robot_panel as room
 from dmp_teach.classroom.explore import explore
 from dmp_teach.classroom.writing import Job, StopPressed
 from dmp_teach.ink.our_json import read_json, write_json

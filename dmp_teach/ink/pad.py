@@ -1,0 +1,143 @@
+"""Ink from a pad: the events of a mouse, a finger or a stylus become strokes, and strokes a recording.
+
+A pad tells where its pointer is about 60 times a second, unevenly, sometimes twice at one time, and not at all while
+the pointer rests; it knows nothing of the pen in the air. So each stroke is cleaned and sampled evenly, and gets a
+lift before it. The curve goes through every point that was caught and nowhere beyond them: nothing is smoothed.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike
+from scipy.interpolate import PchipInterpolator
+
+from dmp_teach.errors import RecordingError
+from dmp_teach.ink.lifts import with_lifts
+from dmp_teach.ink.recording import Recording
+from dmp_teach.trajectory import Array, Trajectory
+
+RATE = 120.0  # samples of a stroke, as even as those of motion capture [Hz]
+FRAME = 1 / 60  # a pad tells where its pointer is about so often [s]
+REST = 0.05  # a pointer that is silent for longer stood still, and moved within the last frame [s]
+JUMP = 2.0  # a longer silence is the clock's, not the hand's [s]
+BACK = 0.02  # events overtake each other by no more than this [s]
+LIFT = (0.15, 2.0)  # between two strokes the pen is in the air for at least, and at most [s]
+DOT = 0.0015  # a pen that goes no farther than this made a dot [m] ...
+DOWN = 0.1  # ... and was down for at least this long [s]
+FEWEST = 6  # fewer points show no curve
+LARGEST = 1.0  # no pad is larger [m]
+LONGEST = 60.0  # nor does a stroke take longer [s]
+MOST = 20_000  # nor has it more points
+
+
+@dataclass(frozen=True, eq=False)
+class PadStroke:
+    """One stroke as the pad caught it.
+
+    Args:
+        path: 2-D, evenly sampled, on the pad's clock, in metres of its sheet.
+        pressure: How hard the pen was pressed, 0 to 1, shape (T,), or None where the pad cannot tell.
+        points: How many points were caught.
+    """
+
+    path: Trajectory
+    pressure: Array | None
+    points: int
+
+    @property
+    def is_dot(self) -> bool:
+        """Whether the pen was put down and hardly moved."""
+        return bool(np.linalg.norm(self.path.position - self.path.position[0], axis=1).max() <= DOT)
+
+    @property
+    def is_blurred(self) -> bool:
+        """Whether the pen was too fast for the pad."""
+        return self.points < FEWEST and not self.is_dot
+
+
+def pad_stroke(points: ArrayLike, pressed: bool = False) -> PadStroke:
+    """A stroke from the events of a pad.
+
+    Args:
+        points: A row for each event: time [s], right and up [m], pressure 0 to 1; shape (K, 4).
+        pressed: Whether the pad can tell how hard the pen is pressed.
+
+    Raises:
+        RecordingError: No points, too many, values that are not finite or not on a pad, a clock that runs backwards,
+            or a stroke that takes too long.
+    """
+    events = _checked(points)
+    order = np.argsort(events[:, 0], kind="stable")
+    t, rows = events[order, 0], events[order, 1:]
+    last = np.append(np.diff(t) > 0, True)  # of two events at one time the later one holds
+    t, rows = t[last], rows[last]
+    caught = len(t)
+    t = t[0] + np.concatenate([[0.0], np.cumsum(np.minimum(np.diff(t), JUMP))])
+    t, rows = _with_rests(t, rows)
+    if t[-1] - t[0] > LONGEST:
+        raise RecordingError(f"The stroke took {t[-1] - t[0]:.0f} s, but one stroke takes at most {LONGEST:.0f} s.")
+    t, rows = _held(t, rows)
+    even = np.linspace(t[0], t[-1], round((t[-1] - t[0]) * RATE) + 1)
+    drawn = PchipInterpolator(t, rows)(even)
+    pressure = np.clip(drawn[:, 2], 0.0, 1.0) if pressed else None
+    return PadStroke(Trajectory(even, drawn[:, :2]), pressure, caught)
+
+
+def pad_recording(strokes: Sequence[PadStroke], **about: str | float | None) -> Recording:
+    """A recording of strokes in the order in which they came, on a clock that begins at 0.
+
+    The time between two strokes is kept where a hand could have been in the air for so long, and bounded where a
+    clock has jumped or somebody thought for a while.
+
+    Args:
+        strokes: As the pad caught them.
+        **about: The recording's `character`, `writer` and `baseline`.
+
+    Raises:
+        RecordingError: There is no stroke.
+    """
+    placed, before, clock = [], None, 0.0
+    for stroke in strokes:
+        if before is not None:
+            clock += float(np.clip(stroke.path.t[0] - before.path.t[-1], *LIFT))
+        placed.append(Trajectory(clock + stroke.path.t - stroke.path.t[0], stroke.path.position))
+        before, clock = stroke, float(placed[-1].t[-1])
+    pressures = [stroke.pressure for stroke in strokes if stroke.pressure is not None]
+    return with_lifts(placed, pressures if len(pressures) == len(placed) else None, **about)
+
+
+def _checked(points: ArrayLike) -> Array:
+    """The events as numbers (K, 4), or a sentence."""
+    try:
+        events = np.asarray(points, dtype=float)
+    except (TypeError, ValueError):
+        events = np.empty(0)
+    if events.ndim != 2 or events.shape[1:] != (4,) or not len(events):
+        raise RecordingError(f"A stroke is rows of t, x, y and pressure, at least one, but got shape {events.shape}.")
+    if len(events) > MOST:
+        raise RecordingError(f"The stroke has {len(events)} points, but one stroke has at most {MOST}.")
+    if not np.isfinite(events).all():
+        raise RecordingError("The stroke has points that are no numbers; write it again.")
+    farthest = float(np.abs(events[:, 1:3]).max())
+    if farthest > LARGEST:
+        raise RecordingError(f"The stroke has a point {farthest:.3g} m away, but a pad reaches {LARGEST} m at most.")
+    back = -float(np.diff(events[:, 0]).min(initial=0.0))
+    if back > BACK:
+        raise RecordingError(f"The pad's clock ran backwards by {back:.3g} s within a stroke; write it again.")
+    return events
+
+
+def _with_rests(t: Array, rows: Array) -> tuple[Array, Array]:
+    """The same with a point more where the pointer was silent: it stood still until a frame before it moved."""
+    silent = np.flatnonzero(np.diff(t) > REST)
+    return np.insert(t, silent + 1, t[silent + 1] - FRAME), np.insert(rows, silent + 1, rows[silent], axis=0)
+
+
+def _held(t: Array, rows: Array) -> tuple[Array, Array]:
+    """The same, at least as long as a pen needs to make a dot."""
+    if t[-1] - t[0] >= DOWN:
+        return t, rows
+    if len(t) > 1 and np.linalg.norm(rows[:, :2] - rows[0, :2], axis=1).max() > DOT:
+        return (t, rows) if t[-1] - t[0] >= 2 / RATE else (t[0] + np.linspace(0, 2 / RATE, len(t)), rows)
+    return np.append(t, t[0] + DOWN), np.vstack([rows, rows[-1]])
