@@ -1,5 +1,8 @@
 """Our own alphabets: a recording a letter, `assets/alphabets/<alphabet>/<kind>_<letter>.json`."""
 
+import re
+from unicodedata import normalize
+
 from dmp_teach.errors import RecordingError
 from dmp_teach.ink.our_json import read_json
 from dmp_teach.ink.recording import Recording
@@ -23,7 +26,7 @@ def alphabets() -> tuple[str, ...]:
 
 
 def characters(alphabet: str | None = None) -> tuple[str, ...]:
-    """The letters of an alphabet: small ones, capitals, then digits.
+    """The letters of an alphabet: small ones, capitals, digits, then letters with accents in the same order.
 
     Args:
         alphabet: One of `alphabets()`; None is the first.
@@ -31,17 +34,16 @@ def characters(alphabet: str | None = None) -> tuple[str, ...]:
     Raises:
         RecordingError: No alphabet of that name; names those that there are.
     """
-    stems = [file.stem for file in (FOLDER / _known(alphabet)).glob("*.json")]
-    parts = [(kind, letter) for kind, _, letter in (stem.partition("_") for stem in stems)]
-    found = sorted((KINDS.index(kind), letter) for kind, letter in parts if kind in KINDS and len(letter) == 1)
-    return tuple(letter for _, letter in found)
+    names = [file.name for file in (FOLDER / _known(alphabet)).glob("*.json")]
+    found = sorted((not letter.isascii(), KINDS.index(kind), letter) for kind, letter in map(_read_name, names) if kind)
+    return tuple(letter for _, _, letter in found)
 
 
 def recording_of(character: str, alphabet: str | None = None) -> Recording:
     """A letter of one of our alphabets, as it was written.
 
     Args:
-        character: One of `characters(alphabet)`.
+        character: One of `characters(alphabet)`; an accent may also be a sign of its own ("a" and U+0308 for "ä").
         alphabet: One of `alphabets()`; None is the first.
 
     Raises:
@@ -49,21 +51,34 @@ def recording_of(character: str, alphabet: str | None = None) -> Recording:
     """
     name = _known(alphabet)
     known = characters(name)
-    if not isinstance(character, str) or character not in known:
+    if not isinstance(character, str) or normalize("NFC", character) not in known:
         raise RecordingError(f"The alphabet {name!r} has no {character!r}; it has: {' '.join(known)}.")
     return read_json(FOLDER / name / file_name(character))
 
 
 def file_name(character: str) -> str:
-    """Where a letter stands in its alphabet; "a" and "A" differ even where file names ignore capitals.
+    """Where a letter stands in its alphabet: `small_a.json`, `capital_A.json`, `small_u00e4.json` ("ä", by its number).
+
+    In plain ASCII, and different even where file names ignore capitals.
 
     Raises:
         RecordingError: Not a letter or digit.
     """
-    if isinstance(character, str) and len(character) == 1 and character.isalnum():
-        kind = "digit" if character.isdigit() else "capital" if character.isupper() else "small"
-        return f"{kind}_{character}.json"
-    raise RecordingError(f"character is {character!r}, but must be one letter or digit, such as 'a'.")
+    letter = normalize("NFC", character) if isinstance(character, str) else ""
+    if len(letter) != 1 or not letter.isalnum():
+        raise RecordingError(f"character is {character!r}, but must be one letter or digit, such as 'a'.")
+    kind = "digit" if letter.isdigit() else "capital" if letter.isupper() else "small"
+    return f"{kind}_{letter if letter.isascii() else f'u{ord(letter):04x}'}.json"
+
+
+def _read_name(name: str) -> tuple[str, str]:
+    """The kind and the letter of a file's name, both empty where `file_name` gives no such name."""
+    kind, _, letter = name.removesuffix(".json").partition("_")
+    if re.fullmatch("u[0-9a-f]{4,5}", letter):
+        letter = chr(int(letter[1:], 16))
+    if len(letter) == 1 and letter.isalnum() and file_name(letter) == name:
+        return kind, letter
+    return "", ""
 
 
 def _known(alphabet: str | None) -> str:
