@@ -1,0 +1,100 @@
+"""How far apart two shapes are: letters whatever their strokes, and lines that were laid along each other."""
+
+from collections.abc import Iterable
+from typing import Any
+
+import numpy as np
+
+from dmp_teach.ink.points import features, ink_of, strokes_of
+from dmp_teach.trajectory import Array
+
+POINTS = 64  # of a letter
+LEANS = np.linspace(-0.45, 0.45, 7)  # shears that are tried: up to 24 degrees to either side
+BAND = 0.2  # how far, in parts of their length, two lines may be out of step
+
+
+def warped(line: Array, other: Array) -> float:
+    """Dynamic time warping: how far apart two lines are if each may wait for the other, in their unit.
+
+    Root mean square distance of (P, 2) and (P, 2) along the cheapest way through all pairs of their points that goes
+    on in both and leaves out none, at most a fifth of the line out of step (Sakoe and Chiba 1978), divided by P. Give
+    it points at equal ways along, or at equal times to ask the tempo, too.
+    """
+    from dtaidistance import dtw, dtw_ndim  # noqa: PLC0415 (it takes a while to load)
+
+    window = max(2, round(BAND * len(line)))
+    a, b = np.ascontiguousarray(line), np.ascontiguousarray(other)
+    # its C library is quick where it could be built; the Python beside it does the same sums
+    sums = dtw_ndim.distance(a, b, window=window, use_c=dtw.dtw_cc is not None)
+    return float(sums / np.sqrt(len(line)))
+
+
+def procrustes(points: Array, others: Array) -> float:
+    """Full Procrustes distance of points (P, 2) that belong together: 0 is the same shape, 1 the most, no unit.
+
+    sqrt(1 - rho^2), where rho is the correlation of the centred points, scaled to size 1, in the turn that suits them
+    best (Gower 1975; Kendall 1984). Place, size and turn do not count; a mirror image is another shape, other than in
+    `scipy.spatial.procrustes`.
+    """
+    a, b = (each - each.mean(axis=0) for each in (points, others))
+    # turns of the plane are complex numbers of length 1: the best one makes this sum real
+    together = abs(np.vdot(a[:, 0] + 1j * a[:, 1], b[:, 0] + 1j * b[:, 1])) ** 2
+    sizes = (a**2).sum() * (b**2).sum()
+    return float(np.sqrt(max(0.0, 1 - together / sizes))) if sizes > 0 else 0.0
+
+
+def letter_distance(letter: Any, other: Any, upright: bool = True) -> float:
+    """How different two letters look, whatever their strokes: 0 is the same, two hands' a about 0.2, a and D 0.35.
+
+    Both become 64 points evenly along their ink, with its direction as a third coordinate, moved to their middles and
+    scaled to an rms radius of 1: root mean square distance of every point from the nearest of the other letter, both
+    ways (modified Hausdorff distance, Dubuisson and Jain 1994, with squares). Size, place, tempo, sampling rate and
+    the number, order and direction of strokes do not count.
+
+    Args:
+        letter: A `Recording`, a `Letter` or strokes.
+        other: The same.
+        upright: Whether a lean or small turn does not count either: the best of shears up to 24 degrees is taken.
+
+    Raises:
+        LetterError: One is nothing, something else, or all in one place.
+    """
+    return float(letter_distances([letter], [other], upright)[0, 0])
+
+
+def letter_distances(letters: Iterable[Any], others: Iterable[Any], upright: bool = True) -> Array:
+    """`letter_distance` of every letter from every other, shape (L, M); a class of 30 in seconds.
+
+    Args:
+        letters: `Recording`s, `Letter`s or strokes, L of them.
+        others: The same, M of them.
+        upright: As in `letter_distance`.
+
+    Raises:
+        LetterError: One is nothing, something else, or all in one place.
+    """
+    leans = LEANS if upright else np.zeros(1)
+    there = np.stack([_clouds(each, np.zeros(1))[0] for each in others])
+    found = [_nearest(_clouds(each, leans), there) for each in letters]
+    return np.array(found)
+
+
+def _clouds(letter: Any, leans: Array) -> Array:
+    """A letter as points in four dimensions, once for each lean, shape (len(leans), POINTS, 4)."""
+    ink = ink_of(strokes_of(letter), POINTS)
+    sheared = np.stack([[[1.0, lean], [0.0, 1.0]] for lean in leans])
+    evenly = np.linspace(0, len(ink.place) - 1, POINTS).round().astype(int)  # all, but for letters of very many strokes
+    place, along = (np.einsum("pd,led->lpe", each[evenly], sheared) for each in (ink.place, ink.along))
+    place /= np.sqrt((place**2).sum(axis=2).mean(axis=1))[:, None, None]
+    along /= np.maximum(np.linalg.norm(along, axis=2, keepdims=True), 1e-12)
+    return features(place, along).astype(np.float32)
+
+
+def _nearest(clouds: Array, others: Array) -> Array:
+    """The least distance of clouds (K, P, 4) from each of the others (M, P, 4), shape (M,)."""
+    k, p, _ = clouds.shape
+    flat = others.reshape(-1, 4)
+    apart = (clouds**2).sum(axis=2)[:, :, None] + (flat**2).sum(axis=1) - 2 * (clouds @ flat.T)
+    apart = np.maximum(apart, 0).reshape(k, p, len(others), -1)
+    near = (apart.min(axis=3).mean(axis=1) + apart.min(axis=1).mean(axis=2)) / 2
+    return np.sqrt(near.min(axis=0))

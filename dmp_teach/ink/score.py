@@ -1,0 +1,157 @@
+"""How near a writing is to its model, in measures, in three rows for the pad, and in one sentence.
+
+The score is ours. It tells what differs and is no medical or school test; nobody has shown that it makes handwriting
+better.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from dmp_teach.ink.distances import letter_distance, procrustes, warped
+from dmp_teach.ink.faults import Fault, faults
+from dmp_teach.ink.fitting import fitted
+from dmp_teach.ink.matching import Matching, matched, squared
+from dmp_teach.ink.movement import Movement, measured
+from dmp_teach.ink.points import spread, strokes_of
+from dmp_teach.trajectory import Trajectory
+
+POINTS = 96  # over all the ink, for how far apart it is
+WORDS = ("far", "nearer", "close", "the same")
+LEVELS = (6.0, 3.0, 1.0)  # steps of a fault (`faults.STEPS`) up to which a row is "nearer", "close", "the same"
+ROWS = {
+    "Shape": ("mirrored", "turned", "missing", "extra", "shape", "place"),
+    "Size": ("size", "width"),
+    "Lean": ("lean", "turn"),
+}
+
+
+@dataclass(frozen=True)
+class Part:
+    """One row of the pad.
+
+    Args:
+        name: "Shape", "Size" or "Lean".
+        level: 0 to 3; the pad fills one circle more than that.
+        word: "far", "nearer", "close" or "the same".
+        reason: Why, in a few words; empty where it is the same.
+    """
+
+    name: str
+    level: int
+    word: str
+    reason: str
+
+
+@dataclass(frozen=True, eq=False)
+class Score:
+    """How near a writing is to its model.
+
+    Args:
+        sentence: The largest fault in plain words.
+        parts: Shape, size and lean, for the pad.
+        faults: Everything that differs, the largest first, in steps of what an eye begins to see.
+        matching: Which strokes belong together; its order, direction and number.
+        distance: How far the two inks are apart on average (rms), moved to the same place [m].
+        likeness: `letter_distance`, no unit.
+        warped: Dynamic time warping distance of the strokes, of one size and place [parts of the letter's size].
+        procrustes: Full Procrustes distance of the strokes, from 0 to 1.
+        shape: What is left by warping when size, width, lean, turn and places fit [parts of the letter's size].
+        place: How far the stroke that is farthest from its place is from it [parts of the letter's size].
+        size: How many times as large as the model.
+        width: How many times as wide, for its height.
+        lean: How far it leans more to the right than the model [degrees].
+        turn: How far it is turned to the left [degrees].
+        written: The movement of the writing: strokes, duration, pace, smoothness, peaks, slant.
+        model: The movement of the model.
+    """
+
+    sentence: str
+    parts: tuple[Part, ...]
+    faults: tuple[Fault, ...]
+    matching: Matching
+    distance: float
+    likeness: float
+    warped: float
+    procrustes: float
+    shape: float
+    place: float
+    size: float
+    width: float
+    lean: float
+    turn: float
+    written: Movement
+    model: Movement
+
+
+def score(written: Any, model: Any) -> Score:
+    """Compare a writing with its model.
+
+    Strokes are matched by shape first: their order, direction and number are told, and count against nothing else.
+
+    Args:
+        written: A `Recording`, a `Letter` (what it writes) or strokes.
+        model: The same: what it should look like.
+
+    Raises:
+        LetterError: One of them is nothing, something else, or all in one place.
+    """
+    mine, yours = strokes_of(written, "written"), strokes_of(model, "model")
+    matching = matched(mine, yours)
+    fit = fitted(matching.pairs, yours)
+    movements = measured(mine), measured(yours)
+    found = faults(matching, fit, *movements, yours)
+    points, others = (
+        np.concatenate([getattr(pair.laid, side) for pair in matching.pairs]) for side in ("points", "others")
+    )
+    return Score(
+        _sentence(found),
+        tuple(_part(name, found) for name in ROWS),
+        found,
+        matching,
+        _apart(mine, yours, matching),
+        letter_distance(mine, yours, upright=False),
+        _warped(matching, yours),
+        procrustes(points, others),
+        fit.shape,
+        float(np.linalg.norm(fit.places, axis=1).max()),
+        fit.size,
+        fit.width,
+        fit.lean,
+        (90.0 * matching.turn + fit.turn + 180) % 360 - 180,
+        *movements,
+    )
+
+
+def _sentence(found: Sequence[Fault]) -> str:
+    """The largest fault, or that there is none to see."""
+    return found[0].sentence if found[0].steps > 1 else "It looks the same as the model."
+
+
+def _part(name: str, found: Sequence[Fault]) -> Part:
+    """The row of the largest of its faults."""
+    worst = next(fault for fault in found if fault.name in ROWS[name])
+    level = sum(worst.steps <= limit for limit in LEVELS)
+    return Part(name, level, WORDS[level], "" if level == len(LEVELS) else worst.reason)
+
+
+def _apart(mine: Sequence[Trajectory], yours: Sequence[Trajectory], matching: Matching) -> float:
+    """Root mean square distance of every point of ink from the nearest of the other, both ways [m]."""
+    inks = []
+    for strokes, side in ((mine, "strokes"), (yours, "others")):
+        place, _, number, _ = spread(strokes, POINTS)
+        both = np.isin(number, [k for pair in matching.pairs for k in getattr(pair, side)])
+        inks.append(place - place[both].mean(axis=0))
+    far = squared(*inks)
+    return float(np.sqrt((far.min(axis=0).mean() + far.min(axis=1).mean()) / 2))
+
+
+def _warped(matching: Matching, model: Sequence[Trajectory]) -> float:
+    """Warping distance of the strokes that belong together, the letters of one size in one place."""
+    mine, yours = (np.stack([getattr(pair.laid, side) for pair in matching.pairs]) for side in ("points", "others"))
+    mine, yours = mine - mine.mean(axis=(0, 1)), yours - yours.mean(axis=(0, 1))
+    mine *= np.sqrt((yours**2).sum() / (mine**2).sum())
+    size = np.ptp(np.concatenate([stroke.position for stroke in model]), axis=0).max()
+    return float(np.sqrt(np.mean([warped(a, b) ** 2 for a, b in zip(mine, yours, strict=True)])) / size)

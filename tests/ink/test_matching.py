@@ -1,0 +1,111 @@
+"""Which stroke is which."""
+
+import numpy as np
+import pytest
+
+from dmp_teach.errors import LetterError
+from dmp_teach.ink.alphabet import alphabets, recording_of
+from dmp_teach.ink.matching import matched, undone
+from dmp_teach.ink.reader import read_recording
+from dmp_teach.trajectory import Trajectory
+from tests.recordings import RECORDINGS, needs_recordings
+
+
+def strokes(character, alphabet=None):
+    return recording_of(character, alphabet).strokes()
+
+
+def backwards(stroke):
+    return Trajectory(stroke.t, stroke.position[::-1])
+
+
+def in_one(first, second):
+    """Two strokes without a lift: the second from its end, where the first one is."""
+    position = np.concatenate([first.position, second.position[::-1]])
+    return Trajectory(np.arange(len(position)) / 120, position)
+
+
+def as_pairs(matching):
+    return [(pair.strokes, pair.others) for pair in matching.pairs]
+
+
+@pytest.mark.parametrize("alphabet", alphabets())
+@pytest.mark.parametrize("character", list("aBDPRxt45ij"))
+def test_a_letter_matches_itself_in_any_order_and_direction(character, alphabet):
+    given = strokes(character, alphabet)
+    other = [backwards(stroke) for stroke in given][::-1]
+    found = matched(other, given)
+    last = len(given) - 1
+    assert as_pairs(found) == [((last - k,), (k,)) for k in range(len(given))]
+    assert found.order == tuple(range(len(given)))[::-1]
+    assert found.extra == found.missing == ()
+    assert not found.mirrored
+    assert found.turn == 0
+    assert set(found.reversed) == {pair.others[0] for pair in found.pairs}
+
+
+@pytest.mark.parametrize("alphabet", alphabets())
+@pytest.mark.parametrize("character", list("BDPR"))
+def test_a_letter_in_one_stroke_is_told_as_joined_and_the_other_way_round_as_split(character, alphabet):
+    two = strokes(character, alphabet)
+    one = (in_one(*two),)
+    assert as_pairs(matched(one, two)) == [((0,), (0, 1))]
+    assert len(matched(one, two).joined) == 1
+    assert as_pairs(matched(two, one)) == [((0, 1), (0,))]
+    assert len(matched(two, one).split) == 1
+
+
+@pytest.mark.parametrize("alphabet", alphabets())
+@pytest.mark.parametrize("character", list("BDPRxt457"))
+@pytest.mark.parametrize("gone", [0, 1])
+def test_a_stroke_that_was_left_out_is_found(character, alphabet, gone):
+    given = strokes(character, alphabet)
+    left = [stroke for k, stroke in enumerate(given) if k != gone]
+    found = matched(left, given)
+    assert found.missing == (gone,)
+    assert found.extra == ()
+    found = matched(given, left)
+    assert found.extra == (gone,)
+    assert found.missing == ()
+
+
+@pytest.mark.parametrize("character", list("aBDPRegk247"))
+@pytest.mark.parametrize(("mirrored", "turn"), [(True, 0), (False, 2), (True, 2), (False, 1), (False, 3)])
+def test_a_mirrored_or_turned_letter_is_seen_as_one(character, mirrored, turn):
+    given = strokes(character)
+    spoiled = [Trajectory(stroke.t, stroke.position @ undone(mirrored, turn)) for stroke in given]
+    found = matched(spoiled, given)
+    if character not in "BD" or (mirrored, turn) != (True, 2):  # these look the same upside down
+        assert (found.mirrored, found.turn) == (mirrored, turn)
+    assert found.extra == found.missing == ()
+
+
+def test_place_size_and_sampling_do_not_count():
+    given = strokes("R")
+    other = [Trajectory(stroke.t[::5] * 9, stroke.position[::5] * 30 + 4) for stroke in given]
+    assert as_pairs(matched(other, given)) == [((0,), (0,)), ((1,), (1,))]
+
+
+@needs_recordings
+def test_every_recorded_d_has_the_strokes_of_every_other():
+    found = {path.stem: read_recording(path).strokes() for path in RECORDINGS if path.stem.startswith("D_")}
+    for mine in found.values():
+        for yours in found.values():
+            pairs = as_pairs(matched(mine, yours))
+            assert sorted(k for pair in pairs for k in pair[0]) == list(range(len(mine)))
+            assert sorted(k for pair in pairs for k in pair[1]) == list(range(len(yours)))
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        ([], "strokes must be a Recording, a Letter or its strokes .* but is nothing"),
+        (7, "but is a int"),
+        (["ink"], "but is a str"),
+        (Trajectory([0, 1], np.zeros((2, 3))), "Stroke 0 of strokes has 3 dimensions"),
+        (Trajectory([0, 1], np.zeros((2, 2))), "strokes is a dot"),
+    ],
+)
+def test_what_is_no_writing_is_refused(given, words):
+    with pytest.raises(LetterError, match=words):
+        matched(given, strokes("a"))
