@@ -14,6 +14,8 @@ _HOME = {
     "Recording": "ink.recording",
     "read_recording": "ink.reader",
     "recording_of": "ink.alphabet",
+    "score": "ink.score",
+    "letter_distance": "ink.distances",
     "Settings": "dmp.settings",
     "DMP": "dmp.primitive",
     "Rollout": "dmp.stepping",
