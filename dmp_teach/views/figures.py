@@ -8,6 +8,7 @@ from dmp_teach.studies.choose import Choice
 from dmp_teach.studies.curves import ErrorCurves
 from dmp_teach.studies.goals import Traces
 from dmp_teach.trajectory import Array
+from dmp_teach.views.alphabet_figures import contact_sheet
 from dmp_teach.views.figure_style import (
     CHILD,
     COLOURS,
@@ -26,6 +27,7 @@ from dmp_teach.views.figure_style import (
 from dmp_teach.views.ink_figures import d_to_p, four_widths_drawn, goal_change_drawn, letters_redrawn
 
 __all__ = [
+    "contact_sheet",
     "d_to_p",
     "error_over_number",
     "error_over_width",
