@@ -1,8 +1,9 @@
 """A letter: strokes learned from a person, written again with other starts and goals."""
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from itertools import pairwise
+from types import MappingProxyType
 from typing import Any, Self
 
 import numpy as np
@@ -12,7 +13,13 @@ from dmp_teach.dmp.joining import joined
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import LetterError
-from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.letters.piece import Piece
+from dmp_teach.trajectory import Array, Trajectory, locked
+
+LIFT = 0.36  # a pen that goes to a stroke of another letter is in the air for this long [s] ...
+FLIGHT = 1.0  # ... and flies this fast [m/s], but never longer than ...
+LONGEST_LIFT = 0.6  # ... this in all [s]
+SHORTEST_LIFT = 0.01  # between parts of what was one stroke [s]
 
 
 def rms_distance(a: Iterable[Trajectory], b: Iterable[Trajectory]) -> float:
@@ -26,12 +33,21 @@ class Letter:
     """A letter as one primitive for each stroke.
 
     Args:
-        strokes: The demonstration, on the clock of its recording.
+        strokes: The demonstration, on the clock of its recording; of a letter that was composed, the strokes as made.
         primitives: One for each stroke, in the same order.
+        led_to: Goals that strokes are led to where they are not their own, by the number of the stroke [m].
+        made_of: The names of the strokes that it was composed of, such as "D.1".
     """
 
     strokes: tuple[Trajectory, ...]
     primitives: tuple[DMP, ...]
+    led_to: Mapping[int, Array] = field(default_factory=dict, repr=False)
+    made_of: tuple[str, ...] = ()
+
+    def __post_init__(self) -> None:
+        """Lock the goals."""
+        goals = {number: locked(goal) for number, goal in self.led_to.items()}
+        object.__setattr__(self, "led_to", MappingProxyType(goals))
 
     @classmethod
     def learn(cls, recording: Any, settings: Settings | None = None) -> Self:
@@ -46,6 +62,56 @@ class Letter:
         """
         strokes = _strokes_of(recording)
         return cls(strokes, tuple(DMP.imitate(stroke, settings) for stroke in strokes))
+
+    @classmethod
+    def compose(cls, pieces: Iterable[Piece], transform: str | None = None) -> Self:
+        """Put strokes together to a new letter, one after the other, by their own primitives.
+
+            bar, bowl = shelf["D"]
+            p = Letter.compose([bar, bowl.led(lower=bar.at(0.5))])
+
+        Strokes that followed each other in one letter keep the pause between them; before a stroke of another letter
+        the pen is in the air for 0.36 s and 1 s for each metre of its way, 0.6 s at most.
+
+        Args:
+            pieces: In the order in which they are written.
+            transform: What leads strokes to ends that are not their own, "star" or "similarity"; None: each its own.
+
+        Raises:
+            LetterError: Nothing to put together, something that is no piece, or a transformation that cannot be.
+        """
+        pieces = tuple(pieces)
+        wrong = [each for each in pieces if not isinstance(each, Piece)]
+        if wrong or not pieces:
+            what = f"a {type(wrong[0]).__name__}" if wrong else "nothing"
+            raise LetterError(f"A letter is composed of strokes from a shelf (Piece), but got {what}.")
+        if transform is not None:
+            pieces = tuple(piece.using(transform) for piece in pieces)
+        begins = _clock(pieces)
+        primitives = tuple(
+            replace(p.primitive, times=p.primitive.times + (begin - p.primitive.times[0]))
+            for p, begin in zip(pieces, begins, strict=True)
+        )
+        led = {number: piece.led_to for number, piece in enumerate(pieces) if piece.led_to is not None}
+        made = tuple(p.rollout(goal=led.get(number)) for number, p in enumerate(primitives))
+        return cls(made, primitives, led, tuple(piece.name for piece in pieces))
+
+    @classmethod
+    def make(cls, character: str, shelf: Any, transform: str | None = None, recipe: str | None = None) -> Self:
+        """Make a letter of strokes of other letters, by the table of recipes (`letters/recipes.py`).
+
+        Args:
+            character: The letter to make; see `recipes.makeable(shelf)`.
+            shelf: Where the strokes are; of one writer.
+            transform: As in `compose`.
+            recipe: A line of one's own instead of the table's: "D bar, D bowl lead lower to 1:0.5".
+
+        Raises:
+            LetterError: No recipe, letters that are not on the shelf, or one that cannot be taken apart; says which.
+        """
+        from dmp_teach.letters.recipes import made  # noqa: PLC0415 (it composes letters itself)
+
+        return made(character, shelf, transform, recipe)
 
     def write(
         self,
@@ -107,6 +173,8 @@ class Letter:
         """In one line, without the numbers."""
         strokes = f"{len(self.strokes)} stroke{'s' * (len(self.strokes) > 1)}"
         kernels = sum(len(primitive.weights) for primitive in self.primitives)
+        if self.made_of:
+            return f"Letter({strokes}, {kernels} kernels, made of {', '.join(self.made_of)})"
         return f"Letter({strokes}, {kernels} kernels, {1000 * self.error:.2f} mm rms from the demonstration)"
 
     def _stretched(self, drawn: list[Trajectory], duration: float) -> tuple[Trajectory, ...]:
@@ -133,7 +201,7 @@ class Letter:
             raise LetterError(f"Stroke {number} has a goal and a goal shift; give one of them.")
         for number, shift in shifts.items():
             goals[number] = self._shifted(number, shift)
-        return starts, goals
+        return starts, {**self.led_to, **goals}
 
     def _by_stroke(self, name: str, of: Mapping[int, ArrayLike] | None) -> dict[int, ArrayLike]:
         """What was asked for, by the number of the stroke, or a sentence."""
@@ -148,7 +216,8 @@ class Letter:
 
     def _shifted(self, number: int, shift: ArrayLike) -> Array:
         """The goal that a shift leads to, or a sentence."""
-        goal, what = self.primitives[number].goal, f"The goal shift of stroke {number} is {shift!r}, but it must be"
+        goal = self.led_to.get(number, self.primitives[number].goal)
+        what = f"The goal shift of stroke {number} is {shift!r}, but it must be"
         try:
             step = np.asarray(shift, dtype=float)
         except (TypeError, ValueError):
@@ -158,6 +227,18 @@ class Letter:
         if not np.isfinite(step).all():
             raise LetterError(f"{what} finite [m].")
         return goal + step
+
+
+def _clock(pieces: tuple[Piece, ...]) -> list[float]:
+    """When each of them begins [s]."""
+    begins = [float(pieces[0].primitive.times[0])]
+    for before, after in pairwise(pieces):
+        pause = max(after.primitive.times[0] - before.primitive.times[-1], SHORTEST_LIFT)
+        if not after.follows(before):
+            way = float(np.linalg.norm(after.at("start") - before.at("goal")))
+            pause = min(LIFT + way / FLIGHT, LONGEST_LIFT)
+        begins.append(begins[-1] + before.primitive.duration + pause)
+    return begins
 
 
 def _strokes_of(recording: Any) -> tuple[Trajectory, ...]:

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from concurrent.futures import Executor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -10,6 +10,7 @@ import numpy as np
 from dmp_teach.dmp.settings import Settings, knob_of
 from dmp_teach.errors import SettingError
 from dmp_teach.letters.letter import Letter
+from dmp_teach.letters.outline import bar_and_bowl, cut
 from dmp_teach.studies.material import Written, letters_of, own_recordings
 from dmp_teach.studies.tables import Rows, Tabled
 from dmp_teach.studies.work import Progress, run
@@ -151,18 +152,25 @@ def p_from_d(
     executor: Executor | None = None,
     progress: Progress | None = None,
 ) -> MadeLetters:
-    """Every D of two strokes (bar and bowl, in any order) made into a P: the bowl's lower end goes to the bar's middle.
+    """Every D (bar and bowl, in any order) made into a P: the bowl's lower end goes to the middle of the bar.
+
+    A D that was drawn without a lift is cut at its corner, where it has one.
 
     Args:
-        recordings: Recordings, files or strokes; our own D where none is a D of two strokes.
+        recordings: Recordings, files or strokes; our own D where none has a bar and a bowl.
         settings: How, by name; `transforms()` unless given.
         executor: Any `concurrent.futures.Executor`; a piece of work is one D.
         progress: Called as `progress(done, total)`.
     """
-    given = [letter for letter in letters_of(recordings) if _is_d(letter)]
+    given = [letter for letter in map(_taken_apart, letters_of(recordings)) if _is_d(letter)]
     pieces = [(letter, dict(settings or transforms())) for letter in given or letters_of(own_recordings("D"))]
     found = run(_made, pieces, executor, progress)
     return MadeLetters(tuple(item for way in zip(*found, strict=True) for item in way), not given)
+
+
+def _taken_apart(letter: Written) -> Written:
+    """The letter, cut at its corners if it was drawn without a lift."""
+    return letter if len(letter.strokes) > 1 else replace(letter, strokes=cut(letter.strokes[0]))
 
 
 def _is_d(letter: Written) -> bool:
@@ -186,15 +194,6 @@ def _made(piece: tuple[Written, Mapping[str, Settings]]) -> tuple[MadeLetter, ..
             strokes = None
         made.append(MadeLetter(letter, name, bar, bowl, target, strokes))
     return tuple(made)
-
-
-def bar_and_bowl(strokes: tuple[Trajectory, ...]) -> tuple[int, int]:
-    """The numbers of the straightest stroke, and of the longest of the others."""
-    long = [float(np.linalg.norm(np.diff(s.position, axis=0), axis=1).sum()) for s in strokes]
-    two = sorted(np.argsort(long)[-2:])
-    straight = [float(np.linalg.norm(np.subtract(*strokes[k].position[[0, -1]]))) / long[k] for k in two]
-    bar = two[int(np.argmax(straight))]
-    return int(bar), int(next(k for k in two if k != bar))
 
 
 def _ends(bar: Trajectory) -> tuple[Array, Array]:

@@ -8,8 +8,9 @@ from typing import Any
 import numpy as np
 from scipy.stats import binomtest
 
+from dmp_teach.letters.outline import bar_and_bowl
 from dmp_teach.studies.material import OURS, Written, letters_of, own_recordings
-from dmp_teach.studies.new_letters import MadeLetter, bar_and_bowl, p_from_d, transforms
+from dmp_teach.studies.new_letters import MadeLetter, p_from_d, transforms
 from dmp_teach.studies.tables import Rows, Tabled
 from dmp_teach.studies.work import Progress
 from dmp_teach.trajectory import Array, Trajectory

@@ -1,0 +1,144 @@
+"""The table of recipes: every line makes its letter, of our letters and of everybody's."""
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+
+from dmp_teach.errors import LetterError
+from dmp_teach.ink.alphabet import alphabets, characters, recording_of
+from dmp_teach.ink.reader import read_recording
+from dmp_teach.letters.letter import Letter
+from dmp_teach.letters.outline import nearest
+from dmp_teach.letters.recipes import made, makeable, needed, recipes
+from dmp_teach.letters.roles import strokes_in_role
+from dmp_teach.letters.shelf import Shelf
+from dmp_teach.studies.new_letters import p_from_d
+from tests.recordings import RECORDINGS, needs_recordings
+
+FORMS = ("star", "similarity")
+
+
+@pytest.fixture(scope="module")
+def shelves():
+    wanted = {letter for _, how in recipes() for letter in needed(how)}
+    return {
+        name: Shelf.of(recording_of(letter, name) for letter in characters(name) if letter in wanted)
+        for name in alphabets()
+    }
+
+
+@pytest.fixture(scope="module")
+def everybody():
+    shelf = Shelf.of(map(read_recording, RECORDINGS))
+    return [shelf.by(writer) for writer in shelf.writers]
+
+
+def box(strokes):
+    points = np.concatenate([stroke.position for stroke in strokes])
+    return points.min(axis=0), points.max(axis=0)
+
+
+@pytest.mark.parametrize("transform", FORMS)
+@pytest.mark.parametrize("alphabet", alphabets())
+def test_every_line_of_the_table_makes_its_letter(shelves, alphabet, transform):
+    """Of a letter's size and shape, and one stroke after the other."""
+    shelf = shelves[alphabet]
+    assert len({made for made, _ in recipes()}) >= 25
+    for character, how in recipes():
+        strokes = Letter.make(character, shelf, transform, how).write()
+        (left, low), (right, high) = box(strokes)
+        below, above = box([piece.drawn for letter in needed(how) for piece in shelf[letter]])
+        tall = above[1] - below[1]
+        assert 0.3 * tall < high - low < 2 * tall, (character, how)
+        assert 0.1 < (right - left) / (high - low) < 2, (character, how)
+        assert all(after.t[0] >= before.t[-1] for before, after in pairwise(strokes))
+
+
+@pytest.mark.parametrize("alphabet", alphabets())
+def test_made_letters_hang_together(shelves, alphabet):
+    """Where the strokes of a letter touch by its recipe they touch in the ink."""
+    shelf = shelves[alphabet]
+    for character, how in recipes():
+        if len(how.split(",")) < 2:
+            continue
+        strokes = Letter.make(character, shelf, "similarity", how).write()
+        size = np.ptp(np.concatenate([stroke.position for stroke in strokes]), axis=0).max()
+        for number, stroke in enumerate(strokes):
+            others = [other.position for k, other in enumerate(strokes) if k != number]
+            gaps = [np.linalg.norm(nearest(other, p) - p) for other in others for p in stroke.position[::3]]
+            assert min(gaps) < 0.06 * size, (character, how, number)
+
+
+@pytest.mark.parametrize("transform", FORMS)
+@pytest.mark.parametrize("alphabet", alphabets())
+def test_a_p_is_joined_in_the_middle_and_a_b_at_its_foot_too(shelves, alphabet, transform):
+    (bar,) = strokes_in_role("bar", shelves[alphabet]["D"])
+    middle, foot = bar.height(0.5), bar.at("bottom")
+    p, b = (Letter.make(character, shelves[alphabet], transform).write() for character in "PB")
+    assert np.linalg.norm(p[1].position[-1] - middle) < 1e-4
+    assert np.linalg.norm(b[2].position[0] - middle) < 1e-4
+    assert np.linalg.norm(b[2].position[-1] - foot) < 0.01
+
+
+def test_the_first_line_is_taken_that_can_be():
+    lo = Shelf.of(recording_of(letter) for letter in "lo")
+    assert {"b", "d", "p", "q"} <= set(makeable(lo))
+    assert Letter.make("b", lo).made_of == ("l.1", "o.1")
+    assert Letter.make("b", Shelf.of(recording_of(letter) for letter in "loD")).made_of == ("D.1", "o.1")
+
+
+def test_a_line_of_ones_own_makes_a_letter():
+    shelf = Shelf.of(recording_of(letter) for letter in "Do")
+    letter = Letter.make("p", shelf, recipe="D bar, o all size 0.5 slide left to 1")
+    assert letter.made_of == ("D.1", "o.1")
+
+
+@pytest.mark.parametrize(
+    ("ask", "answer"),
+    [
+        (("%", None), r"There is no recipe for '%'; there are recipes for P R B .*Give one: recipe='\.\.\.'"),
+        (("w", None), r"'w' is made of v, but this shelf has D, o: put the missing ones on it"),
+        (("P", "D bar, D bowl bend"), r"A recipe cannot 'bend'; it can: lead END to SPOT"),
+        (("P", "D"), r"A stroke of a recipe is a letter and a role, such as 'D bar', but this is 'D'"),
+        (("P", "D bar, D bowl lead lower to 3:0.5"), r"names stroke 3, but so far it has 1; they are counted from 1"),
+        (("P", "D all size 2"), r"'D' has 2 strokes, but 'size 2' is for one; name it by its role"),
+        (("P", "D bar, D bowl put side at 1:top"), r"There is no place 'side'"),
+        (("P", "D bar, D bowl put top at 1:side"), r"There is no place 'side'"),
+        (("P", "D nose"), r"There is no role 'nose'"),
+    ],
+)
+def test_a_recipe_that_cannot_be_is_said_in_a_sentence(ask, answer):
+    shelf = Shelf.of(recording_of(letter) for letter in "Do")
+    with pytest.raises(LetterError, match=answer):
+        Letter.make(ask[0], shelf, recipe=ask[1])
+
+
+def test_a_letter_is_made_from_a_shelf():
+    with pytest.raises(
+        LetterError, match=r"A letter is made from a Shelf, but got a dict; use Shelf\.of\(recordings\)"
+    ):
+        made("P", {})
+
+
+@needs_recordings
+@pytest.mark.parametrize("transform", FORMS)
+def test_everybodys_strokes_make_every_letter_that_they_can(everybody, transform):
+    count = 0
+    for shelf in everybody:
+        for character in makeable(shelf):
+            (left, low), (right, high) = box(Letter.make(character, shelf, transform).write())
+            assert 0.2 < (right - left) / (high - low) < 1.8, (shelf, character)
+            count += 1
+    assert count >= 21
+
+
+@needs_recordings
+def test_every_writers_d_makes_a_p_of_that_writer_however_it_was_drawn():
+    of_d = [read_recording(path) for path in RECORDINGS if path.name.startswith("D")]
+    found = p_from_d(of_d)
+    assert len(found.by("DMP*")) == len(of_d)
+    assert all(item.recognisable for way in ("DMP*", "similarity") for item in found.by(way))
+    for recording in of_d:
+        bar, bowl = Letter.make("P", Shelf.of([recording])).write()
+        assert min(np.linalg.norm(nearest(bar.position, end) - end) for end in bowl.position[[0, -1]]) < 1e-4
