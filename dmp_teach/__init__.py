@@ -21,6 +21,7 @@ _HOME = {
     "Rollout": "dmp.stepping",
     "joined": "dmp.joining",
     "Letter": "letters.letter",
+    "Style": "letters.styles",
     "Page": "robot.page",
     "Motion": "robot.motion",
     "Fetch": "robot.fetch",
