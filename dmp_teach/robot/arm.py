@@ -157,20 +157,20 @@ class Solver:
         return self._robot.frame_jacobian("pen_tip", "local_world_aligned")[:, self._speeds]
 
     def speeds(self, q: Array) -> Array:
-        """The greatest speed of each joint along a motion (T, J), as a part of its limit, shape (J,)."""
-        return np.abs(np.diff(q, axis=0)).max(axis=0) * RATE / self.fastest
+        """Of the joints from each sample of a motion (T, J) to the next, as parts of their limits, (T - 1, J)."""
+        return np.abs(np.diff(q, axis=0)) * RATE / self.fastest
 
     def follow(
-        self, q: ArrayLike, normal: Array, path: Array, limited: bool, report: Callable[[str, float], Any]
+        self, q: ArrayLike, normal: Array, path: Array, report: Callable[[str, float], Any], solves: int = 1
     ) -> Array:
-        """The joints along a path: one solution and one update for every sample.
+        """The joints along a path.
 
         Args:
             q: Where the arm stands before, shape (J,) [rad, m]; the torso stays as it is.
             normal: Out of the paper, shape (3,).
             path: In the world, shape (T, 3) [m].
-            limited: Whether the joints' speeds are limited.
             report: Told "joints" and how much is done.
+            solves: So many solutions and updates for every sample.
 
         Returns:
             Joint positions, unwrapped, shape (T, J) [rad, m].
@@ -178,15 +178,15 @@ class Solver:
         self.stand(q, normal, torso=False)
         self.glide(path[0])
         self.settle(path[0])
-        self._solver.enable_velocity_limits(limited)
         states = np.empty((len(path), self.state_size))
         tip, robot, solve, update = self._tip, self._robot, self._solver.solve, self._robot.update_kinematics
         for row, target in enumerate(path):
             if row % 60 == 0:
                 report("joints", row / len(path))
             tip.target_world = target
-            solve(True)
-            update()
+            for _ in range(solves):
+                solve(True)
+                update()
             states[row] = robot.state.q
         report("joints", 1.0)
         return self.unpacked(states)

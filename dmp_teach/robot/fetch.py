@@ -8,17 +8,18 @@ from numpy.typing import ArrayLike
 
 from dmp_teach.errors import ReachError
 from dmp_teach.robot.arm import JOINTS, Solver, solver_here
-from dmp_teach.robot.model import Model
 from dmp_teach.robot.motion import Motion
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.place import place
-from dmp_teach.robot.plan import PenPlan, plan_pen
+from dmp_teach.robot.plan import PenPlan, way_over
 from dmp_teach.robot.reach import stance_for
+from dmp_teach.robot.speed import Clock
 from dmp_teach.robot.stance import TILT, TIP, Stance
 from dmp_teach.trajectory import Array, Trajectory
 
-FASTEST = 0.9
-"""No joint goes faster than this part of its limit; a motion that would is slowed."""
+_ROUNDS = 12  # the clock is slowed so often; mostly twice is enough
+_SOLVES = 3  # at most so many solutions a sample; one does, unless that leaves the tip so far off [m]:
+_NEAR = 3e-5
 
 Progress = Callable[[str, float], Any]
 
@@ -67,13 +68,13 @@ class Fetch:
         report("reach", 0.0)
         stance = stance_for(solver, page, np.concatenate([stroke.position for stroke in placed]))
         report("reach", 1.0)
-        plan, q, slowed = _joints_for(solver, stance, page, placed, report)
-        tip = _checked_tip(solver.model, plan, q, page)
+        plan, q, poses, slowed = _joints_for(solver, stance, page, placed, report)
+        _check_tip(poses["pen_tip"], plan, page)
         return Motion(
             t=plan.t,
             q=q,
             joint_names=JOINTS,
-            tip=tip,
+            tip=poses["pen_tip"][:, :3, 3],
             target=page.to_world(plan.position),
             pen_down=plan.pen_down,
             page=page,
@@ -84,35 +85,37 @@ class Fetch:
 
 def _joints_for(
     solver: Solver, stance: Stance, page: Page, placed: tuple[Trajectory, ...], report: Progress
-) -> tuple[PenPlan, Array, tuple[str, ...]]:
-    """The plan, slowed evenly until every joint can follow it, and the joints (T, J)."""
+) -> tuple[PenPlan, Array, dict[str, Array], tuple[str, ...]]:
+    """The plan, slowed where a joint could not follow it, the joints (T, J), where the links are, and notes.
 
-    def follow(plan: PenPlan, limited: bool) -> Array:
-        return solver.follow(stance.q, page.normal, page.to_world(plan.position), limited, report)
-
+    PlaCo knows no speed limits here: with them it would lag behind in silence. Where the arm is nearly straight it lags
+    a little even so, and is given more solutions a sample.
+    """
     report("plan", 0.0)
-    plan = first = plan_pen(placed)
+    way = way_over(placed)
+    clock = Clock(way, JOINTS)
     report("plan", 1.0)
-    q = follow(plan, True)
-    stretch, guilty = 1.0, []
-    while (solver.speeds(q) > FASTEST).any():
-        # With its limits on, PlaCo lags behind in silence. Without them the joints say how fast they would have to be.
-        wanted = solver.speeds(follow(plan, False))
-        guilty += [name for name, fraction in zip(JOINTS, wanted, strict=True) if fraction > FASTEST]
-        stretch *= 1.01 * max(1.0, wanted.max() / FASTEST)
-        plan = plan_pen(placed, stretch)
-        q = follow(plan, True)
-    if not guilty:
-        return plan, q, ()
-    names = ", ".join(dict.fromkeys(guilty))
-    return plan, q, (f"slowed from {first.duration:.2f} s to {plan.duration:.2f} s: {names}",)
+    solves = 1
+    for _ in range(_ROUNDS):
+        plan = way.plan(clock.samples)
+        path = page.to_world(plan.position)
+        q = solver.follow(stance.q, page.normal, path, report, solves)
+        if clock.slowed(solver.speeds(q)):
+            continue
+        poses = solver.model.link_poses(q, JOINTS)
+        if np.linalg.norm(poses["pen_tip"][:, :3, 3] - path, axis=1).max() < _NEAR or solves == _SOLVES:
+            return plan, q, poses, clock.notes
+        solves += 1
+    raise ReachError(
+        f"However slowly the pen goes, {JOINTS[int(solver.speeds(q).max(axis=0).argmax())]} would have to hurry: here "
+        "the arm must change its posture. Write smaller, or move the page."
+    )
 
 
-def _checked_tip(model: Model, plan: PenPlan, q: Array, page: Page) -> Array:
-    """Where the nib is by the model's own kinematics (T, 3) [m]; an error where that is not on the plan."""
-    X = model.frame("pen_tip", q, JOINTS)
-    miss = np.linalg.norm(X[:, :3, 3] - page.to_world(plan.position), axis=1)
-    tilt = np.arccos(np.clip(-X[:, :3, 2] @ page.normal, -1, 1))
+def _check_tip(X_world_tip: Array, plan: PenPlan, page: Page) -> None:
+    """Raise where the nib, by the model's own kinematics (T, 4, 4), is not on the plan."""
+    miss = np.linalg.norm(X_world_tip[:, :3, 3] - page.to_world(plan.position), axis=1)
+    tilt = np.arccos(np.clip(-X_world_tip[:, :3, 2] @ page.normal, -1, 1))
     lost = (miss > TIP) | (tilt > TILT) | ~np.isfinite(miss)
     if lost.any():
         row = int(np.argmax(lost))
@@ -122,4 +125,3 @@ def _checked_tip(model: Model, plan: PenPlan, q: Array, page: Page) -> Array:
             f"page's centre: {1000 * miss[row]:.1f} mm beside it, {np.degrees(tilt[row]):.1f} degrees off the upright. "
             "Write smaller, or move the page."
         )
-    return X[:, :3, 3]

@@ -57,7 +57,60 @@ class PenPlan:
         return float(self.t[-1])
 
 
-def plan_pen(strokes: tuple[Trajectory, ...], stretch: float = 1.0) -> PenPlan:
+@dataclass(frozen=True, eq=False)
+class Piece:
+    """A part of the pen's way, from rest to rest.
+
+    Args:
+        steps: How many samples it takes when nothing slows it, at least 1.
+        at: Places on the page, with their heights (n, 3) [m], for parts (n,) of its time between 0 and 1.
+        down: Whether the nib is on the letter.
+    """
+
+    steps: int
+    at: Callable[[Array], Array]
+    down: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Way:
+    """The pen's way, which can be followed on any clock. At rest between two pieces, it stands on a sample.
+
+    Args:
+        pieces: One after the other.
+    """
+
+    pieces: tuple[Piece, ...]
+
+    @property
+    def rests(self) -> Array:
+        """Numbers of the samples at which the pen is at rest: where pieces begin, and the end, shape (P + 1,)."""
+        return np.cumsum([0, *(piece.steps for piece in self.pieces)])
+
+    def plan(self, samples: Array | None = None) -> PenPlan:
+        """The way, sampled at `RATE`.
+
+        Args:
+            samples: Which sample of the unhurried plan is due at each sample of this one: from 0 to the last, in
+                fractions too, but whole at every one of `rests`, shape (T,). None: all of them.
+        """
+        rests = self.rests
+        samples = np.arange(rests[-1] + 1.0) if samples is None else samples
+        position, down = np.empty((len(samples), 3)), np.zeros(len(samples), bool)
+        for piece, start in zip(self.pieces, rests[:-1], strict=True):
+            first, stop = np.searchsorted(samples, start), np.searchsorted(samples, start + piece.steps, side="right")
+            rows = slice(first + down[first], stop)  # a sample between a stroke and the air is the stroke's
+            position[rows] = piece.at((samples[rows] - start) / piece.steps)
+            down[rows] = piece.down
+        return PenPlan(np.arange(len(samples)) / RATE, position, down)
+
+
+def plan_pen(strokes: tuple[Trajectory, ...]) -> PenPlan:
+    """The pen's plan over strokes that lie on the page, as fast as they were written: see `way_over`."""
+    return way_over(strokes).plan()
+
+
+def way_over(strokes: tuple[Trajectory, ...]) -> Way:
     """The pen's way over strokes that lie on the page.
 
     A stroke takes its own duration and `RAMP` more. A lift takes as long as it did on the recording's clock,
@@ -65,33 +118,24 @@ def plan_pen(strokes: tuple[Trajectory, ...], stretch: float = 1.0) -> PenPlan:
 
     Args:
         strokes: On the page, as `place` gives them [m].
-        stretch: Everything takes this many times as long; the path stays.
-
-    Returns:
-        The plan, sampled at `RATE`.
     """
-    pieces = [_move([_above(strokes[0].position[0]), _on(strokes[0].position[0])], LIFT, stretch)[:-1]]
-    down = [False]
-    for number, stroke in enumerate(strokes):
-        if number:
-            pieces.append(_over(strokes[number - 1], stroke, stretch))
-            down.append(False)
-        pieces.append(_written(stroke, stretch))
-        down.append(True)
-    last = strokes[-1].position[-1]
-    pieces.append(_move([_on(last), _above(last)], LIFT, stretch)[1:])
-    down.append(False)
-    position = np.concatenate(pieces)
-    t = np.arange(len(position)) / RATE
-    return PenPlan(t, position, np.repeat(down, [len(piece) for piece in pieces]))
+    first, last = strokes[0].position[0], strokes[-1].position[-1]
+    pieces = [_move(_above(first), _on(first), LIFT)]
+    for before, stroke in zip((None, *strokes), strokes, strict=False):
+        pieces += [] if before is None else _over(before, stroke)
+        pieces.append(_written(stroke))
+    return Way((*pieces, _move(_on(last), _above(last), LIFT)))
 
 
-def _written(stroke: Trajectory, stretch: float) -> Array:
-    """A stroke on the paper (n, 3), first and last sample at rest on its ends."""
+def _written(stroke: Trajectory) -> Piece:
+    """A stroke on the paper, at rest on its ends."""
     curve = interpolated(stroke)
     lasts, clock = from_rest_to_rest(stroke.duration)
-    times = np.linspace(0, lasts, _steps(lasts * stretch) + 1)
-    return _on(curve(np.clip(stroke.t[0] + clock(times), stroke.t[0], stroke.t[-1])))
+
+    def at(part: Array) -> Array:
+        return _on(curve(np.clip(stroke.t[0] + clock(part * lasts), stroke.t[0], stroke.t[-1])))
+
+    return Piece(_steps(lasts), at, down=True)
 
 
 def interpolated(stroke: Trajectory) -> Callable[[Array], Array]:
@@ -137,24 +181,28 @@ def _risen(u: Array) -> Array:
     return u**3 - u**4 / 2
 
 
-def _over(before: Trajectory, after: Trajectory, stretch: float) -> Array:
-    """Lift, travel, touch between two strokes (n, 3), without the samples on the paper."""
+def _over(before: Trajectory, after: Trajectory) -> list[Piece]:
+    """Lift, travel, touch between two strokes."""
     start, end = before.position[-1], after.position[0]
     far = float(np.linalg.norm(end - start))
     # A move with least jerk peaks at 1.875 of its mean speed, and at 5.77 distances over its duration squared.
     travel = max(1.875 * far / _TRAVEL_SPEED, np.sqrt(5.77 * far / _TRAVEL_PUSH))
     needed = 2 * LIFT + travel
-    longer = np.clip(after.t[0] - before.t[-1], needed, max(needed, LONGEST_LIFT)) / needed * stretch
-    up = _move([_on(start), _above(start)], LIFT, longer)
-    over = _move([_above(start), _above(end)], travel, longer)
-    touch = _move([_above(end), _on(end)], LIFT, longer)
-    return np.concatenate([up[1:], over[1:], touch[1:-1]])
+    longer = np.clip(after.t[0] - before.t[-1], needed, max(needed, LONGEST_LIFT)) / needed
+    return [
+        _move(_on(start), _above(start), LIFT * longer),
+        _move(_above(start), _above(end), travel * longer),
+        _move(_above(end), _on(end), LIFT * longer),
+    ]
 
 
-def _move(ends: list[Array], duration: float, stretch: float) -> Array:
-    """A straight move from rest to rest with least jerk (Flash and Hogan 1985), shape (n, 3) with both ends."""
-    s = np.linspace(0, 1, _steps(duration * stretch) + 1)[:, None]
-    return ends[0] + (ends[1] - ends[0]) * (10 * s**3 - 15 * s**4 + 6 * s**5)
+def _move(start: Array, end: Array, duration: float) -> Piece:
+    """A straight move in the air from rest to rest with least jerk (Flash and Hogan 1985)."""
+
+    def at(s: Array) -> Array:
+        return start + (end - start) * (10 * s**3 - 15 * s**4 + 6 * s**5)[:, None]
+
+    return Piece(_steps(duration), at)
 
 
 def _steps(duration: float) -> int:

@@ -34,6 +34,9 @@ STRAINED = 2.5
 """A stance that asks more than this of a joint's speed limit is nearly stretched out."""
 
 _COMFORTABLE = 1.6  # of a joint's limit, at SWIFT in the worst place: good enough to stop looking
+_STOP = 0.02  # this near to its stop a joint is at it [rad], and then ...
+_JAMMED = STRAINED - 0.01  # ... the effort is at least this
+_RANDOM = 25  # near the body, one random start in ten finds a way past it
 _CLEAR = 0.055  # the forearm's radius, and a little [m]
 _FOREARM = ("elbow_flex_link", "forearm_roll_link", "wrist_flex_link", "wrist_roll_link", "gripper_link")
 _CHAIN = ("torso_lift", "shoulder_pan", "shoulder_lift", "upperarm_roll", *(name[:-5] for name in _FOREARM))
@@ -61,7 +64,7 @@ class Stance:
 
 def examined(solver: Solver, page: Page, low: Array, high: Array) -> Stance:
     """The verdict on a part of a page from `low` to `high` (2,); a page is examined once."""
-    key = (page.X_world_page.tobytes(), low.tobytes(), high.tobytes())
+    key = tuple(part.tobytes() for part in (page.X_world_page, page.size, low, high))
     if key not in solver.verdicts:
         if len(solver.verdicts) > 200:
             solver.verdicts.clear()
@@ -93,10 +96,10 @@ def in_the_body(page: Page) -> str:
 
 
 def _postures(solver: Solver, page: Page) -> Iterator[Array]:
-    """The fixed postures, those for such a page first, and five random ones: always the same."""
+    """The fixed postures, those for such a page first, and some random ones: always the same."""
     yield from POSTURES if page.normal[2] > 0.7 else POSTURES[[2, 3, 0, 1]]
     low, high = np.maximum(solver.lower, -np.pi), np.minimum(solver.upper, np.pi)
-    yield from np.random.default_rng(0).uniform(low, high, (5, len(low)))
+    yield from np.random.default_rng(0).uniform(low, high, (_RANDOM, len(low)))
 
 
 def _tried(solver: Solver, posture: Array, page: Page, low: Array, high: Array) -> Stance:
@@ -110,13 +113,28 @@ def _tried(solver: Solver, posture: Array, page: Page, low: Array, high: Array) 
         return Stance(q, middle, np.inf, trouble)
     effort = 0.0
     solver.stand(q, page.normal, torso=False)
+    before = None
     for place in [*rim(low, high).values(), middle]:
         for spot in (place, place + np.array([0, 0, HOVER])):
             solver.glide(page.to_world(spot))
             if trouble := _trouble(solver, page, spot):
                 return Stance(q, middle, np.inf, trouble)
             effort = max(effort, _effort(solver, page))
+        here = place, solver.joints()
+        if before is not None:
+            effort = max(effort, _hurry(solver, before, here))
+        before = here
     return Stance(q, middle, effort)
+
+
+def _hurry(solver: Solver, one: tuple[Array, Array], other: tuple[Array, Array]) -> float:
+    """What the joints must do on the way from one place to another (place, joints), at `SWIFT`, in parts of limits.
+
+    An arm that is straight between the two, and bent at both, shows in nothing else.
+    """
+    far = np.linalg.norm(other[0] - one[0])
+    turned = np.abs(np.angle(np.exp(1j * (other[1] - one[1]))))[1:]
+    return float((SWIFT * turned / solver.fastest[1:]).max() / far) if far > 1e-3 else 0.0
 
 
 def rim(low: Array, high: Array) -> dict[str, Array]:
@@ -163,7 +181,10 @@ def _effort(solver: Solver, page: Page) -> float:
     """What a pen at `SWIFT` in any direction on the page asks of the joints, as a part of their speed limits.
 
     The joints' speeds are J^+ v, where J (5, J) holds the tip's velocity and the tilting of the pen; the torso stays.
+    A joint that comes up against its stop leaves the others a jolt: such a stance is taken only if there is no other.
     """
+    q = solver.joints()[1:]
+    least = _JAMMED if (np.minimum(q - solver.lower[1:], solver.upper[1:] - q) < _STOP).any() else 0.0
     R, J = page.X_world_page[:3, :3], solver.jacobian()[:, 1:]
     ways = np.linalg.pinv(np.concatenate([J[:3], R[:, :2].T @ J[3:]]), rcond=1e-9)[:, :3] @ R[:, :2]
-    return float((SWIFT * np.linalg.norm(ways, axis=1) / solver.fastest[1:]).max())
+    return max(least, float((SWIFT * np.linalg.norm(ways, axis=1) / solver.fastest[1:]).max()))

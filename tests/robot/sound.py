@@ -3,9 +3,9 @@
 import numpy as np
 
 from dmp_teach.robot.arm import JOINTS
-from dmp_teach.robot.fetch import FASTEST
 from dmp_teach.robot.model import Model
 from dmp_teach.robot.plan import RATE
+from dmp_teach.robot.speed import FASTEST
 
 MODEL = Model.load()
 LIMITS = [MODEL.joint(name) for name in JOINTS]

@@ -4,7 +4,7 @@ from hypothesis import strategies as st
 
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.place import place
-from dmp_teach.robot.plan import HOVER, LIFT, RAMP, RATE, from_rest_to_rest, interpolated, plan_pen
+from dmp_teach.robot.plan import HOVER, LIFT, RAMP, RATE, from_rest_to_rest, interpolated, plan_pen, way_over
 from dmp_teach.trajectory import Trajectory
 from tests.robot import ink
 from tests.robot.ink import law
@@ -12,9 +12,9 @@ from tests.robot.ink import law
 PAGE = Page.table()
 
 
-def planned(letter, stretch=1.0):
+def planned(letter):
     placed = place(letter, PAGE)
-    return placed, plan_pen(placed, stretch)
+    return placed, plan_pen(placed)
 
 
 def pieces(plan):
@@ -118,13 +118,21 @@ def test_a_lift_takes_its_time_within_reason(gap):
         assert lift == pytest.approx(gap, abs=4 / RATE)
 
 
-@law(letter=ink.letters(), stretch=st.floats(1, 12))
-def test_slower_is_the_same_path(letter, stretch):
-    _, plan = planned(letter)
-    _, slow = planned(letter, stretch)
-    assert slow.duration == pytest.approx(stretch * plan.duration, abs=(2 + 4 * len(letter)) * stretch / RATE)
-    for piece, other in zip(pieces(plan), pieces(slow), strict=True):
-        assert distances(slow.position[other, :2][::5], plan.position[piece, :2]).max() < 1e-4
+@law(letter=ink.letters(), seed=st.integers(0, 1000))
+def test_on_any_clock_it_is_the_same_path_and_the_pen_is_down_on_the_letter(letter, seed):
+    placed = place(letter, PAGE)
+    way, plan = way_over(placed), plan_pen(placed)
+    between = np.random.default_rng(seed).uniform(0, way.rests[-1], 500)
+    samples = np.unique(np.concatenate([way.rests, between]))
+    odd = way.plan(samples)
+    np.testing.assert_array_equal(odd.t, np.arange(len(samples)) / RATE)
+    np.testing.assert_array_equal(odd.position[np.isin(samples, way.rests)], plan.position[way.rests])
+    assert (odd.position[odd.pen_down, 2] == 0).all()
+    assert (odd.position[~odd.pen_down, 2] > 0).all()
+    assert len(pieces(odd)) == len(placed)
+    for piece, other in zip(pieces(odd), pieces(plan), strict=True):
+        assert distances(odd.position[piece, :2], plan.position[other, :2]).max() < 2e-4
+        np.testing.assert_array_equal(odd.position[piece][[0, -1]], plan.position[other][[0, -1]])
 
 
 @law(letter=ink.letters())

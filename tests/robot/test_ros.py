@@ -10,9 +10,10 @@ from scipy.spatial.transform import Rotation
 from dmp_teach.errors import JointError, MissingPartError, PathError, ReachError, SettingError, TrajectoryError
 from dmp_teach.robot import ros
 from dmp_teach.robot.arm import JOINTS, solver_here
-from dmp_teach.robot.fetch import FASTEST, Fetch
+from dmp_teach.robot.fetch import Fetch
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.ros import GOAL_TOPIC, LEAD, PACE, PATH_TOPIC, schedule, write_rosbag
+from dmp_teach.robot.speed import FASTEST
 from dmp_teach.robot.stance import _neighbours
 from dmp_teach.robot.untuck import TUCKED
 from tests.conftest import STRICT

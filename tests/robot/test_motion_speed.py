@@ -1,0 +1,134 @@
+import re
+
+import numpy as np
+import pytest
+from hypothesis import strategies as st
+
+from dmp_teach.robot.arm import JOINTS
+from dmp_teach.robot.fetch import Fetch
+from dmp_teach.robot.page import Page
+from dmp_teach.robot.place import place
+from dmp_teach.robot.plan import RATE, plan_pen, way_over
+from dmp_teach.robot.speed import EASING, FASTEST, Clock, due, late
+from dmp_teach.trajectory import Trajectory
+from tests.robot import ink
+from tests.robot.ink import LETTER, law
+from tests.robot.sound import LIMITS, assert_sound
+
+REACH = round(EASING * RATE)
+HURRY = st.lists(st.tuples(st.integers(0, 399), st.floats(1.01, 30)), min_size=1, max_size=5)
+
+
+def hasty(factor, letter=LETTER):
+    return tuple(Trajectory(s.t / factor, s.position) for s in letter)
+
+
+def needed_at(hurry, n=400):
+    needed = np.ones(n)
+    for where, how in hurry:
+        needed[where : where + 5] = how
+    return needed
+
+
+@law(hurry=HURRY)
+def test_every_sample_lasts_as_long_as_it_must_and_those_far_from_a_hurry_no_longer(hurry):
+    needed = needed_at(hurry)
+    longer = late(needed)
+    assert (1 + longer >= needed - 1e-9).all()
+    near = np.convolve(needed > 1, np.ones(4 * REACH + 1), "same") > 0
+    assert (longer[~near] == 0).all()
+
+
+@law(hurry=HURRY)
+def test_the_clock_never_jumps(hurry):
+    rate = 1 / (1 + late(needed_at(hurry)))
+    assert np.abs(np.diff(rate)).max() <= 1.5 / REACH
+    samples = due(late(needed_at(hurry)))
+    assert (np.diff(samples) > 0).all()
+    assert np.diff(samples).max() <= 1 + 1e-9
+    assert np.abs(np.diff(samples, n=2)).max() <= 1.5 / REACH
+
+
+@law(hurry=HURRY)
+def test_samples_after_a_slowed_place_are_those_of_the_unhurried_plan(hurry):
+    longer = late(needed_at(hurry))
+    samples = due(longer)
+    assert samples[0] == 0
+    assert samples[-1] == len(longer) - 1
+    untouched = np.flatnonzero(longer == 0)
+    assert np.isin(untouched, samples).all()
+
+
+@pytest.mark.parametrize("length", [2, 3, 10])
+def test_a_piece_of_few_samples_can_be_slowed_too(length):
+    samples = due(late(np.full(length, 7.3)))
+    assert len(samples) >= 7.3 * (length - 1) + 1
+    np.testing.assert_allclose(np.diff(samples), np.diff(samples)[0])
+
+
+def test_a_clock_heeds_the_joint_that_hurries_and_says_where():
+    way = way_over(place(LETTER, Page.table()))
+    clock = Clock(way, ("slow", "fast"))
+    assert not clock.slowed(np.full((way.rests[-1], 2), FASTEST))
+    assert clock.notes == ()
+    speeds = np.zeros((way.rests[-1], 2))
+    speeds[way.rests[1] + 100, 1] = 2 * FASTEST
+    assert clock.slowed(speeds)
+    (note,) = clock.notes
+    assert note.startswith(
+        f"slowed from {way.rests[-1] / RATE:.2f} s to {(len(clock.samples) - 1) / RATE:.2f} s: fast,"
+    )
+    start, end, times = map(
+        float, re.search(r"stroke 0 from (.*) s to (.*) s \(up to (.*) times, for fast\)", note).groups()
+    )
+    assert start < (way.rests[1] + 100) / RATE < end
+    assert 2.0 <= times < 2.2
+    assert "slow," not in note
+
+
+@law(examples=8, letter=ink.letters(), faster=st.floats(2, 8))
+def test_slowed_ink_is_the_same_ink_at_rest_at_both_ends_of_every_stroke(letter, faster):
+    motion = Fetch().write(hasty(faster, letter), Page.board(width=0.5), size=0.19)
+    assert_sound(motion)
+    plain = plan_pen(motion.strokes)
+    position, speed = motion.page.to_page(motion.target), np.linalg.norm(np.diff(motion.target, axis=0), axis=1) * RATE
+    edges = np.flatnonzero(np.diff(motion.pen_down.astype(int), prepend=0, append=0)).reshape(-1, 2)
+    others = np.flatnonzero(np.diff(plain.pen_down.astype(int), prepend=0, append=0)).reshape(-1, 2)
+    assert len(edges) == len(others) == len(motion.strokes)
+    assert np.abs(position[motion.pen_down, 2]).max() < 1e-12
+    assert position[~motion.pen_down, 2].min() > 0
+    for (start, stop), stroke in zip(edges, motion.strokes, strict=True):
+        np.testing.assert_allclose(position[[start, stop - 1], :2], stroke.position[[0, -1]], atol=1e-12)
+        assert max(speed[start - 1 : start + 1].max(), speed[stop - 2 : stop].max()) < 0.01 * faster
+
+
+def test_far_from_a_hurry_the_pace_stays_and_the_ink_is_nowhere_else():
+    motion = Fetch().write(hasty(2), Page.table(), size=0.19)
+    (note,) = motion.notes
+    (start, end), *more = [tuple(map(float, span)) for span in re.findall(r"from (\d[\d.]*) s to ([\d.]+) s \(", note)]
+    assert not more
+    plain, position = plan_pen(motion.strokes), motion.page.to_page(motion.target)
+    before, after = int(start * RATE) - 1, len(motion.t) - int(np.ceil(end * RATE)) - 1
+    assert before > 50
+    assert after > 200
+    np.testing.assert_allclose(position[:before], plain.position[:before], atol=1e-12)
+    np.testing.assert_allclose(position[-after:], plain.position[-after:], atol=1e-12)
+    np.testing.assert_array_equal(motion.pen_down[-after:], plain.pen_down[-after:])
+    fine = way_over(motion.strokes).plan(np.arange(0, len(plain.t) - 0.99, 0.05)).position
+    missed = [np.linalg.norm(fine - spot, axis=1).min() for spot in position]
+    assert max(missed) < 1e-4
+    speed = np.abs(np.diff(motion.q, axis=0)).max(axis=0) * RATE
+    hurried = JOINTS.index(note.partition(": ")[2].split(", ")[0])
+    assert speed[hurried] > 0.95 * FASTEST * LIMITS[hurried].velocity
+
+
+def test_slowing_locally_costs_less_than_slowing_all_of_it():
+    motion = Fetch().write(hasty(4), Page.table(), size=0.19)
+    times = max(map(float, re.findall(r"up to ([\d.]+) times", motion.notes[0])))
+    assert motion.duration < 0.6 * times * plan_pen(motion.strokes).t[-1]
+
+
+def test_a_slowed_motion_is_the_same_bit_for_bit_when_it_is_planned_again():
+    one, other = (Fetch().write(hasty(4), Page.table(), size=0.19) for _ in range(2))
+    np.testing.assert_array_equal(one.q, other.q)
+    assert one.notes == other.notes
