@@ -1,20 +1,19 @@
 """The arm in PlaCo's hands: joints that put the pen where it should be. Nothing else of this house knows of PlaCo."""
 
-import contextlib
-import os
-import sys
 import threading
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
+from functools import lru_cache
 from typing import Any
-from xml.etree import ElementTree as ET
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from dmp_teach.errors import MissingPartError
 from dmp_teach.paths import ASSETS
-from dmp_teach.robot.model import Model
+from dmp_teach.robot.model import REST, Model
 from dmp_teach.robot.plan import RATE
+from dmp_teach.robot.quiet import quiet
+from dmp_teach.robot.solids import bare_urdf
 from dmp_teach.trajectory import Array
 
 JOINTS = (
@@ -44,8 +43,8 @@ class Solver:
         joints = [self.model.joint(name) for name in JOINTS]
         self.lower, self.upper = np.array([(joint.lower, joint.upper) for joint in joints]).T
         self.fastest = np.array([joint.velocity for joint in joints])
-        with _quiet():
-            self._robot = placo.RobotWrapper("", 0, _bare_urdf())
+        with quiet():
+            self._robot = placo.RobotWrapper("", 0, bare_urdf())
         self._solver = solver = self._robot.make_solver()
         self.state_size = len(self._robot.state.q)
         self.columns = {name: self._robot.get_joint_offset(name) for name in JOINTS}
@@ -210,6 +209,59 @@ def solver_here() -> Solver:
     return _here.solver
 
 
+def torques(q: Array, v: Array, a: Array, joint_names: Sequence[str]) -> Array:
+    """What the joints' motors must give for a movement, without friction and with the pen in the air.
+
+    M(q) a + C(q, v) v + g(q), by the recursive Newton-Euler algorithm (Featherstone 2008, table 5.1) of pinocchio, from
+    the masses and inertias of all links, the pen's among them.
+
+    Args:
+        q: Positions, shape (T, J) [rad, m].
+        v: Velocities, shape (T, J) [rad/s, m/s].
+        a: Accelerations, shape (T, J) [rad/s^2, m/s^2].
+        joint_names: J names; with `pen_slide_joint` the pen is the sprung one. All other joints stand still.
+
+    Returns:
+        Torques and forces, shape (T, J) [N m, N].
+
+    Raises:
+        JointError: A joint that the robot does not have.
+        MissingPartError: PlaCo, which brings pinocchio, is not on this platform.
+    """
+    _placo()
+    import pinocchio  # noqa: PLC0415
+
+    model, columns = _masses(tuple(joint_names))
+    states = np.zeros((len(q), model.nq))
+    for angle, (at, _, size) in zip(q.T, columns, strict=True):
+        states[:, at : at + size] = angle[:, None] if size == 1 else np.column_stack([np.cos(angle), np.sin(angle)])
+    order = [at for _, at, _ in columns]
+    data, needed, speeds, pushes = model.createData(), np.empty_like(v), np.empty_like(v), np.empty_like(v)
+    speeds[:, order], pushes[:, order] = v, a
+    for row in range(len(states)):
+        needed[row] = pinocchio.rnea(model, data, states[row], speeds[row], pushes[row])
+    return needed[:, order]
+
+
+@lru_cache(maxsize=4)
+def _masses(joint_names: tuple[str, ...]) -> tuple[Any, list[tuple[int, int, int]]]:
+    """Pinocchio's model that moves only in some joints, and where each is in its positions and velocities, and size."""
+    import pinocchio  # noqa: PLC0415
+
+    path = ASSETS / ("fetch_sprung.urdf" if "pen_slide_joint" in joint_names else "fetch.urdf")
+    ours = Model.load(path)
+    for name in joint_names:
+        ours.joint(name)
+    full = pinocchio.buildModelFromUrdf(str(path))
+    rest = pinocchio.neutral(full)
+    for name, value in REST.items():
+        rest[full.joints[full.getJointId(name)].idx_q] = value
+    still = [number for number, name in enumerate(full.names) if number and name not in joint_names]
+    model = pinocchio.buildReducedModel(full, still, rest)
+    joints = [model.joints[model.getJointId(name)] for name in joint_names]
+    return model, [(joint.idx_q, joint.idx_v, joint.nq) for joint in joints]
+
+
 def _placo() -> Any:
     """PlaCo itself."""
     try:
@@ -220,32 +272,3 @@ def _placo() -> Any:
             "without it. On Linux and macOS: python3 -m pip install placo; on Windows use WSL, or a notebook hub."
         ) from None
     return placo
-
-
-def _bare_urdf() -> str:
-    """The robot's URDF without shells, and with solids only where the arm could touch."""
-    root = ET.parse(ASSETS / "fetch.urdf").getroot()
-    solid = ("base", "torso", "head", "shoulder", "upperarm", "elbow", "forearm", "wrist", "gripper_link")
-    for link in root.iter("link"):
-        for kind in ("visual", "collision"):
-            for element in link.findall(kind):
-                if kind == "visual" or not link.attrib["name"].startswith(solid):
-                    link.remove(element)
-    return ET.tostring(root, encoding="unicode")
-
-
-@contextlib.contextmanager
-def _quiet() -> Iterator[None]:
-    """Silence PlaCo's C++, which prints past Python: on the two file descriptors themselves."""
-    sys.stdout.flush()
-    sys.stderr.flush()
-    kept = [os.dup(1), os.dup(2)]
-    try:
-        with open(os.devnull, "wb") as nowhere:
-            os.dup2(nowhere.fileno(), 1)
-            os.dup2(nowhere.fileno(), 2)
-        yield
-    finally:
-        for number, copy in zip((1, 2), kept, strict=True):
-            os.dup2(copy, number)
-            os.close(copy)

@@ -1,6 +1,7 @@
 """The robot that a teacher asks to write."""
 
 from collections.abc import Callable, Sequence
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -15,6 +16,7 @@ from dmp_teach.robot.plan import PenPlan, way_over
 from dmp_teach.robot.reach import stance_for
 from dmp_teach.robot.speed import Clock
 from dmp_teach.robot.stance import TILT, TIP, Stance
+from dmp_teach.robot.torque import too_heavy
 from dmp_teach.trajectory import Array, Trajectory
 
 _ROUNDS = 12  # the clock is slowed so often; mostly twice is enough
@@ -70,7 +72,7 @@ class Fetch:
         report("reach", 1.0)
         plan, q, poses, slowed = _joints_for(solver, stance, page, placed, report)
         _check_tip(poses["pen_tip"], plan, page)
-        return Motion(
+        motion = Motion(
             t=plan.t,
             q=q,
             joint_names=JOINTS,
@@ -79,8 +81,8 @@ class Fetch:
             pen_down=plan.pen_down,
             page=page,
             strokes=placed,
-            notes=(*slowed, *stance.notes),
         )
+        return replace(motion, notes=(*slowed, *too_heavy(motion), *stance.notes))
 
 
 def _joints_for(

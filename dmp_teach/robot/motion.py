@@ -1,9 +1,11 @@
 """What the robot will do: joints, pen tip and ink on one clock."""
 
 from dataclasses import dataclass, fields
+from functools import cached_property
 
 import numpy as np
 
+from dmp_teach.robot.arm import torques
 from dmp_teach.robot.page import Page
 from dmp_teach.trajectory import Array, Trajectory, locked
 
@@ -54,6 +56,18 @@ class Motion:
     def tip_error(self) -> float:
         """Root mean square distance of the nib from where it was asked to be [m]."""
         return float(np.sqrt(np.mean(np.sum((self.tip - self.target) ** 2, axis=1))))
+
+    @cached_property
+    def torque(self) -> Array:
+        """What the joints' motors must give, without friction, shape (T, J) [N m, N]: see `arm.torques`.
+
+        Computed when first asked for, with velocities and accelerations by central differences.
+
+        Raises:
+            MissingPartError: PlaCo, which brings pinocchio, is not on this platform.
+        """
+        v = np.gradient(self.q, self.t, axis=0)
+        return locked(torques(self.q, v, np.gradient(v, self.t, axis=0), self.joint_names))
 
     def __repr__(self) -> str:
         """In one line, without the numbers."""

@@ -86,6 +86,18 @@ def solids_of(urdf: str = "fetch.urdf") -> tuple[Solid, ...]:
     return tuple(found)
 
 
+def bare_urdf() -> str:
+    """The robot's URDF without shells, and with solids only where the arm could touch."""
+    root = ET.parse(ASSETS / "fetch.urdf").getroot()
+    solid = ("base", "torso", "head", "shoulder", "upperarm", "elbow", "forearm", "wrist", "gripper_link")
+    for link in root.iter("link"):
+        for kind in ("visual", "collision"):
+            for element in link.findall(kind):
+                if kind == "visual" or not link.attrib["name"].startswith(solid):
+                    link.remove(element)
+    return ET.tostring(root, encoding="unicode")
+
+
 class Clearances:
     """The distances between each part of the arm and each part of the body, and the arm's own other parts.
 
