@@ -72,7 +72,9 @@ def test_fewer_samples_a_second_cost_little(every):
 @pytest.mark.parametrize(("preset", "worst"), [("star", 0.3), ("joint", 0.1), ("plus", 0.1)])
 def test_our_own_letters_are_drawn_as_near(preset, worst):
     ours = [stroke for each in characters() for stroke in recording_of(each).strokes()]
-    assert errors(ours, preset)[:, 0].max() <= worst
+    found, short = errors(ours, preset)[:, 0], np.array([stroke.duration < 0.6 for stroke in ours])
+    assert found[~short].max() <= worst
+    assert found[short].max() <= 1.5 * worst  # a dot, a bar, an accent: 7 kernels at most
 
 
 @pytest.mark.parametrize("rate", [30, 60, 120, 240, 500])
