@@ -13,6 +13,8 @@ _HOME = {
     "Trajectory": "trajectory",
     "Recording": "ink.recording",
     "read_recording": "ink.reader",
+    "read_recordings": "ink.reader",
+    "write_recording": "ink.writer",
     "recording_of": "ink.alphabet",
     "score": "ink.score",
     "letter_distance": "ink.distances",

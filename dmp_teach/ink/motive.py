@@ -6,18 +6,15 @@ The header is found by its content: the row `Frame, Time`, and above it the rows
 
 import csv
 import io
-import os
 import re
 from dataclasses import dataclass, replace
 from itertools import pairwise
-from pathlib import Path
 
 import numpy as np
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.trajectory import Array
 
-LARGEST = 200_000_000  # a bigger file is no recording of a letter [bytes]
 LONGEST_STEP = 60.0  # nobody waits longer inside a take [s]
 PEN = 0.004  # a marker that stays within this much is no pen, however long it was seen [m]
 METRES = {"meters": 1.0, "metres": 1.0, "centimeters": 0.01, "millimeters": 0.001, "inches": 0.0254, "feet": 0.3048}
@@ -64,22 +61,20 @@ class Take:
         return replace(self, t=self.t[cut], position=self.position[cut], frame=self.frame[cut], row=self.row[cut])
 
 
-def read_take(path: str | Path, marker: str | None = None) -> Take:
+def read_take(data: bytes, name: str, marker: str | None = None) -> Take:
     """The pen's marker from a Motive CSV file.
 
     Args:
-        path: The file.
+        data: The file.
+        name: Its name, for messages.
         marker: The marker's name; None takes, of all markers that are not the ones of a rigid body
             (`RigidBody 1:Marker1`) and that move, the one that was seen most.
 
     Raises:
-        RecordingError: The file is missing, empty, not such a CSV; has no such marker; a cell is no number; time does
-            not increase; the unit is unknown.
+        RecordingError: It is not such a CSV; has no such marker; a cell is no number; time does not increase; the unit
+            is unknown.
     """
-    if not isinstance(path, str | os.PathLike):
-        raise RecordingError(f"path is {path!r}, but must be the name of a file, such as 'a_w01.csv'.")
-    name = Path(path).name or str(path)
-    rows = _rows(path, name)
+    rows = _rows(data, name)
     head = _head(rows, name)
     scale = _scale(rows[:head], name)
     columns = _markers(rows[:head], rows[head], name)
@@ -99,18 +94,8 @@ def read_take(path: str | Path, marker: str | None = None) -> Take:
     return Take(name, chosen[0], t, position, [row[0] for _, row in body], np.array([k for k, _ in body]), others)
 
 
-def _rows(path: str | Path, name: str) -> Rows:
+def _rows(data: bytes, name: str) -> Rows:
     """The file as cells, or a sentence that says why not."""
-    try:
-        if Path(path).is_dir():
-            raise RecordingError(f"{name} is a folder, but must be one recording: a .csv or .json file in it.")
-        if (size := Path(path).stat().st_size) > LARGEST:
-            raise RecordingError(f"{name} has {size / 1e6:.0f} MB, but a recording of a letter has at most 200.")
-        data = Path(path).read_bytes()
-    except OSError as error:
-        raise RecordingError(f"{name} cannot be read: {error.strerror or error}. Check the path.") from None
-    if not data.strip():
-        raise RecordingError(f"{name} is empty; export the take again.")
     if b"\0" in data:
         raise RecordingError(f"{name} is not text; export the take from Motive as CSV.")
     try:

@@ -1,156 +1,113 @@
-"""Read a recording: find the pen, fill its gaps, lay it on its page, cut it to its writing."""
+"""Read recordings: what is in a file tells how it is read."""
 
-import re
-from dataclasses import replace
-from itertools import pairwise
+import os
+from collections import Counter
 from pathlib import Path
 
-import numpy as np
-
 from dmp_teach.errors import RecordingError
-from dmp_teach.ink.motive import Take, read_take
-from dmp_teach.ink.our_json import read_json
-from dmp_teach.ink.plane import find_page, level_axes
+from dmp_teach.ink.capture import read_motive
+from dmp_teach.ink.inkml import read_inkml
+from dmp_teach.ink.markup import local, parsed
+from dmp_teach.ink.matfile import HDF5
+from dmp_teach.ink.matlab import read_sets
+from dmp_teach.ink.opening import contents
+from dmp_teach.ink.our_json import from_json
 from dmp_teach.ink.recording import Recording
-from dmp_teach.ink.strokes import find_strokes
-from dmp_teach.trajectory import Array
+from dmp_teach.ink.svg import read_svg
 
-SHORT = 0.1  # a gap up to this long is filled with a straight line anywhere; a longer one only off the ink [s]
-FEWEST = 20  # fewer samples are no letter
-JUMP = 0.004  # a step that is this much longer than its neighbours was no pen ...
-PEN = 8.0  # ... unless the samples are so far apart that a pen could do it [m/s2] ...
-AIR = 50.0  # ... or a hand in the air, or one that knocks on the paper [m/s2]
-BESIDE = 0.5  # a leap this soon before or after the writing has cut it short [s]
-LARGEST = 4.0  # no hand that writes moves farther [m]
-SMALLEST = 0.004  # or less [m]
+XML = {"ink": read_inkml, "svg": read_svg}
+SHOWN = 60  # letters that an error names
 
 
-def read_recording(path: str | Path, marker: str | None = None, up: str = "+y", right: str = "-x") -> Recording:
+def read_recording(
+    path: str | os.PathLike[str],
+    marker: str | None = None,
+    up: str = "+y",
+    right: str = "-x",
+    *,
+    number: int | None = None,
+    character: str | None = None,
+) -> Recording:
     """The letter that somebody wrote, from a file.
 
-    Motive CSV files of motion capture, and JSON files of ours. The recording stands in the frame of its page: x to
-    the right, y up the page, z out of it, the origin at the lower left corner of the ink. It keeps the file's clock,
-    begins with the first stroke and ends with the last one. Gaps are filled with straight lines; nothing is smoothed.
+    Motion capture (Motive CSV), digital ink (InkML), the field's reference sets (Character Trajectories and LASA,
+    `.mat`), drawings (SVG), and JSON of ours: what is in the file decides, not its name. The recording stands in the
+    frame of its page: x to the right, y up the page, z out of it, the origin at the lower left corner of the ink (a
+    file of ours says where it is). A CSV keeps its clock; it begins with the first stroke and ends with the last one,
+    gaps are filled with straight lines, and nothing is smoothed. Flat ink begins at 0 s, keeps its strokes, and gets
+    lifts between them.
 
     Args:
-        path: The file. From a name such as `a_w01.csv` come the letter "a" and the writer "w01".
-        marker: The name of the marker at the pen; None finds it.
-        up: The direction out of the paper in the cameras' world, one of +x -x +y -y +z -z.
-        right: The direction to the right on the page.
+        path: The file. From a name such as `a_w01.csv` come the letter "a" and the writer "w01" of a CSV.
+        marker: In a CSV, the name of the marker at the pen; None finds it.
+        up: In a CSV, the direction out of the paper in the cameras' world, one of +x -x +y -y +z -z.
+        right: In a CSV, the direction to the right on the page.
+        number: Which letter of a file that holds several, from 0; with `character`, which one of those.
+        character: Which letter of a file that holds several.
 
     Raises:
-        RecordingError: What is wrong, in which file, row and column, and what would work.
+        RecordingError: What is wrong, in which file and where in it, and what would work; or a file that holds several
+            letters, and which ones.
     """
-    if str(path).lower().endswith(".json"):
-        return read_json(path)
-    level_axes(up, right)
-    take = _seen(read_take(path, marker))
-    filled = replace(take, position=_filled(take))
-    _check_size(take, filled.position)
+    letters = read_recordings(path, marker, up, right)
+    name = Path(path).name
+    places = [k for k, each in enumerate(letters) if character is None or each.character == character]
+    if not places:
+        raise RecordingError(f"{name} has no {character!r}; it holds {_held(letters)}.")
+    most = len(places) - 1
+    if number is None and most > 0:
+        of, others = (
+            (f" of {character!r}", "") if character is not None else ("", f" or character=...: {_held(letters)}")
+        )
+        raise RecordingError(f"{name} holds {most + 1} letters{of}; choose with number=0 to {most}{others}.")
+    if number is not None and (type(number) is not int or not 0 <= number <= most):
+        raise RecordingError(f"number is {number!r}, but {name} has the letters 0 to {most} to choose from.")
+    return letters[places[number or 0]]
+
+
+def read_recordings(
+    path: str | os.PathLike[str], marker: str | None = None, up: str = "+y", right: str = "-x"
+) -> tuple[Recording, ...]:
+    """All letters of a file, in its order; arguments and errors as `read_recording`."""
+    data, name = contents(path)
+    kind = _kind(data, name)
+    if kind == "csv":
+        return (read_motive(data, name, marker, up, right),)
+    if kind == "json":
+        return (from_json(data, name),)
     try:
-        position = find_page(filled.t, filled.position, up, right).of(filled.position)
-        strokes = _settled(filled.t, position)
+        return read_sets(data, name) if kind == "mat" else _read_xml(data)
     except RecordingError as error:
-        raise RecordingError(f"{take.name}, marker {take.marker!r}: {error}") from None
-    _check_gaps(take, strokes)
-    _check_jumps(take, filled.position, strokes)
-    _check_ink(take, strokes, up)
-    start, end = strokes[0][0], strokes[-1][1]
-    ink = np.concatenate([position[a:b] for a, b in strokes])
-    position = position - [*ink[:, :2].min(axis=0), np.median(ink[:, 2])]
-    character, writer = _labels(take.name)
-    return Recording(take.t[start:end], position[start:end], character, writer)
+        raise RecordingError(f"{name}: {error}") from None
 
 
-def _settled(t: Array, position: Array) -> list[tuple[int, int]]:
-    """The strokes, cut until a recording that begins and ends with them has the same ones."""
-    start, end = 0, len(t)
-    while True:
-        strokes = [(a + start, b + start) for a, b in find_strokes(t[start:end], position[start:end])]
-        if (strokes[0][0], strokes[-1][1]) == (start, end):
-            return strokes
-        start, end = strokes[0][0], strokes[-1][1]
+def _kind(data: bytes, name: str) -> str:
+    """What a file is: told from its beginning, and from its name where that says nothing."""
+    if data.startswith((b"MATLAB", HDF5)) or data[512:520] == HDF5:
+        return "mat"
+    begin = data[:1000].removeprefix(b"\xef\xbb\xbf").lstrip()
+    wide = data[:2] in (b"\xff\xfe", b"\xfe\xff") and data[2:6].strip(b"\0").startswith(b"<")
+    if begin.startswith(b"<") or wide:
+        return "xml"
+    if begin.startswith((b"{", b"[")):
+        return "json"
+    suffix = Path(name).suffix.lower()
+    return {".json": "json", ".mat": "mat", ".inkml": "xml", ".svg": "xml", ".xml": "xml"}.get(suffix, "csv")
 
 
-def _seen(take: Take) -> Take:
-    """The take from the first sample that the cameras saw to the last."""
-    seen = np.flatnonzero(np.isfinite(take.position[:, 0]))
-    if len(seen) < FEWEST:
-        raise RecordingError(
-            f"{take.name}: marker {take.marker!r} was seen in {len(seen)} frames, but a letter needs {FEWEST}; "
-            f"record again. {take.choice}"
-        )
-    return take.part(int(seen[0]), int(seen[-1]) + 1)
+def _read_xml(data: bytes) -> tuple[Recording, ...]:
+    """InkML or SVG, told by the root element."""
+    root = parsed(data)
+    if local(root) not in XML:
+        raise RecordingError(f"is XML of the kind {local(root)[:40]!r}, but must be InkML (ink) or a drawing (svg).")
+    return XML[local(root)](root)
 
 
-def _filled(take: Take) -> Array:
-    """Positions (T, 3) with straight lines across the gaps."""
-    seen = np.isfinite(take.position[:, 0])
-    return np.column_stack([np.interp(take.t, take.t[seen], axis[seen]) for axis in take.position.T])
-
-
-def _check_gaps(take: Take, strokes: list[tuple[int, int]]) -> None:
-    """Raise where a long gap, of empty cells or of missing rows, leaves a hole in a stroke."""
-    seen = np.flatnonzero(np.isfinite(take.position[:, 0]))
-    longest = SHORT + float(np.median(np.diff(take.t)))
-    for before, after in pairwise(seen):
-        if take.t[after] - take.t[before] > longest:
-            for number, (a, b) in enumerate(strokes):
-                if before < b - 1 and after > a:
-                    raise RecordingError(
-                        f"{take.name}: marker {take.marker!r} is lost for {take.t[after] - take.t[before]:.2f} s after "
-                        f"{take.at(before)}, inside stroke {number}; gaps up to {SHORT} s can be filled. Fill it in "
-                        f"Motive, or record again. {take.choice}"
-                    )
-
-
-def _check_size(take: Take, position: Array) -> None:
-    """Raise where the whole way of the marker is far larger or smaller than a hand's."""
-    size = float(np.ptp(position, axis=0).max())
-    if not SMALLEST < size < LARGEST:
-        raise RecordingError(
-            f"{take.name}: marker {take.marker!r} moves within {size:.4g} m, but a writing hand within {SMALLEST} to "
-            f"{LARGEST} m. Is 'Length Units' in row 1 right, and is this marker the pen? {take.choice}"
-        )
-
-
-def _check_ink(take: Take, strokes: list[tuple[int, int]], up: str) -> None:
-    """Raise where hardly anything was written: a page seen from the wrong side, or no letter."""
-    samples = sum(b - a for a, b in strokes)
-    if samples < FEWEST:
-        raise RecordingError(
-            f"{take.name}: marker {take.marker!r} writes in {samples} frames only, but a letter needs {FEWEST}. Does "
-            f"up={up!r} point out of the paper? Otherwise record again. {take.choice}"
-        )
-
-
-def _check_jumps(take: Take, position: Array, strokes: list[tuple[int, int]]) -> None:
-    """Raise where the marker leaps, as it does when the cameras take another one for it.
-
-    A leap is a step far from the mean of its neighbours; where the marker flickers all the time it is noise. A leap off
-    the paper looks like a lift, so lifts are searched, too, and a moment before and after the writing.
-    """
-    dt = float(np.median(np.diff(take.t)))
-    step = np.diff(position, axis=0)
-    off = np.zeros(len(take.t))
-    off[2:-1] = np.linalg.norm(step[1:-1] - (step[:-2] + step[2:]) / 2, axis=1)
-    inked = np.zeros(len(off), dtype=bool)
-    for a, b in strokes:
-        inked[a:b] = True
-    seen = np.convolve(np.isfinite(take.position[:, 0]), np.ones(5), "same") == 5
-    limit = np.where(inked, JUMP + PEN * dt**2, np.where(seen, JUMP + AIR * dt**2, np.inf))
-    start, end = np.searchsorted(take.t, take.t[[strokes[0][0], strokes[-1][1] - 1]] + [-BESIDE, BESIDE])
-    for k in np.flatnonzero(off[start:end] > limit[start:end]) + start:
-        near = np.concatenate([off[max(start, k - 15) : max(start, k - 2)], off[k + 3 : k + 16]])
-        if not len(near) or off[k] > 4 * np.quantile(near, 0.9):
-            where = "inside a stroke" if inked[k] else "beside a stroke"
-            raise RecordingError(
-                f"{take.name}, {take.at(k)}: {take.marker!r} jumps by {off[k] * 1e3:.1f} mm {where}, "
-                f"which no pen does. Mend the take in Motive. {take.choice}"
-            )
-
-
-def _labels(name: str) -> tuple[str | None, str | None]:
-    """Letter and pseudonym from a file name such as `a_w01.csv`; other names stay private."""
-    match = re.fullmatch(r"(\S)_(w\d+)(?:[_ .-].*)?", Path(name).stem)
-    return match.groups() if match else (None, None)
+def _held(letters: tuple[Recording, ...]) -> str:
+    """Which letters there are, and how many of each."""
+    counts = Counter(each.character for each in letters)
+    shown = [
+        f"{'without a label' if name is None else repr(name)}{f' ({count})' if count > 1 else ''}"
+        for name, count in counts.items()
+    ]
+    return ", ".join(shown[:SHOWN]) + (", ..." if len(shown) > SHOWN else "")

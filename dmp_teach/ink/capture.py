@@ -1,0 +1,139 @@
+"""Motion capture as a recording: fill its gaps, lay it on its page, cut it to its writing."""
+
+import re
+from dataclasses import replace
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+
+from dmp_teach.errors import RecordingError
+from dmp_teach.ink.flat import LARGEST
+from dmp_teach.ink.motive import Take, read_take
+from dmp_teach.ink.plane import find_page, level_axes
+from dmp_teach.ink.recording import Recording
+from dmp_teach.ink.strokes import find_strokes
+from dmp_teach.trajectory import Array
+
+SHORT = 0.1  # a gap up to this long is filled with a straight line anywhere; a longer one only off the ink [s]
+FEWEST = 20  # fewer samples are no letter
+JUMP = 0.004  # a step that is this much longer than its neighbours was no pen ...
+PEN = 8.0  # ... unless the samples are so far apart that a pen could do it [m/s2] ...
+AIR = 50.0  # ... or a hand in the air, or one that knocks on the paper [m/s2]
+BESIDE = 0.5  # a leap this soon before or after the writing has cut it short [s]
+SMALLEST = 0.004  # no marker at a hand that writes moves less [m]
+
+
+def read_motive(data: bytes, name: str, marker: str | None, up: str, right: str) -> Recording:
+    """The letter in a Motive CSV file; arguments and errors as `read_recording`."""
+    level_axes(up, right)
+    take = _seen(read_take(data, name, marker))
+    filled = replace(take, position=_filled(take))
+    _check_size(take, filled.position)
+    try:
+        position = find_page(filled.t, filled.position, up, right).of(filled.position)
+        strokes = _settled(filled.t, position)
+    except RecordingError as error:
+        raise RecordingError(f"{take.name}, marker {take.marker!r}: {error}") from None
+    _check_gaps(take, strokes)
+    _check_jumps(take, filled.position, strokes)
+    _check_ink(take, strokes, up)
+    start, end = strokes[0][0], strokes[-1][1]
+    ink = np.concatenate([position[a:b] for a, b in strokes])
+    position = position - [*ink[:, :2].min(axis=0), np.median(ink[:, 2])]
+    character, writer = _labels(take.name)
+    return Recording(take.t[start:end], position[start:end], character, writer)
+
+
+def _settled(t: Array, position: Array) -> list[tuple[int, int]]:
+    """The strokes, cut until a recording that begins and ends with them has the same ones."""
+    start, end = 0, len(t)
+    while True:
+        strokes = [(a + start, b + start) for a, b in find_strokes(t[start:end], position[start:end])]
+        if (strokes[0][0], strokes[-1][1]) == (start, end):
+            return strokes
+        start, end = strokes[0][0], strokes[-1][1]
+
+
+def _seen(take: Take) -> Take:
+    """The take from the first sample that the cameras saw to the last."""
+    seen = np.flatnonzero(np.isfinite(take.position[:, 0]))
+    if len(seen) < FEWEST:
+        raise RecordingError(
+            f"{take.name}: marker {take.marker!r} was seen in {len(seen)} frames, but a letter needs {FEWEST}; "
+            f"record again. {take.choice}"
+        )
+    return take.part(int(seen[0]), int(seen[-1]) + 1)
+
+
+def _filled(take: Take) -> Array:
+    """Positions (T, 3) with straight lines across the gaps."""
+    seen = np.isfinite(take.position[:, 0])
+    return np.column_stack([np.interp(take.t, take.t[seen], axis[seen]) for axis in take.position.T])
+
+
+def _check_gaps(take: Take, strokes: list[tuple[int, int]]) -> None:
+    """Raise where a long gap, of empty cells or of missing rows, leaves a hole in a stroke."""
+    seen = np.flatnonzero(np.isfinite(take.position[:, 0]))
+    longest = SHORT + float(np.median(np.diff(take.t)))
+    for before, after in pairwise(seen):
+        if take.t[after] - take.t[before] > longest:
+            for number, (a, b) in enumerate(strokes):
+                if before < b - 1 and after > a:
+                    raise RecordingError(
+                        f"{take.name}: marker {take.marker!r} is lost for {take.t[after] - take.t[before]:.2f} s after "
+                        f"{take.at(before)}, inside stroke {number}; gaps up to {SHORT} s can be filled. Fill it in "
+                        f"Motive, or record again. {take.choice}"
+                    )
+
+
+def _check_size(take: Take, position: Array) -> None:
+    """Raise where the whole way of the marker is far larger or smaller than a hand's."""
+    size = float(np.ptp(position, axis=0).max())
+    if not SMALLEST < size < LARGEST:
+        raise RecordingError(
+            f"{take.name}: marker {take.marker!r} moves within {size:.4g} m, but a writing hand within {SMALLEST} to "
+            f"{LARGEST} m. Is 'Length Units' in row 1 right, and is this marker the pen? {take.choice}"
+        )
+
+
+def _check_ink(take: Take, strokes: list[tuple[int, int]], up: str) -> None:
+    """Raise where hardly anything was written: a page seen from the wrong side, or no letter."""
+    samples = sum(b - a for a, b in strokes)
+    if samples < FEWEST:
+        raise RecordingError(
+            f"{take.name}: marker {take.marker!r} writes in {samples} frames only, but a letter needs {FEWEST}. Does "
+            f"up={up!r} point out of the paper? Otherwise record again. {take.choice}"
+        )
+
+
+def _check_jumps(take: Take, position: Array, strokes: list[tuple[int, int]]) -> None:
+    """Raise where the marker leaps, as it does when the cameras take another one for it.
+
+    A leap is a step far from the mean of its neighbours; where the marker flickers all the time it is noise. A leap off
+    the paper looks like a lift, so lifts are searched, too, and a moment before and after the writing.
+    """
+    dt = float(np.median(np.diff(take.t)))
+    step = np.diff(position, axis=0)
+    off = np.zeros(len(take.t))
+    off[2:-1] = np.linalg.norm(step[1:-1] - (step[:-2] + step[2:]) / 2, axis=1)
+    inked = np.zeros(len(off), dtype=bool)
+    for a, b in strokes:
+        inked[a:b] = True
+    seen = np.convolve(np.isfinite(take.position[:, 0]), np.ones(5), "same") == 5
+    limit = np.where(inked, JUMP + PEN * dt**2, np.where(seen, JUMP + AIR * dt**2, np.inf))
+    start, end = np.searchsorted(take.t, take.t[[strokes[0][0], strokes[-1][1] - 1]] + [-BESIDE, BESIDE])
+    for k in np.flatnonzero(off[start:end] > limit[start:end]) + start:
+        near = np.concatenate([off[max(start, k - 15) : max(start, k - 2)], off[k + 3 : k + 16]])
+        if not len(near) or off[k] > 4 * np.quantile(near, 0.9):
+            where = "inside a stroke" if inked[k] else "beside a stroke"
+            raise RecordingError(
+                f"{take.name}, {take.at(k)}: {take.marker!r} jumps by {off[k] * 1e3:.1f} mm {where}, "
+                f"which no pen does. Mend the take in Motive. {take.choice}"
+            )
+
+
+def _labels(name: str) -> tuple[str | None, str | None]:
+    """Letter and pseudonym from a file name such as `a_w01.csv`; other names stay private."""
+    match = re.fullmatch(r"(\S)_(w\d+)(?:[_ .-].*)?", Path(name).stem)
+    return match.groups() if match else (None, None)
