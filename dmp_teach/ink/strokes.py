@@ -5,9 +5,13 @@ So a lift is measured from its own foot. In order:
 
 1. height low-passed at 12 Hz, path at 10 Hz, on an even clock;
 2. a lift begins where the height rises faster than `theta`, walked back to the foot of that rise, and counts if it
-   gets `sigma` above that foot; it lasts until the height is back near the foot and falls no more;
+   gets `sigma` above that foot; it lasts until the height is back near the foot and falls no more, or has fallen by
+   half and stands, for a marker may ride higher where it lands;
 3. between lifts the pen is on the paper; each such span is cut to the part where it moves, after the last fall of
    the landing (people hover and pause while they land), and a span that never moves like writing is dropped.
+
+So a stroke is what left a line, and not how long the pen lay on the paper: of the rest between a touch and the first
+move only a moment is kept, and so before a lift.
 """
 
 from dataclasses import dataclass
@@ -21,18 +25,26 @@ from dmp_teach.trajectory import Array
 
 CREEP = 0.015  # slower than this the height stands still [m/s]
 NEAR = 0.005  # a landed pen is this near to the foot of its lift, or nearer than a quarter of the lift [m]
+HIGHER = 0.015  # nor does the marker stand higher than this over that foot, where the hand has turned meanwhile [m] ...
+STANDS = 0.08  # ... and a height that stands for so long is no flight [s]
 SKIN = 0.0007  # a foot is walked up again while the pen is less than this above it [m]
-IDLE = 0.02  # slower than this a pen of ordinary speed rests [m/s]
+IDLE = 0.013  # slower than this a pen of ordinary speed rests [m/s] ...
+STOP = 0.02  # a hand begins slowly and stops at once: under this it has stopped [m/s]
+SLOW = 0.15  # ... and one that is slow, at this share of the stroke's pace
+HALT = 0.08  # a small move belongs to its stroke if it, with the rest between, is faster than this share of the pace
+REST = 0.02  # so much of a rest between the touch and the first move, or the last move and the lift, is kept [s]
+EDGE = 0.05  # so near to the edge of the recording a filter cannot tell a move from a rest [s]
 UNEVEN = 100  # a clock with more holes than this many samples to each that is there is broken
 AFLOAT = 0.006  # a span begins and ends no higher than this over its own middle [m] ...
 SLANT = 0.12  # ... unless the height wanders there: by less than this share of the way that the pen makes
 STEP = 0.0005  # a hand that sinks or rises by more than this beside its writing is still landing, or leaves [m]
 SETTLE = 0.15  # a fall that begins so soon after the last one belongs to the same landing [s]
-BRISK = 0.2  # writing is faster than this share of the letter's pace
+BRISK = 0.15  # writing is faster than this share of the letter's pace
 TAP = (0.05, 1.5)  # a pen that is down this long between two lifts, and hardly moves, made a dot [s]
+TINY = 0.001  # a move that is shorter than a line is wide draws none [m]
 TWITCH = 0.01  # a move at either end that is shorter than this share of the stroke is no writing
 SWING = 0.05  # the same for one that runs into the lift: a hand takes a swing after a rest
-STEEP = 0.25  # nor is one that goes up or down by more than this share of its length
+STEEP = 0.15  # nor is one that goes up or down by more than this share of its length
 
 
 @dataclass(frozen=True)
@@ -105,20 +117,21 @@ def _touching(motion: _Motion, theta: float, sigma: float) -> list[tuple[int, in
     A second look runs backwards in time: a landing is a lift seen backwards, and may be the only fast part of it.
     """
     spans = []
-    for a, b in _between_lifts(motion.z, motion.rise, theta, sigma):
-        back = _between_lifts(motion.z[a:b][::-1], -motion.rise[a:b][::-1], theta, sigma)
+    hold = round(STANDS / motion.dt)
+    for a, b in _between_lifts(motion.z, motion.rise, theta, sigma, hold):
+        back = _between_lifts(motion.z[a:b][::-1], -motion.rise[a:b][::-1], theta, sigma, hold)
         spans += [(b - end, b - start) for start, end in reversed(back)]
     return spans
 
 
-def _between_lifts(z: Array, rise: Array, theta: float, sigma: float) -> list[tuple[int, int]]:
+def _between_lifts(z: Array, rise: Array, theta: float, sigma: float, hold: int) -> list[tuple[int, int]]:
     """Spans of height (K,) between the rises that are lifts."""
     spans, landed = [], 0
     for start, end in runs(rise > theta):
         if start < landed:
             continue
         foot = _foot(z, rise, start, landed)
-        peak, landing = _landing(z, rise, foot, end)
+        peak, landing = _landing(z, rise, foot, end, hold)
         if z[peak] - z[foot] > sigma:
             spans.append((landed, foot + 1))
             landed = landing
@@ -136,14 +149,21 @@ def _foot(z: Array, rise: Array, start: int, earliest: int) -> int:
     return foot
 
 
-def _landing(z: Array, rise: Array, foot: int, risen: int) -> tuple[int, int]:
-    """The highest sample of a lift, and the first on the paper after it (the end, if it flies away)."""
-    peak = foot
+def _landing(z: Array, rise: Array, foot: int, risen: int, hold: int) -> tuple[int, int]:
+    """The highest sample of a lift, and the first on the paper after it (the end, if it flies away).
+
+    The pen has landed where the height is near the foot and falls no more; or where it fell by half and then stands
+    for `hold` samples, for the paper may seem higher there.
+    """
+    peak, still = foot, 0
     for k in range(foot, len(z)):
         peak = k if z[k] > z[peak] else peak
-        near = z[foot] + max(NEAR, 0.25 * (z[peak] - z[foot]))
-        if k > max(peak, risen) and z[k] < near and rise[k] > -CREEP:
+        lift = z[peak] - z[foot]
+        still = still + 1 if k > max(peak, risen) and abs(rise[k]) < CREEP else 0
+        if still and z[k] < z[foot] + max(NEAR, 0.25 * lift):
             return peak, k
+        if still >= hold and z[k] < z[foot] + min(HIGHER, 0.5 * lift):
+            return peak, k - still + 1
     return peak, len(z)
 
 
@@ -204,19 +224,39 @@ def _slopes(z: Array, climbing: Array, way: Array) -> list[tuple[int, int]]:
 
 
 def _cropped(motion: _Motion, a: int, b: int) -> tuple[int, int]:
-    """From the first move to the last, rests at both ends left out."""
-    speed, z = motion.speed[a:b], motion.z[a:b]
-    moves = runs(speed > min(IDLE, 0.2 * _pace(speed)))
-    way = np.array([speed[k:end].sum() * motion.dt for k, end in moves])
+    """From the first move to the last, rests at both ends left out but for `REST` beside a lift."""
+    speed, lifts = motion.speed[a:b], (a > 0, b < len(motion.z))
+    moves = _moves(motion.z[a:b], speed, motion.dt, lifts)
+    last = np.arange(*moves[-1])
+    moving = last[speed[last] > min(STOP, BRISK * _pace(speed))]
+    start, end = int(moves[0, 0]), int((moving if len(moving) else last)[-1]) + 1
+    rests = [round((REST if lift else EDGE) / motion.dt) for lift in lifts]
+    start = max(0, start - rests[0]) if lifts[0] or start < rests[0] else start
+    end = min(b - a, end + rests[1]) if lifts[1] or end > b - a - rests[1] else end
+    return a + start, a + end
+
+
+def _moves(z: Array, speed: Array, dt: float, lifts: tuple[bool, bool]) -> Array:
+    """Runs (start, end) of samples (K,) that move and write, shape (M, 2); `lifts`: whether a lift is at either end."""
+    pace = _pace(speed)
+    moves = np.array(runs(speed > min(IDLE, SLOW * pace)))
+    way = np.array([speed[k:end].sum() * dt for k, end in moves])
     climb = np.array([np.ptp(z[k:end]) for k, end in moves])
-    lifts = (a > 0, b < len(motion.z))
-    share = np.array([SWING if (k == 0 and lifts[0]) or (end == b - a and lifts[1]) else TWITCH for k, end in moves])
-    writing = (way > share * way.sum()) & (climb < STEEP * way) & ~_aloft(z, moves, way)
-    real = np.flatnonzero(writing | (way == way.max()))
-    return a + moves[real[0]][0], a + moves[real[-1]][1]
+    level = (climb < np.maximum(STEP, STEEP * way)) & ~_aloft(z, moves, way)
+    swings = (lifts[0] & (moves[:, 0] == 0)) | (lifts[1] & (moves[:, 1] == len(z)))
+    large = way > np.where(swings, SWING, TWITCH) * way.sum()
+    near = (way > HALT * pace * dt * _lasts(moves, int(np.argmax(way)), len(z))) & ~swings
+    return moves[((way > TINY) & level & (large | near)) | (way == way.max())]
 
 
-def _aloft(z: Array, moves: list[tuple[int, int]], way: Array) -> Array:
+def _lasts(moves: Array, main: int, samples: int) -> Array:
+    """How long each of the moves (M, 2) lasts, with the rest on its side towards the `main` one (M,) [samples]."""
+    before = np.append(moves[1:, 0], samples) - moves[:, 0]
+    after = moves[:, 1] - np.append(0, moves[:-1, 1])
+    return np.where(np.arange(len(moves)) < main, before, after)
+
+
+def _aloft(z: Array, moves: Array, way: Array) -> Array:
     """Moves before the longest one that must still come down to it, and moves after it that have left (M,)."""
     main, gone = int(np.argmax(way)), np.concatenate([[0.0], np.cumsum(way)])
     falls = [z[k] - z[moves[main][0]] for k, _ in moves[:main]]
