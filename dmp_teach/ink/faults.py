@@ -12,12 +12,13 @@ from dmp_teach.ink.movement import Movement
 from dmp_teach.trajectory import Array, Trajectory
 
 STEPS = {
-    "shape": 0.02,  # of the letter's size: a pencil's breadth in a letter as large as two hands; a hand's own spread
+    "shape": 0.0125,  # of the letter's size: the line of a pen, in a letter as large as a hand
     "place": 0.05,  # of the letter's size: a finger's breadth there; a smaller gap reads as touching
     "size": math.log(1.15),  # a seventh: letters in one word differ by as much, and nobody minds
     "width": math.log(1.15),  # the same
     "lean": 5.0,  # degrees: less than one minute on the face of a clock
     "turn": 6.0,  # degrees: one minute on the face of a clock
+    "rise": 10.0,  # degrees: lines are seen to be level less sharply, for they are short and round
     "smooth": 1.5,  # in the logarithm: 4.5 times the jerk; the same hand, slower by half, loses as much
     "tempo": math.log(3.0),  # people write one letter three times as fast as another day's, and it looks the same
 }
@@ -83,6 +84,9 @@ def _of_the_whole(matching: Matching, fit: Fit) -> Iterator[Fault]:
     steps = abs(fit.turn) / STEPS["turn"]
     words = f"{_little(steps)}turned to the {'left' if fit.turn > 0 else 'right'}"
     yield Fault("turn", steps, f"It is {words}, by {abs(fit.turn):.0f} degrees.", words)
+    steps = abs(fit.rise) / STEPS["rise"]
+    words = f"lines {'rise' if fit.rise > 0 else 'fall'} {abs(fit.rise):.0f} degrees"
+    yield Fault("rise", steps, f"Its {words} to the right.", words)
     steps = abs(fit.lean) / STEPS["lean"]
     side, degrees = "right" if fit.lean > 0 else "left", f"{abs(fit.lean):.0f} degrees"
     yield Fault("lean", steps, f"It leans {degrees} to the {side}.", f"{degrees} to the {side}")
@@ -135,7 +139,7 @@ def _of_order(matching: Matching, written: Movement, model: Movement) -> Iterato
 
 def _of_shape(matching: Matching, fit: Fit, strokes: Sequence[Trajectory]) -> Iterator[Fault]:
     """Shapes of strokes, and their places."""
-    worst, point = fit.worst
+    point, worst = fit.worst
     steps = fit.shape / STEPS["shape"]
     where = _where(point, strokes)
     which = "" if len(matching.pairs) == 1 else f" of {_the(matching.pairs[worst].others[0], len(strokes))}"

@@ -21,12 +21,15 @@ from dmp_teach.ink.points import Ink, ink_of, strokes_of
 from dmp_teach.trajectory import Array
 
 POINTS = 64  # over all the ink of a letter
-ALONE = 16.0  # what a stroke without a partner costs: as much as a quarter of the letter, a third of it away [radii^2]
+ALONE = 4.0  # what a stroke without a partner costs: as a sixteenth of the letter a third of it away [radii^2]
+STRANGE = 0.9  # strokes that are farther from each other are no partners [radii: about a third of the height]
 SPLIT = 0.5  # strokes that do the work of others: each of them lies this near to those [radii] ...
 LONGER = 1.5  # ... and neither side is so many times as long: a line drawn twice is not a line in two pieces
 PARTED = 0.25  # two pairs are one, cut at other places, if that leaves less than this of what they cost
 SEEN = 0.5  # a letter is mirrored or turned if that brings it nearer than this much of the distance ...
-SURELY = 0.1  # ... and by this much [radii]
+SURELY = 0.1  # ... and by this much [radii], and leaning or being wide does not do as well:
+LEANS = np.linspace(-0.75, 0.75, 7)
+WIDTHS = (0.5, 0.7, 1.0, 1.4, 2.0)
 MOST = 6  # strokes of which every number may be missing
 
 
@@ -137,11 +140,18 @@ def _cheapest(ink: Ink, other: Ink) -> tuple[float, list[Group]]:
 def _view(ink: Ink, other: Ink) -> tuple[bool, int]:
     """Whether the whole letter is mirrored, and by how many quarters it is turned: only where that is plain to see."""
     views = [(mirrored, turn) for mirrored in (False, True) for turn in range(4)]
-    turned = np.stack([ink.turned(undone(*view)).features() for view in views])
-    apart = squared(turned, other.features())
-    near = np.sqrt((apart.min(axis=2).mean(axis=1) + apart.min(axis=1).mean(axis=1)) / 2)
+    near = _near(ink, other, [undone(*view) for view in views])
     best = int(np.argmin(near))
-    return views[best] if near[best] < min(SEEN * near[0], near[0] - SURELY) else views[0]
+    if near[best] >= min(SEEN * near[0], near[0] - SURELY):
+        return views[0]
+    plain = _near(ink, other, [np.array([[width, lean], [0.0, 1.0]]) for width in WIDTHS for lean in LEANS]).min()
+    return views[best] if near[best] < min(SEEN * plain, plain - SURELY) else views[0]
+
+
+def _near(ink: Ink, other: Ink, changes: Sequence[Array]) -> Array:
+    """How near the whole letter is after each of these linear changes (2, 2), shape (len(changes),) [radii]."""
+    apart = squared(np.stack([ink.turned(change).features() for change in changes]), other.features())
+    return np.sqrt((apart.min(axis=2).mean(axis=1) + apart.min(axis=1).mean(axis=1)) / 2)
 
 
 def squared(a: Array, b: Array) -> Array:
@@ -215,9 +225,10 @@ class _Costs:
         return [*(group for k, group in enumerate(groups) if k not in best[:2]), best[2]]
 
     def parted(self, group: Group) -> list[Group]:
-        """The group, or each of its strokes alone where that is cheaper."""
+        """The group, or each of its strokes alone where they are nothing like each other."""
         alone: list[Group] = [*(((k,), ()) for k in group[0]), *(((), (k,)) for k in group[1])]
-        return alone if sum(map(self.of, alone)) < self.of(group) else [group]
+        points = sum(int(self.inks[side].of(group[side]).sum()) for side in (0, 1))
+        return alone if self.of(group) > STRANGE**2 * points else [group]
 
     def _near(self, group: Group) -> bool:
         """Whether every stroke of a group lies near to the strokes on the other side."""

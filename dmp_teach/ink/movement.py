@@ -2,6 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import cache
 
 import numpy as np
 from scipy.signal import butter, find_peaks, sosfiltfilt
@@ -12,6 +13,7 @@ from dmp_teach.trajectory import Array, Trajectory
 RATE = 100.0  # of the clock on which every movement is looked at [Hz]
 CUTOFF = 8.0  # a hand trembles at 4 to 8 Hz and writes slower; what is faster is the camera's or the pad's noise [Hz]
 PEAK = 0.1  # a peak of speed stands this much of the highest one over the valleys beside it
+SHORT = 5  # samples of even the quickest tap
 SAMPLES = 64  # along a stroke, for its slant
 
 
@@ -97,15 +99,19 @@ def slant(strokes: Sequence[Trajectory]) -> float:
 
 
 def _velocity(stroke: Trajectory) -> tuple[Array, float]:
-    """The velocity (K, 2) [m/s] of a stroke, low-passed on an even clock, and the step of that clock [s].
+    """The velocity (K, 2) [m/s] of a stroke, low-passed on a clock of 100 Hz, and the step of that clock [s].
 
     So a recording's rate and noise hardly count.
     """
-    samples = max(2, round(stroke.duration * RATE) + 1)
-    clock = np.linspace(stroke.t[0], stroke.t[-1], samples)
+    samples = max(SHORT, int(stroke.duration * RATE) + 1)
+    clock = stroke.t[0] + min(1 / RATE, stroke.duration / (samples - 1)) * np.arange(samples)
     path = np.column_stack([np.interp(clock, stroke.t, axis) for axis in stroke.position.T])
-    dt = stroke.duration / (samples - 1)
-    if samples > 12:
-        sos = butter(4, 2 * CUTOFF * dt, output="sos")
-        path = sosfiltfilt(sos, path, axis=0, padlen=min(30, samples - 1))
+    path = sosfiltfilt(_low_pass(), path, axis=0, padlen=min(30, samples - 1))
+    dt = float(clock[1] - clock[0])
     return np.gradient(path, dt, axis=0), dt
+
+
+@cache
+def _low_pass() -> Array:
+    """A Butterworth filter of fourth order for a clock of 100 Hz."""
+    return butter(4, 2 * CUTOFF / RATE, output="sos")

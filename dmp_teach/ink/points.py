@@ -45,8 +45,10 @@ class Ink:
         return Ink((self.place - middle) / radius, self.along, self.stroke, self.lengths / radius)
 
     def turned(self, by: Array) -> "Ink":
-        """Turned or mirrored by an orthogonal matrix, shape (2, 2)."""
-        return Ink(self.place @ by.T, self.along @ by.T, self.stroke, self.lengths)
+        """Turned, mirrored or leaned by a matrix, shape (2, 2), and scaled to an rms radius of 1 again."""
+        place, along = self.place @ by.T, self.along @ by.T
+        along /= np.maximum(np.sqrt((along**2).sum(axis=1, keepdims=True)), 1e-12)
+        return Ink(place / rms_radius(place), along, self.stroke, self.lengths)
 
 
 def ink_of(strokes: Sequence[Trajectory], points: int) -> Ink:

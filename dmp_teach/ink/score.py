@@ -24,7 +24,7 @@ LEVELS = (6.0, 3.0, 1.0)  # steps of a fault (`faults.STEPS`) up to which a row 
 ROWS = {
     "Shape": ("mirrored", "turned", "missing", "extra", "shape", "place"),
     "Size": ("size", "width"),
-    "Lean": ("lean", "turn"),
+    "Lean": ("lean", "turn", "rise"),
 }
 
 
@@ -58,12 +58,13 @@ class Score:
         likeness: `letter_distance`, no unit.
         warped: Dynamic time warping distance of the strokes, of one size and place [parts of the letter's size].
         procrustes: Full Procrustes distance of the strokes, from 0 to 1.
-        shape: What is left by warping when size, width, lean, turn and places fit [parts of the letter's size].
+        shape: How far the ink is from the nearest (rms) when size, width, lean and places fit [the same].
         place: How far the stroke that is farthest from its place is from it [parts of the letter's size].
         size: How many times as large as the model.
         width: How many times as wide, for its height.
         lean: How far it leans more to the right than the model [degrees].
         turn: How far it is turned to the left [degrees].
+        rise: How far its lines rise more to the right [degrees].
         written: The movement of the writing: strokes, duration, pace, smoothness, peaks, slant.
         model: The movement of the model.
     """
@@ -82,6 +83,7 @@ class Score:
     width: float
     lean: float
     turn: float
+    rise: float
     written: Movement
     model: Movement
 
@@ -100,7 +102,7 @@ def score(written: Any, model: Any) -> Score:
     """
     mine, yours = strokes_of(written, "written"), strokes_of(model, "model")
     matching = matched(mine, yours)
-    fit = fitted(matching.pairs, yours)
+    fit = fitted(matching, mine, yours)
     movements = measured(mine), measured(yours)
     found = faults(matching, fit, *movements, yours)
     points, others = (
@@ -121,6 +123,7 @@ def score(written: Any, model: Any) -> Score:
         fit.width,
         fit.lean,
         (90.0 * matching.turn + fit.turn + 180) % 360 - 180,
+        fit.rise,
         *movements,
     )
 
