@@ -25,6 +25,7 @@ from dmp_teach.views.figure_style import (
     sheet,
 )
 from dmp_teach.views.ink_figures import d_to_p, four_widths_drawn, goal_change_drawn, letters_redrawn
+from dmp_teach.views.style_figures import style_sheet
 
 __all__ = [
     "contact_sheet",
@@ -37,6 +38,7 @@ __all__ = [
     "kernel_choice",
     "kernel_types",
     "letters_redrawn",
+    "style_sheet",
 ]
 
 FULL = 80.0  # where "no ends" stands on an axis of widths that ends at 40
