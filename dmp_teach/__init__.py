@@ -24,6 +24,7 @@ _HOME = {
     "joined": "dmp.joining",
     "Letter": "letters.letter",
     "Style": "letters.styles",
+    "Shelf": "letters.shelf",
     "Page": "robot.page",
     "Motion": "robot.motion",
     "Fetch": "robot.fetch",
@@ -39,6 +40,7 @@ _HOME = {
     "write_rosbag": "robot.ros",
     "view": "views.scene",
     "explore": "classroom.explore",
+    "pad": "classroom.pad",
 }
 
 __all__ = ["__version__", *_HOME]  # noqa: PLE0604 (the keys are strings)

@@ -138,10 +138,11 @@ function sentence() {
   const node = make("div", { class: "dt-box" }, number, words, spoken);
   let timer = null;
   const show = ({ number: figure, unit, text, strong, after }) => {
+    number.hidden = !figure;
     number.replaceChildren(figure.replace("under ", "< "), make("small", {}, ` ${unit}`));
     words.replaceChildren(make("span", {}, text, make("b", {}, strong), after));
     clearTimeout(timer);
-    timer = setTimeout(() => (spoken.textContent = `${figure} ${unit}. ${text}${strong}${after}`), 500);
+    timer = setTimeout(() => (spoken.textContent = `${figure && `${figure} ${unit}. `}${text}${strong}${after}`), 500);
   };
   return { node, show };
 }

@@ -4,7 +4,7 @@ function render({ model, el, host, signal }) {
   const root = keepKeys(make("div", { class: "dt-panel dt-explore" }));
   const parts = { ...head(model), ...stage(model), says: says(model), ...knobs(model) };
   parts.write = parts.says.write;
-  parts.write.addEventListener("click", () => write(model, parts));
+  parts.write.addEventListener("click", () => letRobotWrite(model, parts));
   root.append(parts.head, parts.stage, make("div", { class: "dt-says" }, parts.says.node, parts.asleep), parts.knobs, parts.more);
   el.append(root);
 

@@ -24,14 +24,7 @@ function paper({ onGoal, onHome, onPick }) {
   );
   const state = { box: [-0.1, -0.1, 0.1, 0.1], scene: null, size: [0, 0], badges: [], words: {} };
 
-  const look = () => {
-    const [w, h] = state.size;
-    const [x0, y0, x1, y1] = state.box;
-    const k = Math.min(w / (x1 - x0), h / (y1 - y0));
-    const middle = [(x0 + x1) / 2, (y0 + y1) / 2];
-    return { w, h, k, px: ([x, y]) => [w / 2 + (x - middle[0]) * k, h / 2 - (y - middle[1]) * k],
-      metres: ([px, py]) => [middle[0] + (px - w / 2) / k, middle[1] - (py - h / 2) / k] };
-  };
+  const look = () => viewOf(state.box, state.size);
   const redraw = () => {
     if (!state.size[0] || !state.scene) return;
     const view = look();
@@ -131,6 +124,14 @@ function paper({ onGoal, onHome, onPick }) {
   };
 }
 
+/** How a sheet of `size` [px] shows a box of metres: {w, h, k, px(place), metres(pixel)}; k is pixels a metre. */
+function viewOf([x0, y0, x1, y1], [w, h]) {
+  const k = Math.min(w / (x1 - x0), h / (y1 - y0));
+  const middle = [(x0 + x1) / 2, (y0 + y1) / 2];
+  const px = ([x, y]) => [w / 2 + (x - middle[0]) * k, h / 2 - (y - middle[1]) * k];
+  return { w, h, k, px, metres: ([x, y]) => [middle[0] + (x - w / 2) / k, middle[1] - (y - h / 2) / k] };
+}
+
 const CROSS = `M${RING} 0A${RING} ${RING} 0 1 1 ${-RING} 0A${RING} ${RING} 0 1 1 ${RING} 0` + "M-16 0H-5M5 0H16M0 -16V-5M0 5V16";
 
 /** How long the bar is that shows centimetres, and where its words end. */
@@ -168,25 +169,25 @@ function drawMarks(group, view, scene) {
 }
 
 /** One label for starts that lie on each other: "start 1, 2". */
-function startLabels(view, { demo }) {
+function startLabels(view, { demo }, name = (number) => (demo.length > 1 ? `start ${number}` : "start")) {
   const labels = [];
   demo.forEach((points, i) => {
     const at = view.px(points[0]);
     const near = labels.find((label) => Math.hypot(label.at[0] - at[0], label.at[1] - at[1]) < 24);
     if (near) near.words += `, ${i + 1}`;
-    else labels.push({ at, words: demo.length > 1 ? `start ${i + 1}` : "start" });
+    else labels.push({ at, words: name(i + 1) });
   });
   return labels;
 }
 
-/** Where a label hides the least ink: right, left, above or below its point. */
-function labelPlace(view, [x, y], { demo }) {
+/** Where a label of `wide` pixels hides the least ink: right, left, above or below its point. */
+function labelPlace(view, [x, y], { demo }, wide = 50) {
   const ink = demo.flat().filter((_, i) => i % 4 === 0).map(view.px);
   const places = [[14, 5, "start"], [-14, 5, "end"], [0, -14, "middle"], [12, -10, "start"], [-12, -10, "end"], [0, 26, "middle"]];
   const cost = ([dx, dy, anchor]) => {
-    const left = x + dx - { start: 0, middle: 25, end: 50 }[anchor];
-    const hidden = ink.filter(([px, py]) => px > left - 4 && px < left + 54 && Math.abs(py - y - dy + 5) < 11).length;
-    return hidden + 100 * (left < 4 || left + 50 > view.w - 4 || y + dy < 16 || y + dy > view.h - 6);
+    const left = x + dx - { start: 0, middle: wide / 2, end: wide }[anchor];
+    const hidden = ink.filter(([px, py]) => px > left - 4 && px < left + wide + 4 && Math.abs(py - y - dy + 5) < 11).length;
+    return hidden + 100 * (left < 4 || left + wide > view.w - 4 || y + dy < 16 || y + dy > view.h - 6);
   };
   const [dx, dy, anchor] = places.reduce((a, b) => (cost(b) < cost(a) ? b : a));
   return { x: x + dx, y: y + dy, "text-anchor": anchor };

@@ -66,7 +66,7 @@ function watch(model, root, parts) {
 }
 
 /** Let the robot write, where it is seen. A kernel that was started anew cannot hear: then the panel says so. */
-function write(model, parts) {
+function letRobotWrite(model, parts) {
   if (model.get("work").state === "working") return;
   parts.robotHost.scrollIntoView({ block: "nearest" });
   parts.waits();

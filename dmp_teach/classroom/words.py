@@ -1,7 +1,11 @@
 """Numbers as a child reads them: one number, one sentence, and a thing of that size."""
 
+from collections.abc import Iterable
+
 import numpy as np
 
+from dmp_teach.ink.pad import PadStroke
+from dmp_teach.ink.score import Part, Score
 from dmp_teach.trajectory import Trajectory
 
 _THINGS = (
@@ -47,13 +51,8 @@ def what_to_try(error: float, n_kernels: int, kernel_width: float) -> str:
 
 def fit_message(error: float, n_kernels: int, kernel_width: float) -> dict[str, str]:
     """The sentence for a letter whose goals are where they were taught."""
-    return {
-        "number": millimetres(error),
-        "unit": "mm",
-        "text": "On average the line is off the dots by ",
-        "strong": f"{as_wide_as(error)}.",
-        "after": f" {what_to_try(error, n_kernels, kernel_width)}",
-    }
+    thing, after = f"{as_wide_as(error)}.", f" {what_to_try(error, n_kernels, kernel_width)}"
+    return _sentence(error, "On average the line is off the dots by ", thing, after)
 
 
 def goal_message(moved: float, miss: float, error: float, stroke: int | None) -> dict[str, str]:
@@ -66,13 +65,11 @@ def goal_message(moved: float, miss: float, error: float, stroke: int | None) ->
         stroke: Which stroke, or None where the letter has only one.
     """
     which = "goal" if stroke is None else f"goal of stroke {stroke + 1}"
-    return {
-        "number": millimetres(miss),
-        "unit": "mm",
-        "text": f"You moved the {which} by {centimetres(moved)}. ",
-        "strong": f"The pen stops {millimetres(miss)} mm from the ring.",
-        "after": f" Unmoved, the letter is {millimetres(error)} mm off.",
-    }
+    text, after = (
+        f"You moved the {which} by {centimetres(moved)}. ",
+        f" Unmoved, the letter is {millimetres(error)} mm off.",
+    )
+    return _sentence(miss, text, f"The pen stops {millimetres(miss)} mm from the ring.", after)
 
 
 def letter_title(name: str, error: float, gap: str) -> str:
@@ -87,3 +84,76 @@ def largest_gap(demo: tuple[Trajectory, ...], robot: tuple[Trajectory, ...]) -> 
     part = np.argmax(apart[stroke]) / (len(apart[stroke]) - 1)
     place = "start" if part < 1 / 3 else "middle" if part < 2 / 3 else "end"
     return f"most near the {place} of stroke {stroke + 1}" if len(demo) > 1 else f"most near its {place}"
+
+
+def caught(number: int, stroke: PadStroke) -> str:
+    """What the pad saw of a stroke: "Stroke 2: 1.2 s, 84 points."."""
+    if stroke.is_dot:
+        return f"Stroke {number}: a dot."
+    if stroke.is_blurred:
+        return f"Stroke {number}: too fast to see. Write a little slower."
+    return f"Stroke {number}: {stroke.path.duration:.1f} s, {stroke.points} points."
+
+
+def invitation(character: str) -> dict[str, str]:
+    """The sentence of an empty sheet."""
+    if not character:
+        return _plain("Write any letter on your sheet. ", "The robot learns it as you write it.")
+    return _plain(f"Write {a(character)} on your sheet. ", "Show it", " lets the robot write it first.")
+
+
+def next_stroke(done: int, of: int, character: str) -> dict[str, str]:
+    """The sentence between two strokes of a letter."""
+    ending = f"Write the next one, or press That is all if your {character} has no more."
+    return _plain(f"The robot’s {character} has {of} strokes, yours has {done} so far. ", ending)
+
+
+def learned_message(error: float) -> dict[str, str]:
+    """The sentence for ink that is compared with nothing: how well the robot has learned it."""
+    after = " Choose a letter to compare yours with."
+    return _sentence(error, "On average the robot’s line is off your dots by ", f"{as_wide_as(error)}.", after)
+
+
+def try_message(now: Score, before: Score | None) -> dict[str, str]:
+    """The sentence for a try: how far it is from the robot's letter, in what most of all, and whether it is nearer."""
+    if before is None:
+        return _sentence(now.distance, "", now.sentence)
+    return _sentence(now.distance, f"{now.sentence} ", compared(now.distance, before.distance))
+
+
+def compared(distance: float, before: float) -> str:
+    """A distance beside that of the try before [m]; no try is called bad."""
+    if distance > 1.05 * before:
+        return "A little further away this time."
+    return "Nearer than the try before." if distance < 0.95 * before else "As near as the try before."
+
+
+def beside(parts: Iterable[Part]) -> str:
+    """A try in a few words, from the row that differs the most: "close to the robot’s"."""
+    word = min(parts, key=lambda part: part.level).word
+    return {"far": "far from the robot’s", "nearer": "not far from the robot’s", "close": "close to the robot’s"}.get(
+        word, word
+    )
+
+
+def a(character: str) -> str:
+    """A letter with its article: "an a", "a b"; the name of the letter is what is heard."""
+    return f"an {character}" if character and character in "aefhilmnorsxAEFHILMNORSX8" else f"a {character}"
+
+
+def pad_title(character: str, strokes: int, sentence: str) -> str:
+    """The text alternative of the child's sheet."""
+    if not strokes:
+        return "Your sheet is empty."
+    count = f"{strokes} stroke{'s' * (strokes > 1)}"
+    return f"Your {character or 'ink'}, {count}. {sentence}".strip()
+
+
+def _plain(text: str, strong: str, after: str = "") -> dict[str, str]:
+    """A sentence without a number."""
+    return {"number": "", "unit": "", "text": text, "strong": strong, "after": after}
+
+
+def _sentence(metres: float, text: str, strong: str, after: str = "") -> dict[str, str]:
+    """A sentence with the one number."""
+    return {"number": millimetres(metres), "unit": "mm", "text": text, "strong": strong, "after": after}

@@ -35,11 +35,15 @@ class Job:
         if self._loop is None:
             self._on_end(future.result())
         else:
-            future.add_done_callback(lambda done: self._tell(self._on_end, done.result()))
+            future.add_done_callback(lambda done: self._tell(self._ended, done.result()))
 
     def stop(self) -> None:
-        """End the work at its next report."""
+        """End the work at its next report; nobody hears what came of it."""
         self._stop.set()
+
+    def _ended(self, result: Any) -> None:
+        """Pass the result on, unless somebody has pressed *Stop* since."""
+        self._on_end(StopPressed() if self._stop.is_set() else result)
 
     def _run(self, work: Callable[[Callable[[str, float], None]], Any]) -> Any:
         """The result of the work, or what it raised: a thread has nobody else to tell."""

@@ -19,7 +19,7 @@ from dmp_teach.trajectory import Array, Trajectory
 
 RATE = 120.0  # samples of a stroke, as even as those of motion capture [Hz]
 FRAME = 1 / 60  # a pad tells where its pointer is about so often [s]
-REST = 0.05  # a pointer that is silent for longer stood still, and moved within the last frame [s]
+REST = 0.15  # a pointer that is silent for longer stood still, and moved within the last frame [s]
 JUMP = 2.0  # a longer silence is the clock's, not the hand's [s]
 BACK = 0.02  # events overtake each other by no more than this [s]
 LIFT = (0.15, 2.0)  # between two strokes the pen is in the air for at least, and at most [s]
@@ -122,7 +122,7 @@ def _checked(points: ArrayLike) -> Array:
     farthest = float(np.abs(events[:, 1:3]).max())
     if farthest > LARGEST:
         raise RecordingError(f"The stroke has a point {farthest:.3g} m away, but a pad reaches {LARGEST} m at most.")
-    back = -float(np.diff(events[:, 0]).min(initial=0.0))
+    back = float((np.maximum.accumulate(events[:, 0]) - events[:, 0]).max())
     if back > BACK:
         raise RecordingError(f"The pad's clock ran backwards by {back:.3g} s within a stroke; write it again.")
     return events

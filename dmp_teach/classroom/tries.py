@@ -1,0 +1,141 @@
+"""What somebody wrote on the pad, try by try: the ink, what a robot learns from it, and how near it is to the model."""
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+from itertools import count
+from pathlib import Path
+from typing import Any, Self
+
+from dmp_teach.classroom.words import beside, millimetres
+from dmp_teach.errors import RecordingError
+from dmp_teach.ink.pad import PadStroke, pad_recording
+from dmp_teach.ink.recording import Recording
+from dmp_teach.ink.score import Score, score
+from dmp_teach.letters.letter import Letter
+from dmp_teach.trajectory import Trajectory
+
+
+@dataclass(frozen=True, eq=False)
+class Try:
+    """One writing of a letter.
+
+    Args:
+        recording: The ink, a recording like any other.
+        strokes: As the pad caught them; none where the recording came from a file.
+        model: The robot's letter that was to be written, or None.
+    """
+
+    recording: Recording
+    strokes: tuple[PadStroke, ...] = ()
+    model: Recording | None = None
+
+    @classmethod
+    def of(cls, strokes: tuple[PadStroke, ...], model: Recording | None, writer: str | None) -> Self:
+        """A try of these strokes, of the model's letter, on the writing line y = 0."""
+        character = None if model is None else model.character
+        return cls(pad_recording(strokes, character=character, writer=writer, baseline=0.0), strokes, model)
+
+    @cached_property
+    def ink(self) -> tuple[Trajectory, ...]:
+        """The strokes on the clock of the recording."""
+        return self.recording.strokes()
+
+    @cached_property
+    def letter(self) -> Letter:
+        """What a robot learns from it."""
+        return Letter.learn(self.ink)
+
+    @cached_property
+    def written(self) -> tuple[Trajectory, ...]:
+        """What the robot then writes."""
+        return self.letter.write()
+
+    @cached_property
+    def score(self) -> Score | None:
+        """How near it is to the model; None without a model, or where it has no shape: a dot, or two."""
+        try:
+            return None if self.model is None else score(self.recording, self.model)
+        except ValueError:
+            return None
+
+    def named(self, writer: str) -> Self:
+        """The same, under a pseudonym."""
+        return replace(self, recording=replace(self.recording, writer=writer))
+
+    @property
+    def is_short(self) -> bool:
+        """Whether the model has more strokes."""
+        return self.model is not None and len(self.ink) < len(self.model.strokes())
+
+
+class Tries:
+    """Every try in order, the one on the sheet last; nothing of it is written anywhere."""
+
+    def __init__(self) -> None:
+        self._all: list[Try | None] = [None]  # None: the sheet is empty
+
+    @property
+    def now(self) -> Try | None:
+        """What is on the sheet."""
+        return self._all[-1]
+
+    @now.setter
+    def now(self, value: Try | None) -> None:
+        """Put something else on the sheet."""
+        self._all[-1] = value
+
+    @property
+    def newest(self) -> Try:
+        """What is on the sheet, or the try before; a RecordingError while there is none."""
+        newest = next((each for each in reversed(self._all) if each is not None), None)
+        if newest is None:
+            raise RecordingError("Nothing is written on the pad yet: write a letter, then run this cell again.")
+        return newest
+
+    @property
+    def recordings(self) -> tuple[Recording, ...]:
+        """The ink of every try."""
+        return tuple(each.recording for each in self._all if each is not None)
+
+    def take_a_new_sheet(self) -> None:
+        """The try on the sheet stays among the others."""
+        if self.now is not None:
+            self._all.append(None)
+
+    def go_back(self, model: Recording | None) -> None:
+        """From an empty sheet to the try before, if that is a try of the same letter."""
+        if len(self._all) > 1 and self._all[-2].model is model:
+            self._all.pop()
+
+    def name_the_newest(self, writer: str) -> Try:
+        """The newest try under a pseudonym, in the place of the one without."""
+        at = self._all.index(self.newest)
+        self._all[at] = named = self.newest.named(writer)
+        return named
+
+    def scored(self, model: Recording | None, done: bool) -> list[Try]:
+        """The tries of one letter that have a score; that on the sheet only if it is done."""
+        tries = self._all if done else self._all[:-1]
+        return [each for each in tries if each is not None and each.model is model and each.score is not None]
+
+
+def free_writer(folder: Path) -> str:
+    """The first pseudonym, "w01", "w02" ..., that no file in the folder carries."""
+    taken = {part for file in folder.iterdir() for part in file.stem.split("_")}
+    return next(name for name in (f"w{n:02d}" for n in count(1)) if name not in taken)
+
+
+def free_name(folder: Path, recording: Recording, writer: str) -> Path:
+    """A name that no file has: "a_w01.json", then "a_w01_2.json"; capitals are told apart also where names are not."""
+    stem = f"{recording.character or 'ink'}_{writer}"
+    names = (folder / f"{stem}{'' if n == 1 else f'_{n}'}.json" for n in count(1))
+    return next(path for path in names if not path.exists())
+
+
+def as_rows(tries: list[Try], first: int) -> list[dict[str, Any]]:
+    """Tries with a score as the browser shows them; `first` is the number of the first one."""
+    words = [(millimetres(each.score.distance), beside(each.score.parts)) for each in tries]
+    return [
+        {"number": n, "mm": mm, "word": word, "counts": [len(stroke) for stroke in each.ink]}
+        for n, (each, (mm, word)) in enumerate(zip(tries, words, strict=True), first)
+    ]

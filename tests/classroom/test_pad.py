@@ -1,0 +1,369 @@
+"""The writing pad, by sending it what a browser sends."""
+
+import asyncio
+import json
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+import dmp_teach
+from dmp_teach.classroom.pad import pad
+from dmp_teach.errors import RecordingError, TeachError
+from dmp_teach.ink.our_json import read_json, write_json
+
+
+@pytest.fixture
+def panel():
+    return pad()
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    return tmp_path
+
+
+def rows_of(stroke, stretch=(1.0, 1.0), shift=(0.0, 0.0), pressure=0.5):
+    """A stroke as a pad would send it: every other sample, in metres of the sheet."""
+    points = stroke.position[::2] * stretch + shift
+    return np.column_stack([stroke.t[::2] + 40, points, np.full(len(points), pressure)])
+
+
+def send(panel, rows=None, kind="stroke", **more):
+    number = more.pop("n", panel.answered + 1)
+    buffers = [] if rows is None else [memoryview(np.asarray(rows, "<f8").tobytes())]
+    panel._hear(panel, {"kind": kind, "n": number, "pointer": "mouse", **more}, buffers)
+
+
+def write(panel, character="a", **how):
+    if panel.character != character:
+        panel.character = character
+    for stroke in dmp_teach.recording_of(character).strokes():
+        send(panel, rows_of(stroke, **how))
+
+
+def points(panel, name):
+    return np.frombuffer(getattr(panel, name), "<f4").reshape(-1, 2)
+
+
+def test_ink_becomes_a_recording_that_is_learned_written_again_and_scored(panel):
+    write(panel, "D", stretch=(1.1, 0.9))
+    assert panel.counts == [len(stroke) for stroke in panel.recording.strokes()]
+    assert panel.recording.character == "D"
+    assert panel.recording.baseline == 0
+    assert np.allclose(points(panel, "ink"), np.concatenate([s.position for s in panel.recording.strokes()]), atol=1e-6)
+    written = np.concatenate([stroke.position for stroke in panel.letter.write()])
+    assert np.allclose(points(panel, "robot"), written, atol=1e-6)
+    assert panel.letter.error < 0.001
+    assert [row["name"] for row in panel.parts] == ["Shape", "Size", "Lean"]
+    assert panel.score.sentence in panel.message["strong"]
+    assert panel.caught.startswith("Stroke 2: 1.7 s, 10")
+    assert panel.title.startswith("Your D, 2 strokes.")
+
+
+def test_the_points_are_where_the_hand_was(panel):
+    stroke = dmp_teach.recording_of("a").strokes()[0]
+    send(panel, rows_of(stroke))
+    ink = panel.recording.strokes()[0]
+    apart = [np.linalg.norm(ink.position - place, axis=1).min() for place in stroke.position]
+    assert max(apart) < 0.001
+
+
+def test_a_letter_with_fewer_strokes_than_the_robots_is_scored_when_that_is_all(panel):
+    panel.character = "D"
+    send(panel, rows_of(dmp_teach.recording_of("D").strokes()[0]))
+    assert panel.unfinished
+    assert (panel.parts, panel.tries, panel.message["number"]) == ([], [], "")
+    send(panel, kind="all")
+    assert not panel.unfinished
+    assert len(panel.parts) == 3
+    assert panel.parts[0]["level"] < 3
+    assert len(panel.tries) == 1
+
+
+def test_a_tap_is_a_dot_and_a_flick_too_fast_says_what_to_do(panel):
+    send(panel, [[1, 0.01, 0.1, 0.5]])
+    assert panel.caught == "Stroke 1: a dot."
+    send(panel, [[2, 0.01, 0.0, 0.5], [2.02, 0.05, 0.07, 0.5]])
+    assert panel.caught == "Stroke 2: too fast to see. Write a little slower."
+    assert len(panel.recording.strokes()) == 2
+
+
+def test_a_worse_try_is_a_little_further_away_and_the_tries_stay_in_order(panel):
+    for size, after in ((1.1, None), (1.6, "further away this time"), (1.3, "Nearer"), (1.3, "As near as")):
+        write(panel, stretch=(size, size))
+        assert after is None or after in panel.message["strong"]
+        send(panel, kind="again")
+    heights = [np.ptp(recording.strokes()[0].position[:, 1]) for recording in panel.recordings]
+    assert np.allclose(heights, np.array([1.1, 1.6, 1.3, 1.3]) * heights[0] / 1.1, rtol=1e-6)
+    assert [each["number"] for each in panel.tries] == [1, 2, 3, 4]
+    for _ in range(4):
+        write(panel)
+        send(panel, kind="again")
+    assert [each["number"] for each in panel.tries] == [3, 4, 5, 6, 7, 8]
+    assert sum(sum(each["counts"]) for each in panel.tries) == len(points(panel, "tried"))
+
+
+def test_undo_takes_stroke_after_stroke_and_then_brings_the_try_before(panel):
+    write(panel, "D")
+    send(panel, kind="again")
+    write(panel, "D")
+    send(panel, kind="undo")
+    assert len(panel.counts) == 1
+    send(panel, kind="undo")
+    assert panel.counts == []
+    assert len(panel.recordings) == 1
+    send(panel, kind="undo")
+    assert len(panel.counts) == 2
+    for _ in range(5):
+        send(panel, kind="undo")
+    assert panel.caught == "Nothing to undo."
+    assert panel.recordings == ()
+
+
+def test_another_letter_begins_on_an_empty_sheet_of_its_own_size(panel):
+    write(panel, "a")
+    sheet = panel.sheet
+    panel.character = "g"
+    assert panel.counts == []
+    assert panel.tries == []
+    assert panel.sheet[1] < sheet[1]
+    assert panel.lines[0] == 0
+    send(panel, kind="undo")
+    assert panel.counts == []
+    assert panel.recording.character == "a"
+
+
+def test_without_a_letter_the_robot_learns_whatever_is_written():
+    free = pad(None)
+    assert free.character == ""
+    send(free, rows_of(dmp_teach.recording_of("g").strokes()[0]))
+    assert free.score is None
+    assert free.recording.character is None
+    assert free.message["number"] == "0.1"
+    assert free.parts == []
+    free.write()
+    assert free.motion is not None
+
+
+def test_before_anything_is_written_the_next_cells_are_told_so_and_the_robot_writes_its_own(panel):
+    for name in ("recording", "letter", "score"):
+        with pytest.raises(RecordingError, match="Nothing is written on the pad yet"):
+            getattr(panel, name)
+    assert panel.recordings == ()
+    assert np.array_equal(points(panel, "robot"), points(panel, "model"))
+    panel.write()
+    assert len(panel.motion.strokes) == 1
+
+
+def test_the_robots_own_letter_comes_with_its_tempo(panel):
+    panel.character = "D"
+    model = dmp_teach.recording_of("D").strokes()
+    assert [len(times) for times in panel.model_times] == [len(stroke) for stroke in model]
+    assert panel.model_times[1][0] == pytest.approx(model[1].t[0] - model[0].t[0])
+    assert np.allclose(points(panel, "model"), np.concatenate([s.position for s in model]), atol=1e-6)
+
+
+def test_the_robot_writes_what_is_on_the_sheet_and_an_older_letter_is_marked(panel):
+    write(panel)
+    assert panel.scene is None
+    send(panel, kind="write")
+    assert panel.work == {"state": "idle"}
+    assert panel.scene.motion is panel.motion
+    placed = panel.motion.strokes[0].position
+    assert np.allclose(placed - placed[0], points(panel, "robot") - points(panel, "robot")[0], atol=1e-6)
+    send(panel, kind="again")
+    assert panel.older
+
+
+def test_an_empty_sheet_without_a_letter_gives_the_robot_nothing_to_write():
+    free = pad(None)
+    send(free, kind="write")
+    assert free.work["state"] == "cannot"
+    assert "nothing to write" in free.work["strong"]
+
+
+def test_save_writes_one_file_with_a_pseudonym_and_no_time_of_day(panel, folder):
+    write(panel)
+    assert list(folder.iterdir()) == []
+    send(panel, kind="save")
+    (file,) = folder.iterdir()
+    assert file.name == "a_w01.json"
+    assert "a_w01.json" in panel.kept
+    again = read_json(file)
+    assert (again.character, again.writer, again.t[0]) == ("a", "w01", 0)
+    assert np.array_equal(again.position, panel.recording.position)
+    assert set(json.loads(file.read_text())) == {
+        "format", "version", "character", "writer", "baseline", "units", "strokes", "pressure", "samples",
+    }  # fmt: skip
+    send(panel, kind="save")
+    assert len(list(folder.iterdir())) == 1
+    send(panel, kind="again")
+    write(panel)
+    assert panel.kept == ""
+    send(panel, kind="save")
+    assert {file.name for file in folder.iterdir()} == {"a_w01.json", "a_w01_2.json"}
+
+
+def test_another_writer_takes_the_next_free_pseudonym_unless_given_one(folder):
+    for panel, name in ((pad(), "a_w01.json"), (pad(), "a_w02.json"), (pad(writer="w07"), "a_w07.json")):
+        write(panel)
+        assert panel.save().name == name
+    with pytest.raises(RecordingError, match="pseudonym"):
+        pad(writer="Anna Meyer")
+
+
+def test_what_was_there_is_never_overwritten(panel, folder):
+    (folder / "a_w01.json").mkdir()
+    panel.writer = "w01"
+    write(panel)
+    assert panel.save().name == "a_w01_2.json"
+
+
+def test_forget_leaves_no_byte(panel, folder):
+    for _ in range(2):
+        write(panel)
+        send(panel, kind="save")
+        send(panel, kind="again")
+    panel.write()
+    (folder / "other.json").write_text("{}")
+    send(panel, kind="forget")
+    assert [file.name for file in folder.iterdir()] == ["other.json"]
+    assert panel.recordings == ()
+    assert (panel.ink, panel.tried, panel.tries, panel.counts) == (b"", b"", [], [])
+    assert panel.robot == panel.model
+    assert panel.motion is None
+    assert panel.scene.motion is None
+    assert "a_w01.json, a_w01_2.json" in panel.kept
+
+
+def test_forget_also_ends_a_robot_that_plans(panel):
+    write(panel)
+
+    async def forget_meanwhile():
+        panel.write()
+        send(panel, kind="forget")
+        while panel.work["state"] == "working":
+            await asyncio.sleep(0.01)
+
+    asyncio.run(forget_meanwhile())
+    assert panel.motion is None
+
+
+def test_save_and_forget_without_ink_say_so(panel, folder):
+    send(panel, kind="save")
+    assert "Nothing is written" in panel.caught
+    send(panel, kind="forget")
+    assert panel.kept == "Everything is forgotten."
+    assert list(folder.iterdir()) == []
+
+
+def test_a_place_that_cannot_be_written_gets_a_sentence(panel, folder, monkeypatch):
+    write(panel)
+    monkeypatch.setattr("dmp_teach.classroom.pad.Path.cwd", lambda: folder / "gone")
+    send(panel, kind="save")
+    assert panel.caught
+    assert panel.kept == ""
+
+
+def test_a_recording_of_ones_own_is_a_try_of_its_letter(panel, tmp_path):
+    write_json(dmp_teach.recording_of("b"), tmp_path / "b_w09.json")
+    content = (tmp_path / "b_w09.json").read_bytes()
+    panel._hear(panel, {"kind": "file", "name": "b_w09.json", "n": 1}, [content])
+    assert panel.character == "b"
+    assert panel.parts
+    assert panel.recording.character == "b"
+    stroke = dmp_teach.recording_of("a").strokes()[0]
+    send(panel, rows_of(stroke))
+    assert len(panel.recordings) == 2
+    panel._hear(panel, {"kind": "file", "name": "notes.csv", "n": 9}, [b"milk,2\n"])
+    assert panel.work["state"] == "cannot"
+
+
+def test_ink_of_ones_own_that_is_large_lies_within_a_larger_sheet(panel):
+    panel.load(dmp_teach.Recording(*_large()))
+    low, high = points(panel, "ink").min(axis=0), points(panel, "ink").max(axis=0)
+    assert panel.sheet[0] <= low[0] + 1e-6
+    assert panel.sheet[3] >= high[1] - 1e-6
+
+
+def _large():
+    t = np.linspace(0, 2, 241)
+    return t, np.column_stack([3 + 0.2 * np.cos(t), 5 + 0.3 * np.sin(t), 0 * t]), None, None, None, ((0, 241),)
+
+
+def test_pressure_of_a_pen_is_kept_and_that_of_a_mouse_is_not(panel):
+    stroke = dmp_teach.recording_of("a").strokes()[0]
+    send(panel, rows_of(stroke, pressure=0.8), pointer="pen")
+    assert np.allclose(panel.recording.pressure, 0.8)
+    send(panel, kind="again")
+    send(panel, rows_of(stroke))
+    assert panel.recording.pressure is None
+
+
+def good():
+    return rows_of(dmp_teach.recording_of("a").strokes()[0])
+
+
+@pytest.mark.parametrize(
+    ("content", "words"),
+    [
+        (b"", "came in pieces"),
+        (b"12345", "came in pieces"),
+        (np.full((5, 4), np.nan).tobytes(), "no numbers"),
+        (np.zeros((100_000, 4)).tobytes(), "100000 points"),
+        (good()[::-1].tobytes(), "ran backwards"),
+        ((good() * 1e6).tobytes(), "away"),
+    ],
+)
+def test_bad_input_gets_a_sentence_and_the_sheet_stays(panel, content, words):
+    write(panel)
+    before = panel.ink
+    panel._hear(panel, {"kind": "stroke", "n": 7}, [memoryview(content)])
+    assert words in panel.caught
+    assert panel.ink == before
+    assert panel.answered == 7
+    write(panel)
+    assert len(panel.counts) == 2
+
+
+def test_a_stroke_that_comes_twice_or_too_late_is_left_out(panel):
+    send(panel, good(), n=3)
+    for number in (3, 2):
+        send(panel, good(), n=number)
+        assert "twice, or too late" in panel.caught
+    assert len(panel.counts) == 1
+
+
+def test_a_letter_of_very_many_strokes_ends_with_a_sentence(panel):
+    for k in range(61):
+        send(panel, [[k, 0.01, 0.01 + k / 1000, 0.5]])
+    assert "at most 60 strokes" in panel.caught
+    assert len(panel.counts) == 60
+
+
+KINDS = st.sampled_from(["stroke", "undo", "again", "all", "close", "stop", "nonsense", None])
+MESSAGES = st.tuples(KINDS, st.one_of(st.none(), st.integers(-5, 50), st.text(max_size=2)), st.binary(max_size=256))
+PLACES = st.lists(st.tuples(*[st.floats(-2, 2) | st.floats()] * 4), max_size=8)
+
+
+@settings(max_examples=25, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+@given(st.lists(st.one_of(MESSAGES, PLACES), max_size=8))
+def test_no_message_ever_kills_the_panel(messages):
+    panel = pad("i")
+    for each in messages:
+        if isinstance(each, tuple):
+            panel._hear(panel, {"kind": each[0], "n": each[1]}, [memoryview(each[2])])
+        else:
+            send(panel, each)
+    send(panel, kind="again", n=99)
+    write(panel, "i")
+    assert panel.counts
+    assert len(panel.parts) == 3
+
+
+def test_a_letter_that_nobody_has_is_refused_by_name():
+    with pytest.raises(TeachError, match="has no"):
+        pad("?")
