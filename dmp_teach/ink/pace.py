@@ -77,6 +77,7 @@ def _speed(even: Array, ds: float, size: float) -> Array:
     bend = np.abs(heading[:, 0] * turning[:, 1] - heading[:, 1] * turning[:, 0]) / norm**3
     pace = PACE * size
     speed = np.minimum(pace * (np.maximum(bend, 1e-9 / size) * size / 4) ** (-1 / 3), STRAIGHT * pace)
+    speed *= np.minimum(norm, 1.0)  # where the pen turns back there is no bend, but it stands still
     slack = 2 * HASTE * size * ds * np.arange(len(even))  # v^2 changes by at most 2 a ds from point to point
     square = speed**2
     square[[0, -1]] = 0.0

@@ -9,6 +9,7 @@ up. Nothing is fetched, no style sheet is followed, and clones (`use`) are refus
 import math
 import re
 from collections.abc import Iterator
+from contextlib import suppress
 from xml.etree.ElementTree import Element
 
 import numpy as np
@@ -24,6 +25,7 @@ from dmp_teach.trajectory import Array
 NAMES = "http://www.w3.org/2000/svg"
 METRES = {"": 0.0254 / 96, "px": 0.0254 / 96, "in": 0.0254, "cm": 0.01, "mm": 0.001, "q": 0.00025}
 METRES |= {"pt": 0.0254 / 72, "pc": 0.0254 / 6}
+PIXELS = np.diag([1 / METRES["px"], -1 / METRES["px"], 1.0])  # from the page [m], y up, to a user's units
 NUMBER = r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
 LENGTH = re.compile(rf"({NUMBER}) ?([a-zA-Z]*|%)")
 WAY = re.compile(r"[MmLlHhVvCcSsQqTtAaZz0-9eE+\-.,\s]*")
@@ -47,7 +49,7 @@ def read_svg(root: Element) -> tuple[Recording, ...]:
     Raises:
         RecordingError: Nothing drawn, or a length, a transform or a path that cannot be read.
     """
-    shapes = list(_shapes(root, np.eye(3)))
+    shapes = list(_shapes(root, None))
     curves = sum(len(path) for path, _ in shapes)
     if curves > MOST:
         raise RecordingError(f"draws {curves} segments, but a letter has at most {MOST}; simplify the drawing.")
@@ -65,8 +67,8 @@ def read_svg(root: Element) -> tuple[Recording, ...]:
     return (as_letter(in_time(strokes), None, origin, character=character, writer=writer, baseline=line),)
 
 
-def _shapes(element: Element, matrix: Array) -> Iterator[tuple[Path, Array]]:
-    """Every path that is shown, and the matrix (3, 3) that takes it to the page [m], y up."""
+def _shapes(element: Element, matrix: Array | None) -> Iterator[tuple[Path, Array]]:
+    """Every path that is shown, and the matrix (3, 3) that takes it to the page [m], y up; none for the root."""
     kind = local(element)
     style = element.get("style") or ""
     if kind in UNSEEN or element.get("display") == "none" or re.search(r"display\s*:\s*none", style):
@@ -74,7 +76,9 @@ def _shapes(element: Element, matrix: Array) -> Iterator[tuple[Path, Array]]:
     if kind == "use":
         raise RecordingError("has a clone (use); unlink clones, or convert them to paths.")
     if kind == "svg":
-        matrix = matrix @ _view(element)
+        inside = matrix is not None
+        place = _moved(_coordinate(element, "x"), _coordinate(element, "y")) @ PIXELS if inside else np.eye(3)
+        matrix = (matrix if inside else np.eye(3)) @ place @ _view(element)
     matrix = matrix @ _transform(element.get("transform"))
     if kind in GROUPS:
         for child in element:
@@ -125,14 +129,14 @@ def _transform(text: str | None) -> Array:
     """What a `transform` says (3, 3)."""
     if text is None:
         return np.eye(3)
-    try:
-        a, b, c, d, e, f = (
-            map(float, Matrix(text)) if len(text) < LONGEST and TRANSFORM.fullmatch(text) else [math.nan] * 6
-        )
-    except (ValueError, ArithmeticError, TypeError, IndexError):
-        a = b = c = d = e = f = math.nan
-    if not np.isfinite([a, b, c, d, e, f]).all():
+    numbers = [math.nan] * 6
+    if len(text) < LONGEST and TRANSFORM.fullmatch(text):
+        with suppress(ValueError, ArithmeticError, TypeError, IndexError):
+            said = Matrix(text)
+            numbers = [float(getattr(said, name)) for name in "abcdef"]
+    if not np.isfinite(numbers).all():
         raise RecordingError(f"transform is {text[:60]!r}, which cannot be read; apply it in your drawing program.")
+    a, b, c, d, e, f = numbers
     return np.array([[a, c, e], [b, d, f], [0.0, 0.0, 1.0]])
 
 
