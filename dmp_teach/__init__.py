@@ -25,6 +25,8 @@ _HOME = {
     "Letter": "letters.letter",
     "Style": "letters.styles",
     "Shelf": "letters.shelf",
+    "word": "letters.words",
+    "lines": "letters.lines",
     "Page": "robot.page",
     "Motion": "robot.motion",
     "Fetch": "robot.fetch",

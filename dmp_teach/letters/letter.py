@@ -229,14 +229,18 @@ class Letter:
         return goal + step
 
 
+def pause_before(here: Array, there: Array) -> float:
+    """How long the pen is in the air from `here` (2,) to `there` (2,) [s]."""
+    return min(LIFT + float(np.linalg.norm(there - here)) / FLIGHT, LONGEST_LIFT)
+
+
 def _clock(pieces: tuple[Piece, ...]) -> list[float]:
     """When each of them begins [s]."""
     begins = [float(pieces[0].primitive.times[0])]
     for before, after in pairwise(pieces):
         pause = max(after.primitive.times[0] - before.primitive.times[-1], SHORTEST_LIFT)
         if not after.follows(before):
-            way = float(np.linalg.norm(after.at("start") - before.at("goal")))
-            pause = min(LIFT + way / FLIGHT, LONGEST_LIFT)
+            pause = pause_before(before.at("goal"), after.at("start"))
         begins.append(begins[-1] + before.primitive.duration + pause)
     return begins
 

@@ -1,0 +1,79 @@
+"""How far apart letters stand: by the white between them, not by their boxes, so that words look even.
+
+The white between two letters is their horizontal distance at each height, counted to a limit, because the eye does not
+look deep into the openings of a c or under the arm of a T. Its mean is the same for all pairs, and ink keeps a distance
+from ink at every height.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+from scipy.ndimage import maximum_filter1d
+
+from dmp_teach.letters.outline import evenly, long
+from dmp_teach.trajectory import Array, Trajectory
+
+WHITE = 0.33  # the mean distance of two letters, in x-heights
+DEEP = 0.50  # white counts to this depth
+CLEAR = 0.12  # ink is never nearer to ink than this
+STEM = 0.15  # more room for a pen that goes up to the top of a stem, in x-heights
+LINKED = (0.28, 0.5, 0.04)  # the same for letters that are joined: their exits reach for the next
+BANDS = 25  # in an x-height
+LOWEST, HIGHEST = -2.0, 4.0  # in x-heights, from the writing line
+
+
+def distance(left: Sequence[Trajectory], right: Sequence[Trajectory], x_height: float, linked: bool = False) -> float:
+    """How far the strokes `right` are moved to the right of where they are, to follow `left`; may be negative [m].
+
+    Args:
+        left: A letter on the writing line y = 0.
+        right: The next one, on the same line.
+        x_height: The height of a small letter without a stem [m].
+        linked: Whether the pen goes from the one to the other on the paper.
+    """
+    white, deep, clear = LINKED if linked else (WHITE, DEEP, CLEAR)
+    near = round(CLEAR * BANDS)
+    right_edge = _edge(left, x_height, 1)
+    left_edge = -_edge(right, x_height, -1)
+    apart = left_edge - right_edge
+    top = max(1.0, min(_top(left, x_height), _top(right, x_height)))
+    zone = slice(round(-LOWEST * BANDS), round((min(top, HIGHEST) - LOWEST) * BANDS))
+    wide = _edge_near(right_edge, near) + _edge_near(-left_edge, near)  # how far the ink reaches over, at near heights
+    overlap = float(wide[np.isfinite(wide)].max(initial=-np.inf))
+    if not np.isfinite(overlap):  # the one ends under the other
+        overlap = float(right_edge.max() - left_edge.min())
+    stem = STEM * (linked and right[0].position[0, 1] > 1.3 * x_height)
+    return x_height * (stem + max(clear + overlap, _moved_to_white(apart[zone], white, deep)))
+
+
+def _moved_to_white(apart: Array, white: float, deep: float) -> float:
+    """By how much distances (B,) grow so that their mean, each counted to `deep` at most, is `white`."""
+    least = float(apart.min()) if np.isfinite(apart).any() else 0.0
+    low, high = -least - 10, deep - least  # the mean only grows with the move, and is `deep` at the latest there
+    for _ in range(50):
+        middle = (low + high) / 2
+        if np.minimum(apart + middle, deep).mean() < white:
+            low = middle
+        else:
+            high = middle
+    return high
+
+
+def _edge(strokes: Sequence[Trajectory], x_height: float, side: int) -> Array:
+    """How far to the right (side 1) or to the left (side -1) ink reaches in each band of height [x-heights]."""
+    edge = np.full(round((HIGHEST - LOWEST) * BANDS), -np.inf)
+    for stroke in strokes:
+        path = stroke.position / x_height
+        dense, _ = evenly(path, max(2, int(4 * BANDS * long(path))))
+        band = np.clip(((dense[:, 1] - LOWEST) * BANDS).astype(int), 0, len(edge) - 1)
+        np.maximum.at(edge, band, side * dense[:, 0])
+    return edge
+
+
+def _edge_near(edge: Array, near: int) -> Array:
+    """The same, seen from so many bands above and below."""
+    return maximum_filter1d(edge, 2 * near + 1, mode="nearest")
+
+
+def _top(strokes: Sequence[Trajectory], x_height: float) -> float:
+    return max(float(stroke.position[:, 1].max()) for stroke in strokes) / x_height

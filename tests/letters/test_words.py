@@ -1,0 +1,265 @@
+"""Words and lines: letters that stand evenly, never on each other, and one pen that never jumps."""
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.spatial import cKDTree
+
+from dmp_teach.errors import LetterError, RecordingError
+from dmp_teach.ink.alphabet import alphabets, characters, recording_of
+from dmp_teach.letters.letter import Letter
+from dmp_teach.letters.lines import lines
+from dmp_teach.letters.linking import body_and_marks, linked, quintic
+from dmp_teach.letters.spacing import distance
+from dmp_teach.letters.words import Hand, word
+from dmp_teach.robot.page import Page
+from dmp_teach.robot.place import place
+from dmp_teach.trajectory import Trajectory
+
+ALL = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+HANDS = {name: Hand.of(name, None, None) for name in alphabets()}
+TEXTS = st.text(alphabet=ALL, min_size=1, max_size=5)
+SMALL = st.text(alphabet="abcdefghijklmnopqrstuvwxyz", min_size=2, max_size=5)
+HAND = st.sampled_from(alphabets())
+
+
+def points(strokes):
+    return np.concatenate([stroke.position for stroke in strokes])
+
+
+def dense(strokes):
+    return np.concatenate([_filled(stroke.position) for stroke in strokes])
+
+
+def _filled(path):
+    k = np.linspace(0, len(path) - 1, 8 * len(path))
+    return np.column_stack([np.interp(k, np.arange(len(path)), axis) for axis in path.T])
+
+
+def fastest(stroke):
+    return float((np.linalg.norm(np.diff(stroke.position, axis=0), axis=1) / np.diff(stroke.t)).max())
+
+
+@settings(max_examples=40, deadline=None)
+@given(HAND, st.sampled_from(ALL), st.sampled_from(ALL), st.booleans())
+def test_neighbours_do_not_touch(name, one, other, joined):
+    hand = HANDS[name]
+    left, right = hand.glyph(one), hand.glyph(other)
+    by = distance(left, right, hand.x_height, joined)
+    apart, _ = cKDTree(dense(left)).query(dense(right) + np.array([by, 0]))
+    assert apart.min() > (0.1 if not joined else 0.02) * hand.x_height
+
+
+@pytest.mark.parametrize("name", alphabets())
+def test_the_white_between_letters_is_even(name):
+    """A pair of stems, a pair of bowls and a mixed pair have the same white, though their boxes stand unlike."""
+    hand = HANDS[name]
+    boxes, whites = [], []
+    for one, other in ("nn", "oo", "no", "on", "ac", "ve"):
+        left, right = hand.glyph(one), hand.glyph(other)
+        moved = dense(right) + np.array([distance(left, right, hand.x_height), 0])
+        bands = np.linspace(0.02, 0.98, 40) * hand.x_height
+        edges = [[ink[np.abs(ink[:, 1] - y) < 0.03 * hand.x_height, 0] for ink in (dense(left), moved)] for y in bands]
+        gaps = [b.min() - a.max() if len(a) and len(b) else np.inf for a, b in edges]
+        whites.append(np.minimum(gaps, 0.5 * hand.x_height).mean() / hand.x_height)
+        boxes.append((moved[:, 0].min() - dense(left)[:, 0].max()) / hand.x_height)
+    assert np.ptp(whites) < 0.12
+    assert np.ptp(boxes) > 0.1
+
+
+@settings(max_examples=25, deadline=None)
+@given(HAND, TEXTS, st.booleans())
+def test_time_only_runs_forward_and_ink_begins_at_the_corner(name, text, joined):
+    ink = word(text, name, joined=joined)
+    assert ink[0].t[0] == 0
+    assert all(before.t[-1] < after.t[0] for before, after in pairwise(ink))
+    assert points(ink)[:, 0].min() == pytest.approx(0, abs=1e-12)
+    assert ink.duration == pytest.approx(ink[-1].t[-1])
+
+
+@settings(max_examples=25, deadline=None)
+@given(HAND, SMALL)
+def test_a_joined_word_never_jumps_and_never_has_more_strokes(name, text):
+    apart, joined = word(text, name), word(text, name, joined=True)
+    assert len(joined) <= len(apart)
+    usual = max(fastest(stroke) for stroke in apart)
+    for stroke in joined:
+        assert fastest(stroke) < 2.5 * usual
+        velocity = np.diff(stroke.position, axis=0) / np.diff(stroke.t)[:, None]
+        bend = np.linalg.norm(np.diff(velocity, axis=0), axis=1)
+        assert bend.max() < usual  # from one sample to the next the velocity does not leap
+
+
+@pytest.mark.parametrize(
+    ("text", "name", "strokes"), [("hello", "slanted", 1), ("nine", "slanted", 2), ("mute", "round", 2)]
+)
+def test_a_pen_lifts_only_for_dots_and_crosses_where_all_letters_join(text, name, strokes):
+    ink = word(text, name, joined=True)
+    assert len(ink) == strokes
+    assert len(word(text, name)) >= len(text)
+
+
+@pytest.mark.parametrize("name", alphabets())
+def test_dots_and_crosses_come_after_the_word_from_left_to_right(name):
+    ink = word("tintin", name, joined=True)
+    marks = ink[-4:]
+    lefts = [mark.position[:, 0].min() for mark in marks]
+    assert lefts == sorted(lefts)
+    size = HANDS[name].x_height
+    assert all(np.ptp(mark.position, axis=0).max() < 1.1 * size for mark in marks)
+    assert max(points(marks)[:, 1]) > size
+
+
+@pytest.mark.parametrize("name", alphabets())
+def test_capitals_and_digits_begin_afresh(name):
+    alone = sum(len(HANDS[name].glyph(character)) for character in "B4R8")
+    assert len(word("B4R8", name, joined=True)) == alone
+    assert len(word("nB", name, joined=True)) == len(word("nB", name))
+
+
+def test_a_word_of_one_letter_is_that_letter():
+    (stroke,), (shown,) = word("o"), Letter.learn(recording_of("o")).write()
+    np.testing.assert_allclose(stroke.position - stroke.position[0], shown.position - shown.position[0], atol=1e-12)
+
+
+@settings(max_examples=20, deadline=None)
+@given(st.floats(0.002, 0.2))
+def test_another_size_is_the_same_word_scaled(size):
+    usual, other = word("ago"), word("ago", x_height=size)
+    factor = size / HANDS["round"].x_height
+    for one, two in zip(usual, other, strict=True):
+        np.testing.assert_allclose(two.position, factor * one.position, atol=1e-12)
+
+
+def test_letters_stand_on_the_line():
+    for character, low in (("x", 0), ("H", 0), ("g", -0.8), ("p", -0.8)):
+        ink = points(word(character)) / HANDS["round"].x_height
+        assert ink[:, 1].min() == pytest.approx(low, abs=0.1)
+
+
+@pytest.mark.parametrize("joined", [False, True])
+def test_ones_own_letters_write_the_word(joined):
+    own = Letter.learn(recording_of("a", "slanted"))
+    small = [Trajectory(s.t, 0.2 * s.position + 3) for s in own.write()]
+    both = (
+        word("baa", letters={"a": own}, joined=joined),
+        word("baa", letters={"a": Letter.learn(small)}, joined=joined),
+    )
+    for one, other in zip(*both, strict=True):
+        for corner in (np.min, np.max):
+            assert np.abs(corner(one.position, axis=0) - corner(other.position, axis=0)).max() < 1e-3
+    assert np.abs(points(both[0])[-1] - points(word("baa", joined=joined))[-1]).max() > 1e-3
+    recorded = word("a", letters={"a": recording_of("a", "slanted")})
+    tall = np.ptp(points(word("a"))[:, 1])
+    assert np.ptp(points(recorded)[:, 1]) == pytest.approx(tall)
+
+
+def test_the_way_between_two_strokes_has_their_velocities():
+    t = np.linspace(0, 1, 121)
+    one = Trajectory(t, 0.05 * np.column_stack([t, t**2]))
+    other = Trajectory(t, 0.05 * np.column_stack([1.6 + t, 0.8 + t - t**2]))
+    both = linked(one, other, 0.05)
+    velocity = np.diff(both.position, axis=0) / np.diff(both.t)[:, None]
+    assert np.linalg.norm(np.diff(velocity, axis=0), axis=1).max() < 0.01
+    np.testing.assert_array_equal(both.position[0], one.position[0])
+    np.testing.assert_array_equal(both.position[-1], other.position[-1])
+    s = np.array([[0.0], [1e-6], [1 - 1e-6], [1.0]])
+    way = quintic(s, *map(np.array, ((0.0, 1.0), (2.0, 3.0), (1.0, 0.0), (0.0, -1.0))))
+    np.testing.assert_allclose(way[[0, 3]], [(0, 1), (2, 3)], atol=1e-12)
+    np.testing.assert_allclose((way[1] - way[0]) / 1e-6, (1, 0), atol=1e-4)
+    np.testing.assert_allclose((way[3] - way[2]) / 1e-6, (0, -1), atol=1e-4)
+
+
+def test_what_comes_back_to_the_left_is_a_mark():
+    for character, marks in (("x", 1), ("t", 1), ("i", 1), ("o", 0), ("k", 0)):
+        assert len(body_and_marks(HANDS["round"].glyph(character))[1]) == marks, character
+
+
+def test_accents_are_written_too():
+    accented = [character for character in characters() if not character.isascii()]
+    for character in accented:
+        assert len(word(f"n{character}n", joined=True)) >= 2
+
+
+@pytest.mark.parametrize(
+    ("ask", "answer"),
+    [
+        (lambda: word(""), r"A word is letters without a space, but got ''"),
+        (lambda: word("two words"), r"but got 'two words'; teach\.lines writes text with spaces"),
+        (lambda: word("a%"), r"The alphabet 'round' has no '%'; it has: a b c"),
+        (lambda: word("%", letters={"%": recording_of("o")}), r"There is a letter for '%', but nobody knows how tall"),
+        (lambda: word("a", letters=[1]), r"letters is a list, but must be \{'a': letter\}"),
+        (lambda: word("a", x_height=0), r"x_height is 0, but must be a height from 0\.0001 to 1 m"),
+        (lambda: lines("  \n "), r"There is nothing to write in"),
+        (lambda: lines("a", margin=-1), r"margin is -1, but must be a length from 0 to 10 m"),
+        (lambda: lines("a", x_height="big"), r"x_height is 'big', but must be a height"),
+    ],
+)
+def test_what_cannot_be_written_is_said_in_a_sentence(ask, answer):
+    with pytest.raises(LetterError, match=answer):
+        ask()
+
+
+def test_an_alphabet_that_is_none_is_named_by_those_that_are():
+    with pytest.raises(RecordingError, match=r"There is no alphabet 'gothic'; there are: round, slanted"):
+        word("a", "gothic")
+
+
+def asked(x_height, width, height):
+    """The strokes, or why there are none."""
+    try:
+        return lines("go dog all along", x_height=x_height, width=width, height=height)
+    except LetterError as error:
+        return error
+
+
+TEXT = "the quick brown fox jumps over the lazy dog"
+
+
+@pytest.mark.parametrize("joined", [False, True])
+@pytest.mark.parametrize("x_height", [0.005, 0.009])
+def test_lines_stay_inside_their_margins(x_height, joined):
+    ink = points(lines(TEXT, width=0.15, height=0.2, margin=0.02, x_height=x_height, joined=joined))
+    assert np.abs(ink[:, 0]).max() <= 0.055 + 1e-9
+    assert np.abs(ink[:, 1]).max() <= 0.08 + 1e-9
+    assert ink[:, 0].min() == pytest.approx(-0.055)
+    assert ink[:, 1].max() == pytest.approx(0.08, abs=3e-4)
+
+
+def test_a_new_line_begins_at_the_left_margin_one_pitch_lower():
+    upper, lower = lines("lo\nlo", pitch=0.05), lines("lo", pitch=0.05)
+    half = len(upper) // 2
+    for first, second, same in zip(upper[:half], upper[half:], lower, strict=True):
+        np.testing.assert_allclose(second.position, first.position - (0, 0.05), atol=1e-12)
+        np.testing.assert_allclose(first.position, same.position, atol=1e-12)
+
+
+@settings(max_examples=8, deadline=None)
+@given(st.floats(0.004, 0.06), st.floats(0.06, 0.3), st.floats(0.06, 0.4))
+def test_text_fits_or_the_error_names_a_size_that_does(x_height, width, height):
+    answer = asked(x_height, width, height)
+    if isinstance(answer, LetterError) and answer.cure is not None:
+        assert answer.cure < x_height
+        assert len(asked(answer.cure, width, height)) > 12
+        assert isinstance(asked(answer.cure + 0.00011, width, height), LetterError)
+    elif isinstance(answer, LetterError):
+        assert "nothing readable fits" in str(answer)
+
+
+def test_what_does_not_fit_is_said():
+    with pytest.raises(LetterError, match=r"the word 'wide' is \d+ mm wide, but a line has 10 mm; x_height=.* fits"):
+        lines("wide", width=0.05)
+    with pytest.raises(
+        LetterError, match=r"there is room for \d lines inside the margins, but the text needs more; x_"
+    ):
+        lines(TEXT, height=0.1, x_height=0.02)
+
+
+def test_text_is_written_on_the_page_where_it_stands():
+    text = lines("two\nlines", x_height=0.01, joined=True)
+    for placed, own in zip(place(text, Page.table(), at=text.middle), text, strict=True):
+        np.testing.assert_allclose(placed.position, own.position, atol=1e-12)
+    assert repr(text).startswith("Text(")
