@@ -9,26 +9,26 @@ ALONG_X, ALONG_Y, ALONG_Z = (0, pi / 2, 0), (pi / 2, 0, 0), (0, 0, 0)
 
 COLLISIONS: dict[str, tuple] = {
     "base_link": (
-        ("cylinder", (0.264, 0.28), (0, 0, 0.15), ALONG_Z),
-        ("box", (0.34, 0.36, 0.34), (0, 0, 0.185), ALONG_Z),
+        ("cylinder", (0.287, 0.29), (0, 0, 0.145), ALONG_Z),
+        ("box", (0.34, 0.36, 0.344), (0, 0, 0.187), ALONG_Z),
     ),
     "r_wheel_link": (("cylinder", (0.0602, 0.05), (0, 0, 0), ALONG_Y),),
     "l_wheel_link": (("cylinder", (0.0602, 0.05), (0, 0, 0), ALONG_Y),),
     "torso_fixed_link": (("box", (0.136, 0.31, 0.46), (-0.1, 0, 0.212), ALONG_Z),),
     "torso_lift_link": (
-        ("box", (0.26, 0.33, 0.30), (-0.05, 0, 0.445), ALONG_Z),
-        ("box", (0.24, 0.32, 0.26), (-0.06, 0, 0.165), ALONG_Z),
+        ("box", (0.2655, 0.342, 0.308), (-0.0525, 0, 0.449), ALONG_Z),
+        ("box", (0.246, 0.342, 0.267), (-0.0625, 0, 0.162), ALONG_Z),
         ("cylinder", (0.052, 0.08), (0.1195, 0, 0.255), ALONG_Z),
     ),
     "head_pan_link": (
-        ("cylinder", (0.12, 0.10), (0, 0, 0.05), ALONG_Z),
-        ("box", (0.16, 0.03, 0.10), (0.115, 0.126, 0.055), ALONG_Z),
-        ("box", (0.16, 0.03, 0.10), (0.115, -0.126, 0.055), ALONG_Z),
+        ("cylinder", (0.125, 0.116), (0, 0, 0.055), ALONG_Z),
+        ("box", (0.163, 0.032, 0.116), (0.1165, 0.127, 0.055), ALONG_Z),
+        ("box", (0.163, 0.032, 0.116), (0.1165, -0.127, 0.055), ALONG_Z),
     ),
     "head_tilt_link": (("cylinder", (0.055, 0.21), (0, 0, 0), ALONG_Y),),
     "shoulder_pan_link": (
         ("cylinder", (0.052, 0.10), (0, 0, 0.002), ALONG_Z),
-        ("cylinder", (0.058, 0.074), (0.117, -0.0375, 0.06), ALONG_Y),
+        ("cylinder", (0.0606, 0.074), (0.117, -0.0375, 0.06), ALONG_Y),
         ("box", (0.09, 0.08, 0.09), (0.05, -0.01, 0.04), ALONG_Z),
     ),
     "shoulder_lift_link": (
@@ -45,11 +45,11 @@ COLLISIONS: dict[str, tuple] = {
     ),
     "forearm_roll_link": (
         ("cylinder", (0.052, 0.09), (0.013, 0, 0), ALONG_X),
-        ("cylinder", (0.052, 0.080), (0.1245, -0.045, 0), ALONG_Y),
+        ("cylinder", (0.052, 0.082), (0.1245, -0.046, 0), ALONG_Y),
     ),
     "wrist_flex_link": (
         ("cylinder", (0.052, 0.066), (0, 0.034, 0), ALONG_Y),
-        ("cylinder", (0.052, 0.08), (0.0765, 0, 0), ALONG_X),
+        ("cylinder", (0.054, 0.08), (0.0765, 0, 0), ALONG_X),
     ),
     "wrist_roll_link": (("cylinder", (0.0519, 0.0425), (-0.00175, 0, 0), ALONG_X),),
     "gripper_link": (("box", (0.122, 0.126, 0.079), (-0.093, 0, 0), ALONG_Z),),

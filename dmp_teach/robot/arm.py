@@ -28,6 +28,9 @@ JOINTS = (
 )
 """The joints that write; all others stand still."""
 
+KEEP = 0.0075
+"""Where the arm is judged by its posture, all solids are thought to be so much larger on every side [m]."""
+
 _here = threading.local()
 
 
@@ -44,7 +47,7 @@ class Solver:
         self.lower, self.upper = np.array([(joint.lower, joint.upper) for joint in joints]).T
         self.fastest = np.array([joint.velocity for joint in joints])
         with quiet():
-            self._robot = placo.RobotWrapper("", 0, bare_urdf())
+            self._robot = placo.RobotWrapper("", 0, bare_urdf(KEEP))
         self._solver = solver = self._robot.make_solver()
         self.state_size = len(self._robot.state.q)
         self.columns = {name: self._robot.get_joint_offset(name) for name in JOINTS}
@@ -146,7 +149,7 @@ class Solver:
         return self._robot.get_T_world_frame(link)[:3, 3]
 
     def touching(self) -> set[tuple[str, str]]:
-        """Pairs of links whose solids touch."""
+        """Pairs of links whose solids are less than twice `KEEP` apart."""
         return {
             (hit.bodyA.rpartition("_")[0], hit.bodyB.rpartition("_")[0]) for hit in self._robot.self_collisions(False)
         }

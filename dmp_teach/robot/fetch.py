@@ -1,6 +1,6 @@
 """The robot that a teacher asks to write."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -9,13 +9,14 @@ from numpy.typing import ArrayLike
 
 from dmp_teach.errors import ReachError
 from dmp_teach.robot.arm import JOINTS, Solver, solver_here
+from dmp_teach.robot.clearance import nearest
 from dmp_teach.robot.motion import Motion
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.place import place
 from dmp_teach.robot.plan import PenPlan, way_over
 from dmp_teach.robot.reach import stance_for
 from dmp_teach.robot.speed import Clock
-from dmp_teach.robot.stance import TILT, TIP, Stance
+from dmp_teach.robot.stance import TILT, TIP, TOUCHING, Stance, examined
 from dmp_teach.robot.torque import too_heavy
 from dmp_teach.trajectory import Array, Trajectory
 
@@ -68,10 +69,15 @@ class Fetch:
         placed = place(strokes, page, at, size)
         solver = solver_here()
         report("reach", 0.0)
-        stance = stance_for(solver, page, np.concatenate([stroke.position for stroke in placed]))
+        ink = np.concatenate([stroke.position for stroke in placed])
+        try:
+            stance = stance_for(solver, page, ink)
+        except ReachError as error:
+            raise _in_time(solver, page, placed, error) from None
         report("reach", 1.0)
         plan, q, poses, slowed = _joints_for(solver, stance, page, placed, report)
         _check_tip(poses["pen_tip"], plan, page)
+        close = _checked_clear(poses, page)
         motion = Motion(
             t=plan.t,
             q=q,
@@ -82,7 +88,7 @@ class Fetch:
             page=page,
             strokes=placed,
         )
-        return replace(motion, notes=(*slowed, *too_heavy(motion), *stance.notes))
+        return replace(motion, notes=(*slowed, *too_heavy(motion), *close, *stance.notes))
 
 
 def _joints_for(
@@ -127,3 +133,25 @@ def _check_tip(X_world_tip: Array, plan: PenPlan, page: Page) -> None:
             f"page's centre: {1000 * miss[row]:.1f} mm beside it, {np.degrees(tilt[row]):.1f} degrees off the upright. "
             "Write smaller, or move the page."
         )
+
+
+def _checked_clear(poses: Mapping[str, Array], page: Page) -> tuple[str, ...]:
+    """A note where the arm comes near to the robot or to what the page lies on; an error where it comes too near."""
+    first, closest = nearest(poses, page)
+    if first is not None:
+        raise ReachError(f"{first} Write smaller, or move the page away from the robot.")
+    return () if closest is None else (closest.note,)
+
+
+def _in_time(solver: Solver, page: Page, placed: tuple[Trajectory, ...], error: ReachError) -> ReachError:
+    """An error of `stance_for` with the moment and the depth, where its reason is that the arm touches the robot."""
+    ink = np.concatenate([stroke.position for stroke in placed])
+    stance = examined(solver, page, ink.min(axis=0), ink.max(axis=0))
+    if not stance.trouble.startswith(TOUCHING) or stance.trouble not in str(error):
+        return error
+    plan = way_over(placed).plan()
+    q = solver.follow(stance.q, page.normal, page.to_world(plan.position), lambda step, fraction: None)
+    first, _ = nearest(solver.model.link_poses(q, JOINTS), page)
+    if first is None:
+        return error
+    return ReachError(str(error).replace(stance.trouble, f"{TOUCHING} a{str(first)[1:]}"), cure=error.cure)

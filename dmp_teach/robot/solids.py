@@ -2,6 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
+from functools import lru_cache
 from itertools import product
 from xml.etree import ElementTree as ET
 
@@ -74,6 +75,7 @@ class Solid:
         return points @ self.X_link_solid[:3, :3].T + self.X_link_solid[:3, 3]
 
 
+@lru_cache(maxsize=4)
 def solids_of(urdf: str = "fetch.urdf") -> tuple[Solid, ...]:
     """The solids of all links of a robot among the assets."""
     found = []
@@ -86,8 +88,8 @@ def solids_of(urdf: str = "fetch.urdf") -> tuple[Solid, ...]:
     return tuple(found)
 
 
-def bare_urdf() -> str:
-    """The robot's URDF without shells, and with solids only where the arm could touch."""
+def bare_urdf(grown: float) -> str:
+    """The robot's URDF without shells, and with solids only where the arm could touch, `grown` on every side [m]."""
     root = ET.parse(ASSETS / "fetch.urdf").getroot()
     solid = ("base", "torso", "head", "shoulder", "upperarm", "elbow", "forearm", "wrist", "gripper_link")
     for link in root.iter("link"):
@@ -95,6 +97,10 @@ def bare_urdf() -> str:
             for element in link.findall(kind):
                 if kind == "visual" or not link.attrib["name"].startswith(solid):
                     link.remove(element)
+    for sides in ("radius", "length", "size"):
+        for element in root.iterfind(f".//collision/geometry/*[@{sides}]"):
+            more = grown if sides == "radius" else 2 * grown
+            element.set(sides, " ".join(f"{float(side) + more:.6g}" for side in element.attrib[sides].split()))
     return ET.tostring(root, encoding="unicode")
 
 
@@ -119,6 +125,7 @@ class Clearances:
             under[2, 3] = -_UNDER / 2
             self._solids["page"] = [Solid("page", "box", size, page.X_world_page @ under)]
             self.pairs += [(link, "page") for link in _MOVING[1:]]
+        self.links = tuple(self._points)
         self.page = [number for number, (_, other) in enumerate(self.pairs) if other == "page"]
 
     def __call__(self, poses: Mapping[str, Array]) -> Array:
@@ -130,19 +137,38 @@ class Clearances:
         Returns:
             Distances, shape (T, P) for P `pairs` [m].
         """
-        steps = len(next(iter(poses.values())))
-        poses = {**poses, "page": np.broadcast_to(np.eye(4), (steps, 4, 4))}
-        inverse = {}
-        least = np.empty((steps, len(self.pairs)))
-        for column, (link, other) in enumerate(self.pairs):
-            if other not in inverse:
-                inverse[other] = [_undone(poses[other] @ solid.X_link_solid) for solid in self._solids[other]]
-            away = [
-                solid.distance(_moved(X @ poses[link], self._points[link])).min(axis=1)
-                for solid, X in zip(self._solids[other], inverse[other], strict=True)
-            ]
-            least[:, column] = np.min(away, axis=0)
-        return least
+        return np.column_stack([self.apart(number, poses) for number in range(len(self.pairs))])
+
+    def apart(self, number: int, poses: Mapping[str, Array]) -> Array:
+        """The least distance of one of the `pairs`, shape (T,) [m]: from points on the link to the other's solids."""
+        link, other = self.pairs[number]
+        away = [
+            solid.distance(_moved(X @ poses[link], self._points[link])).min(axis=1)
+            for solid, X in zip(self._solids[other], self._seen_from(other, poses), strict=True)
+        ]
+        return np.min(away, axis=0)
+
+    def balls(self, poses: Mapping[str, Array]) -> tuple[Array, Array]:
+        """A ball around each link that moves: its centre in the world (T, L, 3) and its radius (L,) [m]."""
+        middles = {link: (points.min(axis=0) + points.max(axis=0)) / 2 for link, points in self._points.items()}
+        centres = [_moved(poses[link], middle[None])[:, 0] for link, middle in middles.items()]
+        radii = [np.linalg.norm(self._points[link] - middle, axis=1).max() for link, middle in middles.items()]
+        return np.stack(centres, axis=1), np.array(radii)
+
+    def at_least(self, poses: Mapping[str, Array]) -> Array:
+        """Less than the least distance of each pair, quickly: to the ball around its link, shape (T, P) [m]."""
+        (centres, radii), far = self.balls(poses), {}
+        for other, solids in self._solids.items():
+            seen = zip(solids, self._seen_from(other, poses), strict=True)
+            spots = (solid.distance(centres @ X[:, :3, :3].transpose(0, 2, 1) + X[:, None, :3, 3]) for solid, X in seen)
+            far[other] = np.min(list(spots), axis=0) - radii
+        links = list(self._points)
+        return np.column_stack([far[other][:, links.index(link)] for link, other in self.pairs])
+
+    def _seen_from(self, other: str, poses: Mapping[str, Array]) -> list[Array]:
+        """The world seen from each of a link's solids, each of shape (T, 4, 4); the page stands still."""
+        X = poses[other] if other != "page" else np.broadcast_to(np.eye(4), (len(next(iter(poses.values()))), 4, 4))
+        return [_undone(X @ solid.X_link_solid) for solid in self._solids[other]]
 
 
 def _may_meet(link: str, other: str) -> bool:

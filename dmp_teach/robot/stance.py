@@ -5,10 +5,12 @@ PlaCo never says that a page is out of reach; its answer is then a wrong pose, u
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import islice
 
 import numpy as np
 
 from dmp_teach.robot.arm import Solver
+from dmp_teach.robot.clearance import plain
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.plan import HOVER
 from dmp_teach.trajectory import Array, locked
@@ -33,10 +35,14 @@ POSTURES = locked([_TABLE, np.multiply(_TABLE, _MIRROR), _BOARD, np.multiply(_BO
 STRAINED = 2.5
 """A stance that asks more than this of a joint's speed limit is nearly stretched out."""
 
+TOUCHING = "The arm would touch the robot:"
+"""How the trouble begins where the arm comes against the robot."""
+
 _COMFORTABLE = 1.6  # of a joint's limit, at SWIFT in the worst place: good enough to stop looking
 _STOP = 0.02  # this near to its stop a joint is at it [rad], and then ...
 _JAMMED = STRAINED - 0.01  # ... the effort is at least this
-_RANDOM = 25  # near the body, one random start in ten finds a way past it
+_FEW = 9  # postures are tried where the arm is stretched out ...
+_RANDOM = 25  # ... and these as well where it cannot stand: near the body one in ten finds a way past it
 _CLEAR = 0.055  # the forearm's radius, and a little [m]
 _FOREARM = ("elbow_flex_link", "forearm_roll_link", "wrist_flex_link", "wrist_roll_link", "gripper_link")
 _CHAIN = ("torso_lift", "shoulder_pan", "shoulder_lift", "upperarm_roll", *(name[:-5] for name in _FOREARM))
@@ -62,26 +68,29 @@ class Stance:
     notes: tuple[str, ...] = ()
 
 
-def examined(solver: Solver, page: Page, low: Array, high: Array) -> Stance:
-    """The verdict on a part of a page from `low` to `high` (2,); a page is examined once."""
-    key = tuple(part.tobytes() for part in (page.X_world_page, page.size, low, high))
+def examined(solver: Solver, page: Page, low: Array, high: Array, quick: bool = False) -> Stance:
+    """The verdict on a part of a page from `low` to `high` (2,); a page is examined once.
+
+    A quick one knows fewer postures: it may find trouble where there is none, and never the other way round.
+    """
+    key = (*(part.tobytes() for part in (page.X_world_page, page.size, low, high)), quick)
     if key not in solver.verdicts:
         if len(solver.verdicts) > 200:
             solver.verdicts.clear()
-        solver.verdicts[key] = _examine(solver, page, low, high)
+        solver.verdicts[key] = _examine(solver, page, low, high, _FEW if quick else None)
     return solver.verdicts[key]
 
 
-def _examine(solver: Solver, page: Page, low: Array, high: Array) -> Stance:
+def _examine(solver: Solver, page: Page, low: Array, high: Array, most: int | None) -> Stance:
     """The first comfortable stance, or the one that asks least of the joints, or what the trouble is."""
     best = None
     if trouble := in_the_body(page):
         return Stance(POSTURES[0], np.zeros(3), np.inf, trouble)
-    for posture in _postures(solver, page):
+    for number, posture in enumerate(islice(_postures(solver, page), most)):
         stance = _tried(solver, posture, page, low, high)
         if best is None or (bool(stance.trouble), stance.effort) < (bool(best.trouble), best.effort):
             best = stance
-        if not stance.trouble and stance.effort < _COMFORTABLE:
+        if not best.trouble and (best.effort < _COMFORTABLE or number + 1 >= _FEW):
             break
     return best
 
@@ -130,10 +139,11 @@ def _tried(solver: Solver, posture: Array, page: Page, low: Array, high: Array) 
 def _hurry(solver: Solver, one: tuple[Array, Array], other: tuple[Array, Array]) -> float:
     """What the joints must do on the way from one place to another (place, joints), at `SWIFT`, in parts of limits.
 
-    An arm that is straight between the two, and bent at both, shows in nothing else.
+    An arm that is straight between the two, and bent at both, shows in nothing else. Nor does a joint that passes half
+    a turn: its angle starts again from the other side, and PlaCo would pull it all the way back to its posture.
     """
     far = np.linalg.norm(other[0] - one[0])
-    turned = np.abs(np.angle(np.exp(1j * (other[1] - one[1]))))[1:]
+    turned = np.abs(other[1] - one[1])[1:]
     return float((SWIFT * turned / solver.fastest[1:]).max() / far) if far > 1e-3 else 0.0
 
 
@@ -162,11 +172,10 @@ def _trouble(solver: Solver, page: Page, spot: Array) -> str:
         return "The arm cannot get from one end of the ink to the other without changing its posture."
     for link in _FOREARM:
         if page.to_page(solver.place_of(link))[2] < _CLEAR:
-            return f"The arm's {link.removesuffix('_link').replace('_', ' ')} would go through what the page lies on."
-    for pair in solver.touching():
-        one, other = (link.removesuffix("_link") for link in pair)
-        if not _neighbours(one, other):
-            return f"The arm would touch the robot: its {one.replace('_', ' ')} and its {other.replace('_', ' ')}."
+            return f"The arm's {plain(link)} would go through what the page lies on."
+    for pair in sorted(solver.touching()):
+        if not _neighbours(*(link.removesuffix("_link") for link in pair)):
+            return f"{TOUCHING} its {plain(pair[0])} and its {plain(pair[1])}."
     return ""
 
 

@@ -1,9 +1,12 @@
+from xml.etree import ElementTree as ET
+
 import numpy as np
 import pytest
 
-from dmp_teach.robot.arm import JOINTS, solver_here
+from dmp_teach.paths import ASSETS
+from dmp_teach.robot.arm import JOINTS, KEEP, solver_here
 from dmp_teach.robot.page import Page
-from dmp_teach.robot.solids import Clearances, Solid, solids_of
+from dmp_teach.robot.solids import Clearances, Solid, bare_urdf, solids_of
 from tests.robot.sound import LIMITS, MODEL
 
 SOLIDS = {
@@ -38,7 +41,7 @@ def test_the_points_on_a_surface_leave_no_wide_gap(solid):
 
 
 def test_it_agrees_with_placo_on_what_touches():
-    """Another method for the same solids: PlaCo asks coal whether they overlap, we ask how far they are apart."""
+    """Another method for the same solids: PlaCo asks coal whether they overlap when each is larger by `KEEP`."""
     pytest.importorskip("placo", reason="PlaCo is not on this platform")
     solver, clearances = solver_here(), Clearances()
     q = np.random.default_rng(2).uniform(LOW, HIGH, (150, len(JOINTS)))
@@ -51,12 +54,43 @@ def test_it_agrees_with_placo_on_what_touches():
             known = not link.startswith(("pen", "r_grip", "l_grip")) and not other.startswith(
                 ("pen", "r_grip", "l_grip")
             )
-            if known and distance < -0.001:
+            if known and distance < 2 * KEEP - 0.001:
                 assert frozenset((link, other)) in touching
                 touched += 1
-            if distance > 0.015:
+            if distance > 0.015 + 2 * np.sqrt(3) * KEEP:
                 assert frozenset((link, other)) not in touching
     assert touched > 30
+
+
+@pytest.mark.parametrize("grown", [0.0, KEEP])
+def test_solids_grow_on_every_side(grown):
+    sizes = [
+        [float(side) for name in ("size", "radius", "length") for side in shape.get(name, "").split()]
+        for shape in ET.fromstring(bare_urdf(grown)).iterfind(".//collision/geometry/*")
+    ]
+    plain = [
+        solid.size + (2 * grown if solid.kind == "box" else np.array([1, 2]) * grown)
+        for solid in solids_of()
+        if solid.link.startswith(("base", "torso", "head", "shoulder", "upper", "elbow", "fore", "wrist", "gripper_l"))
+    ]
+    assert len(sizes) == len(plain)
+    for size, expected in zip(sizes, plain, strict=True):
+        np.testing.assert_allclose(size, expected, atol=1e-6)
+
+
+def test_no_solid_is_smaller_than_the_real_link():
+    """Judged by the boxes around the real links; wheels and laser are inside the base's cylinder."""
+    lines = [line.split(",") for line in (ASSETS / "fetch_links.csv").read_text(encoding="utf-8").splitlines()]
+    rows = [dict(zip(lines[0], line, strict=True)) for line in lines[1:]]
+    compared = 0
+    for row in rows:
+        ours = [solid.surface() for solid in solids_of() if solid.link == row["link"]]
+        if ours and row["xmin"] and not row["link"].startswith(("r_wheel", "l_wheel", "estop", "laser")):
+            points, compared = np.concatenate(ours), compared + 1
+            for column, axis in enumerate("xyz"):
+                assert points[:, column].min() <= float(row[f"{axis}min"]) + 0.004, row["link"]
+                assert points[:, column].max() >= float(row[f"{axis}max"]) - 0.004, row["link"]
+    assert compared >= 14
 
 
 def test_a_page_is_a_block_that_goes_on_beyond_its_edge():

@@ -1,0 +1,99 @@
+import re
+
+import numpy as np
+import pytest
+from hypothesis import strategies as st
+
+from dmp_teach.errors import ReachError
+from dmp_teach.robot import fetch
+from dmp_teach.robot.arm import JOINTS
+from dmp_teach.robot.clearance import AROUND, LEAST, THIN, Near, nearest, plain
+from dmp_teach.robot.fetch import Fetch
+from dmp_teach.robot.page import Page
+from dmp_teach.robot.solids import Clearances
+from tests.robot import ink
+from tests.robot.ink import LETTER, law
+from tests.robot.sound import LIMITS, MODEL
+
+pytest.importorskip("placo", reason="PlaCo is not on this platform")
+
+LOW = np.array([max(joint.lower, -np.pi) for joint in LIMITS])
+HIGH = np.array([min(joint.upper, np.pi) for joint in LIMITS])
+
+
+def brute(poses, page):
+    """The least distance of every pair that counts, at every sample."""
+    clearances = Clearances(page, AROUND)
+    counts = [number for number, pair in enumerate(clearances.pairs) if not (pair[1] == "page" and "pen" in pair[0])]
+    return clearances(poses)[:, counts]
+
+
+@law(examples=15, seed=st.integers(0, 10**6), speed=st.floats(0.1, 2.0))
+def test_looking_at_some_samples_finds_what_looking_at_all_of_them_finds(seed, speed):
+    rng = np.random.default_rng(seed)
+    start, end = rng.uniform(LOW, HIGH, (2, len(JOINTS)))
+    q = start + np.linspace(0, speed / 2, 77)[:, None] * (end - start)
+    poses, page = MODEL.link_poses(q, JOINTS), Page.table(y=0.5)
+    away = brute(poses, page)
+    first, closest = nearest(poses, page)
+    assert (closest is None) == (away.min() >= THIN)
+    assert (first is None) == (away.min() >= LEAST)
+    if closest is not None:
+        assert closest.distance == pytest.approx(away.min(), abs=1e-12)
+    if first is not None:
+        assert first.row == np.argmax((away < LEAST).any(axis=1))
+
+
+@law(examples=10, letter=ink.letters(), page=st.sampled_from([Page.table(x=0.4), Page.board(), Page.table(z=0.5)]))
+def test_what_is_written_keeps_clear_of_the_robot_and_the_table_at_every_sample(letter, page):
+    motion = Fetch().write(letter, page)
+    assert brute(MODEL.link_poses(motion.q, JOINTS), page).min() >= LEAST
+
+
+def refusal(page):
+    with pytest.raises(ReachError) as caught:
+        Fetch().write(LETTER, page)
+    return caught.value
+
+
+@pytest.mark.parametrize("page", [Page.board(x=0.45), Page.board(x=0.4)], ids=repr)
+def test_a_page_too_near_is_refused_with_the_pair_the_moment_the_depth_and_a_page_that_works(page):
+    error = refusal(page)
+    assert re.match(
+        r"The arm would touch the robot: after \d\.\d\d s the arm's (wrist|gripper|forearm|elbow|upper arm) would "
+        r"(go into|come within \d+ mm of) the robot's (head|torso|base|shoulder)(, \d+ mm deep|; 10 mm must .*)\. Try",
+        str(error),
+    )
+    assert repr(error.cure) in str(error)
+    motion = Fetch().write(LETTER, error.cure)
+    assert brute(MODEL.link_poses(motion.q, JOINTS), error.cure).min() >= LEAST
+
+
+@pytest.mark.parametrize("x", [0.2, 0.1])
+def test_a_page_in_the_robots_lap_is_refused_with_a_page_that_works(x):
+    error = refusal(Page.table(x=x))
+    assert "body" in str(error)
+    assert "Try Page.table(x=0." in str(error)
+    assert Fetch().write(LETTER, error.cure).page is error.cure
+
+
+def test_what_the_stance_did_not_foresee_is_refused_too(monkeypatch):
+    monkeypatch.setattr(fetch, "nearest", lambda poses, page: 2 * (Near(240, -0.004, "forearm_roll_link", "page"),))
+    with pytest.raises(
+        ReachError,
+        match=r"After 1\.00 s the arm's forearm would go into what the page lies on, 4 mm deep\. Write smaller, or",
+    ):
+        Fetch().write(LETTER, Page.table())
+
+
+def test_a_thin_margin_is_noted(monkeypatch):
+    monkeypatch.setattr(
+        fetch, "nearest", lambda poses, page: (None, Near(120, 0.0152, "elbow_flex_link", "torso_lift_link"))
+    )
+    notes = Fetch().write(LETTER, Page.table()).notes
+    assert notes == ("after 0.50 s the arm's elbow comes within 15 mm of the robot's torso",)
+
+
+def test_every_part_has_a_plain_name():
+    pairs = Clearances(Page.table()).pairs
+    assert not [link for pair in pairs for link in pair if "_" in plain(link) or "link" in plain(link)]
