@@ -12,6 +12,8 @@ import json
 import os
 from typing import Any
 
+import numpy as np
+
 from dmp_teach.errors import RecordingError
 from dmp_teach.ink.opening import contents
 from dmp_teach.ink.plain_json import is_number, is_pseudonym, loaded, must
@@ -21,6 +23,7 @@ from dmp_teach.paths import write_whole
 FORMAT = "dmp_teach recording"
 VERSION = 2
 VERSIONS = (1, VERSION)
+FARTHEST = 1e6  # larger numbers are no places [m]
 UNITS = {"t": "s", "x": "m", "y": "m", "z": "m"}
 FIELDS = ("format", "version", "character", "writer", "baseline", "units", "strokes", "pressure", "samples")
 
@@ -68,6 +71,8 @@ def to_json(recording: Recording) -> str:
     if not isinstance(recording, Recording):
         raise RecordingError(f"A {type(recording).__name__} cannot be written as ink; give a Recording.")
     check_pseudonym(recording.writer)
+    far = float(np.abs(recording.position).max())
+    must(far <= FARTHEST, "the farthest place", far, f"at most {FARTHEST:.0f} m away")
     head = {
         "format": FORMAT,
         "version": VERSION,
@@ -122,6 +127,7 @@ def _samples(rows: Any) -> list[list[float]]:
     for k, row in enumerate(rows):
         good = isinstance(row, list) and len(row) == len(UNITS) and all(map(is_number, row))
         must(good, f"samples[{k}]", row, "four finite numbers [t, x, y, z]")
+        must(max(map(abs, row[1:])) <= FARTHEST, f"samples[{k}]", row, f"at most {FARTHEST:.0f} m away")
     return rows
 
 

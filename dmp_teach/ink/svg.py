@@ -36,7 +36,7 @@ MOST = 100_000  # segments in a drawing
 LONGEST = 1000  # characters in a transform
 MOST_TEXT = 4_000_000  # characters that describe a path
 POINTS = (8, 128)  # on one curve
-MOST_POINTS = 200_000  # on all curves
+MOST_POINTS = 60_000  # on all curves
 BY = re.compile(r"(?:(.*) )?by (\S+)")
 
 

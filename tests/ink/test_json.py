@@ -114,6 +114,7 @@ MALFORMED = {
     "text in a row": ({"samples": [ROW, [0.4, "1", 0, 0]]}, "samples[1] is [0.4, '1', 0, 0], but must be four"),
     "null in a row": ({"samples": [ROW, [0.4, None, 0, 0]]}, "samples[1] is [0.4, None, 0, 0], but must be four"),
     "an endless number": ({"samples": [ROW, [10**400, 0, 0, 0]]}, "but must be four finite numbers"),
+    "another planet": ({"samples": [ROW, [1, 0, 2e6, 0]]}, "samples[1] is [1, 0, 2000000.0, 0], but must be at most 1"),
     "time standing still": ({"samples": [ROW] * 3}, "times must increase"),
 }
 
@@ -223,6 +224,11 @@ def test_a_write_that_fails_leaves_what_was_there(tmp_path, monkeypatch, broken)
 def test_a_folder_that_is_not_there_cannot_be_written_to(tmp_path):
     with pytest.raises(PathError, match=r"There is no folder .*nowhere"):
         write_json(recording_of("a"), tmp_path / "nowhere" / "a.json")
+
+
+def test_places_that_could_not_be_read_again_are_not_written(tmp_path):
+    with pytest.raises(RecordingError, match=r"the farthest place is 2000000\.0, but must be at most 1000000 m away"):
+        write_json(Recording([0.0, 1.0], [[0, 0, 0], [0, 2e6, 0]]), tmp_path / "a.json")
 
 
 def test_only_a_recording_is_written(tmp_path):
