@@ -14,11 +14,15 @@ MARK = 0.6  # a stroke shorter than this part of the longest is a dot, a cross o
 QUICKEST, SLOWEST = 0.06, 0.6  # how long the way between two letters takes [s]
 
 
-def body_and_marks(strokes: Sequence[Trajectory]) -> tuple[tuple[Trajectory, ...], tuple[Trajectory, ...]]:
-    """The strokes that a word is joined by, and those that come after it: dots, crosses, accents.
+def body_and_marks(
+    character: str, strokes: Sequence[Trajectory]
+) -> tuple[tuple[Trajectory, ...], tuple[Trajectory, ...]]:
+    """The strokes that a word is joined by, and those that come after it: dots, crosses, accents of small letters.
 
-    A mark is not the first stroke, and is short, or leads back to the left as the second one of an x does.
+    A mark is short, or leads back to the left as the second stroke of an x does. Capitals and digits have none.
     """
+    if not character.islower():
+        return tuple(strokes), ()
     longest = max(long(stroke.position) for stroke in strokes)
 
     def is_mark(stroke: Trajectory) -> bool:

@@ -11,6 +11,9 @@ from dmp_teach.letters.piece import Piece
 STRAIGHT = 0.9
 """A stroke is a bar or an arm if its ends are as far apart as this part of its length."""
 
+CROOKED = 0.8  # not even beside a bowl is it a bar if it is not straighter than this ...
+CLEARLY = 0.1  # ... and straighter than the bowl by this
+
 Pieces = tuple[Piece, ...]
 
 
@@ -118,8 +121,8 @@ def _bar_then_bowl(strokes: Pieces) -> Pieces:
     for among in (strokes, _parts(strokes)):
         if len(among) > 1:
             bar, bowl = (among[k] for k in bar_and_bowl([piece.drawn for piece in among]))
-            path = bar.drawn.position
-            if straightness(path) > STRAIGHT and is_upright(path) and straightness(bowl.drawn.position) < STRAIGHT:
+            path, clear = bar.drawn.position, straightness(bowl.drawn.position) + CLEARLY
+            if is_upright(path) and straightness(path) > max(clear, CROOKED):
                 return bar, bowl
     upright = [piece for piece in _parts(strokes) if _is_straight(piece) and is_upright(piece.drawn.position)]
     return tuple(sorted(upright, key=_length)[-1:])

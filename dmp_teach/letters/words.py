@@ -115,10 +115,9 @@ class Hand:
     def word(self, text: str, joined: bool) -> Strokes:
         """The strokes of one word in the size of the alphabet, from x = 0 on, each on the clock of its letter."""
         glyphs = [self.glyph(character) for character in text]
-        parts = [body_and_marks(glyph) for glyph in glyphs]
         links = [
-            joined and can_leave(one, body) and can_arrive(other)
-            for (one, other), (body, _) in zip(pairwise(text), parts, strict=False)
+            joined and can_leave(one, body_and_marks(one, glyph)[0]) and can_arrive(other)
+            for (one, other), glyph in zip(pairwise(text), glyphs[:-1], strict=True)
         ]
         steps = [
             distance(before, after, self.x_height, link)
@@ -128,39 +127,32 @@ class Hand:
             tuple(_moved(stroke, (right, 0.0)) for stroke in glyph)
             for glyph, right in zip(glyphs, np.cumsum([0.0, *steps]), strict=True)
         ]
-        strokes = self._written(moved, links) if joined else tuple(stroke for glyph in moved for stroke in glyph)
+        strokes = self._joined(text, moved, links) if joined else [stroke for glyph in moved for stroke in glyph]
         left = min(float(stroke.position[:, 0].min()) for stroke in strokes)
         return tuple(_moved(stroke, (-left, 0.0)) for stroke in strokes)
 
-    def _written(self, glyphs: Sequence[Strokes], links: Sequence[bool]) -> Strokes:
+    def _joined(self, text: str, glyphs: Sequence[Strokes], links: Sequence[bool]) -> list[Trajectory]:
         """Letters in place, joined where they link, then the marks from left to right."""
         strokes: list[Trajectory] = []
         marks: list[Trajectory] = []
-        for glyph, link in zip(glyphs, [False, *links], strict=True):
-            body, late = body_and_marks(glyph)
+        for character, glyph, link in zip(text, glyphs, [False, *links], strict=True):
+            body, late = body_and_marks(character, glyph)
             marks += late
             if link:
                 strokes[-1] = linked(strokes[-1], body[0], self.x_height)
             strokes += body[1:] if link else body
-        return (*strokes, *sorted(marks, key=lambda mark: float(mark.position[:, 0].min())))
+        return strokes + sorted(marks, key=lambda mark: float(mark.position[:, 0].min()))
 
 
 def placed(words: Sequence[Strokes], spots: Sequence[tuple[float, float]], scale: float) -> Text:
-    """Words in their places (the left end of each on its line [m]), on one clock from 0.
-
-    Strokes that follow each other in one letter keep the pause that they had there.
-    """
+    """Words in their places (the left end of each on its line [m]), one stroke after the other from 0 s on."""
     strokes: list[Trajectory] = []
-    last = None
     for own, spot in zip(words, spots, strict=True):
         for stroke in own:
-            position = stroke.position * scale + spot
-            begin = 0.0
+            position, begin = stroke.position * scale + spot, 0.0
             if strokes:
-                pause = stroke.t[0] - last.t[-1] if 0 < stroke.t[0] - last.t[-1] < 1 else None
-                begin = strokes[-1].t[-1] + (pause or pause_before(strokes[-1].position[-1], position[0]))
+                begin = strokes[-1].t[-1] + pause_before(strokes[-1].position[-1], position[0])
             strokes.append(Trajectory(stroke.t - stroke.t[0] + begin, position))
-            last = stroke
     return Text(strokes)
 
 

@@ -15,6 +15,7 @@ from dmp_teach.letters.lines import lines
 from dmp_teach.letters.linking import body_and_marks, linked, quintic
 from dmp_teach.letters.spacing import distance
 from dmp_teach.letters.words import Hand, word
+from dmp_teach.robot.fetch import Fetch
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.place import place
 from dmp_teach.trajectory import Trajectory
@@ -174,8 +175,8 @@ def test_the_way_between_two_strokes_has_their_velocities():
 
 
 def test_what_comes_back_to_the_left_is_a_mark():
-    for character, marks in (("x", 1), ("t", 1), ("i", 1), ("o", 0), ("k", 0)):
-        assert len(body_and_marks(HANDS["round"].glyph(character))[1]) == marks, character
+    for character, marks in (("x", 1), ("t", 1), ("i", 1), ("o", 0), ("k", 0), ("H", 0), ("A", 0), ("5", 0)):
+        assert len(body_and_marks(character, HANDS["round"].glyph(character))[1]) == marks, character
 
 
 def test_accents_are_written_too():
@@ -214,6 +215,15 @@ def asked(x_height, width, height):
         return lines("go dog all along", x_height=x_height, width=width, height=height)
     except LetterError as error:
         return error
+
+
+def test_the_robot_writes_text_as_one_motion_where_it_stands():
+    pytest.importorskip("placo")
+    text = lines("go\nup", x_height=0.012, joined=True)
+    motion = Fetch().write(text, Page.table(), at=text.middle)
+    assert len(motion.strokes) == len(text)
+    assert np.abs(points(motion.strokes) - points(text)).max() < 1e-9
+    assert np.linalg.norm(motion.tip - motion.target, axis=1).max() < 1e-4
 
 
 TEXT = "the quick brown fox jumps over the lazy dog"
