@@ -1,12 +1,15 @@
 """What a person wrote: where the pen was, and when, before anybody smooths or cuts it."""
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Self
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.ink.strokes import find_strokes
+from dmp_teach.ink import cuts
+from dmp_teach.ink.printed_rules import rule_named
 from dmp_teach.trajectory import Array, Trajectory, locked
 
 
@@ -65,26 +68,71 @@ class Recording:
         """From the first sample to the last [s]."""
         return float(self.t[-1] - self.t[0])
 
-    def strokes(self, theta: float = 0.10, sigma: float = 0.006) -> tuple[Trajectory, ...]:
+    def strokes(self, theta: float = 0.10, sigma: float = 0.006, rule: str = "foot") -> tuple[Trajectory, ...]:
         """The parts that left ink, in the order in which they were written.
 
-        Strokes that the file or the pad gave are kept as they are, whatever theta and sigma say.
+        Strokes that the file or the pad gave, or that were cut by hand, are kept as they are, whatever theta, sigma and
+        rule say; `with_strokes(None)` gives a recording that has them found again.
 
         Args:
             theta: How fast the pen must rise to leave the paper [m/s].
-            sigma: How high it must rise over the foot of its own lift to have left the paper [m].
+            sigma: How high it must rise to have left the paper: by the rule "foot" over the foot of its own lift, by
+                the other two over the mean height of the recording [m].
+            rule: "foot" (works), or the paper's: "printed" to the letter, "authors" as they meant it
+                (`dmp_teach.ink.printed_rules` says what we take them to be).
 
         Returns:
             2-D trajectories on this recording's clock: the raw samples, never smoothed.
 
         Raises:
-            SettingError: theta or sigma is not a positive number.
+            SettingError: theta or sigma is not a positive number, or there is no such rule.
             RecordingError: Nothing was written.
         """
-        spans = self.given_strokes
-        if spans is None:
-            spans = find_strokes(self.t, self.position, theta, sigma)
-        return tuple(Trajectory(self.t[a:b], self.position[a:b, :2]) for a, b in spans)
+        return tuple(Trajectory(self.t[a:b], self.position[a:b, :2]) for a, b in self._spans(theta, sigma, rule))
+
+    def with_strokes(self, times: Sequence[tuple[float, float]] | None) -> Self:
+        """The recording with its strokes cut by hand, and kept so from now on: learned, and written to files.
+
+        Args:
+            times: The first and the last moment of each stroke on this recording's clock, in order, such as
+                `[(0.66, 2.39), (3.67, 8.20)]` [s]; None lets the rule find them again.
+
+        Raises:
+            RecordingError: Not such pairs, a time outside the recording, or strokes that overlap.
+        """
+        return replace(self, given_strokes=None if times is None else cuts.timed(self.t, times))
+
+    def moved_cut(self, stroke: int, end: str, time: float) -> Self:
+        """One end of a stroke moved by hand, the others kept as they are.
+
+        Args:
+            stroke: Counted from 0.
+            end: "start" or "end".
+            time: Where it is now, on this recording's clock [s].
+
+        Raises:
+            RecordingError: No such stroke or time, or it would meet another stroke.
+        """
+        return replace(self, given_strokes=cuts.moved(self.t, self._spans(), stroke, end, time))
+
+    def split(self, stroke: int, time: float) -> Self:
+        """A stroke cut in two at a time [s]; refused where a part would have fewer than 2 samples."""
+        return replace(self, given_strokes=cuts.split(self.t, self._spans(), stroke, time))
+
+    def joined(self, stroke: int) -> Self:
+        """A stroke and the next one as one, with what lies between; refused for the last one."""
+        return replace(self, given_strokes=cuts.joined(self._spans(), stroke))
+
+    def without(self, stroke: int) -> Self:
+        """The recording without one of its strokes; refused for the only one."""
+        return replace(self, given_strokes=cuts.without(self._spans(), stroke))
+
+    def _spans(self, theta: float = 0.10, sigma: float = 0.006, rule: str = "foot") -> tuple[tuple[int, int], ...]:
+        """The strokes as pairs (start, end) of samples."""
+        found_by = rule_named(rule)
+        if self.given_strokes is not None:
+            return self.given_strokes
+        return found_by(self.t, self.position, theta, sigma)
 
     def __repr__(self) -> str:
         """In one line, without the numbers."""

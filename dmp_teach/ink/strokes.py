@@ -74,9 +74,7 @@ def find_strokes(t: Array, position: Array, theta: float = 0.10, sigma: float = 
         SettingError: theta or sigma is not a positive number.
         RecordingError: Nothing was written.
     """
-    for name, value, unit in (("theta", theta, "m/s"), ("sigma", sigma, "m")):
-        if isinstance(value, bool) or not isinstance(value, Real) or not 0 < value < np.inf:
-            raise SettingError(f"{name} is {value!r}, but it must be a positive number [{unit}].")
+    check_thresholds(theta, sigma)
     motion, clock = _evenly(t, position)
     spans = _written(motion, _touching(motion, theta, sigma))
     edges = [(int(np.searchsorted(t, clock[a])), int(np.searchsorted(t, clock[b - 1], side="right"))) for a, b in spans]
@@ -84,6 +82,13 @@ def find_strokes(t: Array, position: Array, theta: float = 0.10, sigma: float = 
     if not strokes:
         raise RecordingError("There is no writing here: the pen never moves along the page while it is down.")
     return strokes
+
+
+def check_thresholds(theta: float, sigma: float) -> None:
+    """Raise a SettingError unless both are positive numbers."""
+    for name, value, unit in (("theta", theta, "m/s"), ("sigma", sigma, "m")):
+        if isinstance(value, bool) or not isinstance(value, Real) or not 0 < value < np.inf:
+            raise SettingError(f"{name} is {value!r}, but it must be a positive number [{unit}].")
 
 
 def smoothed(values: Array, dt: float, cutoff: float) -> Array:

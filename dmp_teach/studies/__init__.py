@@ -10,7 +10,7 @@ _HOME = {
     "redraw": ("redrawn", "four_widths"),
     "new_letters": ("p_from_d",),
     "style": ("attribution",),
-    "lifts": ("segmentation", "printed_strokes"),
+    "lifts": ("segmentation",),
     "shapes": ("any_shape", "random_ink"),
     "closeness": ("goals_near_start",),
     "beginnings": ("first_moments",),

@@ -1,4 +1,4 @@
-"""Strokes found as the paper prints it, beside the rule of the local foot."""
+"""Strokes found by the rule of the local foot, beside the two readings of the paper's rule."""
 
 from concurrent.futures import Executor
 from dataclasses import dataclass
@@ -7,17 +7,29 @@ from typing import Any
 import numpy as np
 
 from dmp_teach.errors import RecordingError
+from dmp_teach.ink.printed_rules import RULES
 from dmp_teach.ink.recording import Recording
-from dmp_teach.ink.strokes import runs
 from dmp_teach.studies.material import recordings_of
 from dmp_teach.studies.tables import Rows, Tabled
 from dmp_teach.studies.work import Progress, run
-from dmp_teach.trajectory import Array
+from dmp_teach.trajectory import Trajectory
 
-THETA, SIGMA = 0.10, 0.006
 NEAR = 0.05  # an end is right if it is this near to the true one [s]
 PATIENT = tuple((0.10, s) for s in (0.003, 0.006, 0.009, 0.012)) + tuple((0.08, s) for s in (0.003, 0.006, 0.010))
 """Settings of the local rule over which its count should not change: theta [m/s], sigma [m]."""
+
+
+@dataclass(frozen=True)
+class Found:
+    """What one rule says of one recording.
+
+    Args:
+        strokes: How many strokes it finds.
+        right: Whether that count and every end is right, to 0.05 s.
+    """
+
+    strokes: int
+    right: bool
 
 
 @dataclass(frozen=True)
@@ -27,19 +39,20 @@ class Lifts:
     Args:
         name: Letter and writer.
         strokes: How many strokes it has.
-        known: Whether the strokes are known from the source; else they are those of the local rule.
-        printed: How many the printed rule finds, the inequality turned round so that it can find any.
-        right: Whether the printed rule gets the count and every end right, to 0.05 s.
-        literal: Whether it does with the inequality as printed, |z - mu_z| < sigma.
+        known: Whether the strokes are known from the source or cut by hand; else they are those of the local rule,
+            which is then right by definition.
+        foot: What the rule of the local foot finds.
+        authors: What the paper's rule finds with its second inequality turned round.
+        printed: What it finds to the letter.
         steady: Whether the local rule gives the same count for every theta and sigma of `PATIENT`.
     """
 
     name: str
     strokes: int
     known: bool
-    printed: int
-    right: bool
-    literal: bool
+    foot: Found
+    authors: Found
+    printed: Found
     steady: bool
 
 
@@ -50,14 +63,20 @@ class Segmentation(Tabled):
     items: tuple[Lifts, ...]
 
     def rows(self) -> Rows:
-        """One for each recording."""
+        """One for each recording: strokes by each rule, and whether all of its ends are right."""
         return tuple(
             {
                 "recording": item.name,
                 "strokes": item.strokes,
-                "as printed": item.printed,
-                "ends right": item.right,
-                "literally": item.literal,
+                "source": "known" if item.known else "local rule",
+                **{
+                    column: value
+                    for name in RULES
+                    for column, value in (
+                        (name, getattr(item, name).strokes),
+                        (f"{name}: ends right", getattr(item, name).right),
+                    )
+                },
                 "local rule steady": item.steady,
             }
             for item in self.items
@@ -70,7 +89,7 @@ def segmentation(
     """The paper's rule for strokes (its equations 12 and 13) on every recording with a lift, beside the local one.
 
     A stroke ends, as printed, where dz/dt > theta; or z is far from the plane, where the paper prints |z - mu_z| <
-    sigma with the mean height mu_z of the whole recording and means the opposite. Both readings are tried.
+    sigma and means the opposite. Both readings are tried, `dmp_teach.ink.printed_rules` says how.
 
     Args:
         recordings: Recordings or files (strokes have no height and are left out); None takes our own alphabets.
@@ -82,23 +101,6 @@ def segmentation(
     return Segmentation(tuple(item for item in found if item is not None))
 
 
-def printed_strokes(recording: Recording, literal: bool = False) -> tuple[tuple[int, int], ...]:
-    """Runs of samples that the printed rule takes for strokes.
-
-    Args:
-        recording: With a height.
-        literal: The inequality as printed.
-
-    Returns:
-        Pairs (start, end) of samples, end not included; runs of one sample are left out.
-    """
-    z = recording.position[:, 2]
-    rising = np.gradient(z, recording.t) > THETA
-    off = np.abs(z - z.mean())
-    lifted = rising & (off < SIGMA) if literal else rising | (off > SIGMA)
-    return tuple((a, b) for a, b in runs(~lifted) if b - a >= 2)
-
-
 def _compared(recording: Recording) -> Lifts | None:
     """One recording; None where the pen was never lifted."""
     truth = recording.strokes()
@@ -106,24 +108,25 @@ def _compared(recording: Recording) -> Lifts | None:
     if len(truth) < 2 or flat:
         return None
     name = f"{recording.character or '?'} {recording.writer or '?'}"
-    printed = printed_strokes(recording)
-    right = _agrees(recording.t, printed, truth)
-    literal = _agrees(recording.t, printed_strokes(recording, literal=True), truth)
-    known = recording.given_strokes is not None
-    return Lifts(name, len(truth), known, len(printed), right, literal, _steady(recording, len(truth)))
+    plain = recording.with_strokes(None)
+    found = {rule: _found(plain, rule, truth) for rule in RULES}
+    return Lifts(name, len(truth), recording.given_strokes is not None, **found, steady=_steady(plain, len(truth)))
 
 
-def _agrees(t: Array, spans: tuple[tuple[int, int], ...], truth: tuple) -> bool:
-    """Whether the count and all ends are right."""
-    if len(spans) != len(truth):
-        return False
-    ends = [(t[a] - s.t[0], t[b - 1] - s.t[-1]) for (a, b), s in zip(spans, truth, strict=True)]
-    return bool(np.abs(ends).max() <= NEAR)
+def _found(plain: Recording, rule: str, truth: tuple[Trajectory, ...]) -> Found:
+    """What a rule says, judged by the true strokes."""
+    try:
+        strokes = plain.strokes(rule=rule)
+    except RecordingError:
+        return Found(0, False)
+    if len(strokes) != len(truth):
+        return Found(len(strokes), False)
+    ends = [(s.t[0] - other.t[0], s.t[-1] - other.t[-1]) for s, other in zip(strokes, truth, strict=True)]
+    return Found(len(strokes), bool(np.abs(ends).max() <= NEAR))
 
 
-def _steady(recording: Recording, count: int) -> bool:
+def _steady(plain: Recording, count: int) -> bool:
     """Whether the local rule gives this count everywhere."""
-    plain = Recording(recording.t, recording.position)
     try:
         return all(len(plain.strokes(theta, sigma)) == count for theta, sigma in PATIENT)
     except RecordingError:

@@ -78,8 +78,8 @@ def strokes_from_height(recordings: Any = None) -> Claim:
     items, borrowed = bench.lifts.items, ""
     if not items:
         items, borrowed = bench_of(None).lifts.items, "; our own letters, since no recording has a lift"
-    right, count = sum(i.right for i in items), sum(i.printed == i.strokes for i in items)
-    steady, literal = sum(i.steady for i in items), sum(i.literal for i in items)
+    right, count = sum(i.authors.right for i in items), sum(i.authors.strokes == i.strokes for i in items)
+    steady, literal = sum(i.steady for i in items), sum(i.printed.right for i in items)
     share = right / len(items)
     verdict = HOLDS if share >= 0.9 else FAILS if share < 0.5 else DEPENDS
     figure = (

@@ -15,7 +15,7 @@ from dmp_teach.studies.against import Against
 from dmp_teach.studies.bench import Bench
 from dmp_teach.studies.claims import ALL, claims
 from dmp_teach.studies.curves import ErrorCurves
-from dmp_teach.studies.lifts import Lifts, Segmentation
+from dmp_teach.studies.lifts import Found, Lifts, Segmentation
 from dmp_teach.studies.new_letters import p_from_d
 from dmp_teach.studies.style import Attribution, Attributions
 from dmp_teach.studies.verdict import DEPENDS, FAILS, HOLDS, judged, mm, per_cent, times
@@ -222,7 +222,8 @@ def test_a_p_is_neat_sheared_or_none():
 
 def test_strokes_are_found_as_often_as_they_are_found():
     for right, verdict in ((10, HOLDS), (7, DEPENDS), (2, FAILS)):
-        items = tuple(Lifts("D w", 2, True, 2, k < right, False, True) for k in range(10))
+        found = [Found(2, k < right) for k in range(10)]
+        items = tuple(Lifts("D w", 2, True, Found(2, True), each, Found(1, False), True) for each in found)
         assert on_letters.strokes_from_height(made(lifts=Segmentation(items))).verdict == verdict
 
 

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.ink.alphabet import alphabets, recording_of
 from dmp_teach.ink.recording import Recording
-from dmp_teach.studies.lifts import printed_strokes, segmentation
+from dmp_teach.studies.lifts import segmentation
 from dmp_teach.studies.material import letters_of, own_recordings
 from dmp_teach.studies.new_letters import p_from_d
 from dmp_teach.studies.redraw import four_widths, redrawn, width_name
@@ -109,11 +109,16 @@ def lifted(lift, rate=120):
     return Recording(t, np.column_stack([x, 0 * t, z]), "D", "w", given_strokes=((0, rate), (2 * rate, 3 * rate)))
 
 
-def test_the_printed_rule_is_judged_by_the_strokes_that_are_known():
-    (item,) = segmentation([lifted(0.03)]).items
+def test_every_rule_is_judged_by_the_strokes_that_are_known():
+    table = segmentation([lifted(0.05)])
+    (item,) = table.items
     assert item.known
     assert item.strokes == 2
-    assert len(printed_strokes(lifted(0.03))) >= 2
+    assert (item.foot.strokes, item.foot.right) == (2, True)
+    assert item.authors.strokes >= 2
+    assert not item.printed.right
+    (row,) = table.rows()
+    assert (row["foot"], row["authors"], row["printed"]) == (2, item.authors.strokes, item.printed.strokes)
     assert segmentation([lifted(0.0)]).items == ()  # flat: nothing to find
 
 
