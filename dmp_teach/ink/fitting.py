@@ -12,6 +12,7 @@ from dmp_teach.trajectory import Array, Trajectory
 POINTS = 96  # over all the ink of a letter
 STIFF = 0.005  # how firmly ink that tells nothing of width or lean, as an l, is taken for unchanged
 ROUNDS = 6  # of asking which point is the nearest
+FLAT = 0.01  # ink that is flattened more than this is a line, and no number says how flat
 PLAIN = 0.0003  # of two fits that are as near, the one that changes the model less
 
 SIDES = ("points", "others")
@@ -66,7 +67,7 @@ def fitted(matching: Matching, written: Sequence[Trajectory], model: Sequence[Tr
     inks = _inks(matching, written, model)
     size = float(np.ptp(np.concatenate([stroke.position for stroke in model]), axis=0).max())
     mine, yours = (np.stack([_centred(getattr(pair.laid, side)) for pair in matching.pairs]) for side in SIDES)
-    scale = float(np.sqrt((mine**2).sum() / (yours**2).sum()))
+    scale = ratio(mine, yours)
     flat = mine.reshape(-1, 2), yours.reshape(-1, 2)
     along = _linear(*flat, scale)
     starts = along, along, scale * np.eye(2)
@@ -78,7 +79,7 @@ def fitted(matching: Matching, written: Sequence[Trajectory], model: Sequence[Tr
     places = (shifts - [_median(axis, weights) for axis in shifts.T]) / unit
     worst = max(range(len(inks)), key=lambda k: far[k][1].max())
     point = inks[worst].yours[int(np.argmax(far[worst][1]))]
-    return Fit(*_read(linear), places, np.array(shapes), _rms(far) / unit, (point, worst))
+    return Fit(*_read(linear, scale), places, np.array(shapes), _rms(far) / unit, (point, worst))
 
 
 def _inks(matching: Matching, written: Sequence[Trajectory], model: Sequence[Trajectory]) -> list[_Ink]:
@@ -119,6 +120,8 @@ def _nearest(ink: _Ink, linear: Array, shift: Array, unit: float) -> tuple[np.nd
 def _linear(mine: Array, yours: Array, scale: float) -> Array:
     """The matrix (2, 2) that brings centred points `yours` (P, 2) nearest to `mine`."""
     spread_of, together = yours.T @ yours, mine.T @ yours
+    if not spread_of.any():
+        return scale * np.eye(2)
     firm = STIFF * np.trace(spread_of) * np.eye(2)
     return np.linalg.solve(spread_of + firm, (together + scale * firm).T).T
 
@@ -129,14 +132,26 @@ def _cost(found: _Found, scale: float, size: float) -> float:
     return (_rms(far) / (scale * size)) ** 2 + PLAIN * float(((linear / scale - np.eye(2)) ** 2).sum())
 
 
-def _read(linear: Array) -> tuple[float, float, float, float, float]:
+def _read(linear: Array, scale: float) -> tuple[float, float, float, float, float]:
     """Size, width, lean, turn and rise of a linear map: a turn is what upright and level lines have in common."""
     across, up = np.hypot(*linear[:, 0]), np.hypot(*linear[:, 1])
     right = float(np.degrees(np.arctan2(linear[0, 1], linear[1, 1])))
     left = float(np.degrees(np.arctan2(linear[1, 0], linear[0, 0])))
     turn = float(np.sign(left)) * min(abs(left), abs(right)) if left * right < 0 else 0.0
-    height = abs(np.linalg.det(linear)) / across
-    return float(np.sqrt(across * height)), float(across / up), right + turn, turn, left - turn
+    size = float(np.sqrt(abs(np.linalg.det(linear))))
+    return (
+        max(size, FLAT * scale),
+        float(max(across, FLAT * scale) / max(up, FLAT * scale)),
+        right + turn,
+        turn,
+        left - turn,
+    )
+
+
+def ratio(mine: Array, yours: Array) -> float:
+    """How many times as large centred points (..., 2) are; 1 where one side is a dot."""
+    both = float((mine**2).sum()), float((yours**2).sum())
+    return float(np.sqrt(both[0] / both[1])) if min(both) > 0 else 1.0
 
 
 def _rms(far: Sequence[tuple[Array, Array]]) -> float:

@@ -165,10 +165,15 @@ def _overlays(ink: Ink, other: Ink) -> Iterator[tuple[Ink, Ink]]:
     yield ink, other
     mine, yours = len(ink.lengths), len(other.lengths)
     if max(mine, yours) <= MOST:
-        for left_out in combinations(range(mine), mine - yours) if mine > yours else ():
-            yield ink.without(left_out), other
-        for left_out in combinations(range(yours), yours - mine) if yours > mine else ():
-            yield ink, other.without(left_out)
+        yield from ((less, other) for less in _fewer(ink, mine - yours))
+        yield from ((ink, less) for less in _fewer(other, yours - mine))
+
+
+def _fewer(ink: Ink, number: int) -> Iterator[Ink]:
+    """The letter laid as if so many of its strokes were not there, whichever; never as a dot alone."""
+    for left_out in combinations(range(len(ink.lengths)), number) if number > 0 else ():
+        if np.delete(ink.lengths, left_out).any():
+            yield ink.without(left_out)
 
 
 def _grouped(ink: Ink, other: Ink) -> tuple[float, list[Group]]:

@@ -12,7 +12,7 @@ import numpy as np
 
 from dmp_teach.ink.distances import letter_distance, procrustes, warped
 from dmp_teach.ink.faults import Fault, faults
-from dmp_teach.ink.fitting import fitted
+from dmp_teach.ink.fitting import fitted, ratio
 from dmp_teach.ink.matching import Matching, matched, squared
 from dmp_teach.ink.movement import Movement, measured
 from dmp_teach.ink.points import spread, strokes_of
@@ -155,6 +155,6 @@ def _warped(matching: Matching, model: Sequence[Trajectory]) -> float:
     """Warping distance of the strokes that belong together, the letters of one size in one place."""
     mine, yours = (np.stack([getattr(pair.laid, side) for pair in matching.pairs]) for side in ("points", "others"))
     mine, yours = mine - mine.mean(axis=(0, 1)), yours - yours.mean(axis=(0, 1))
-    mine *= np.sqrt((yours**2).sum() / (mine**2).sum())
+    mine /= ratio(mine, yours)
     size = np.ptp(np.concatenate([stroke.position for stroke in model]), axis=0).max()
     return float(np.sqrt(np.mean([warped(a, b) ** 2 for a, b in zip(mine, yours, strict=True)])) / size)
