@@ -30,6 +30,8 @@ _HOME = {
     "Page": "robot.page",
     "Motion": "robot.motion",
     "Fetch": "robot.fetch",
+    "reach_map": "robot.reach_map",
+    "reach_around": "robot.reach_map",
     "simulate": "robot.simulate",
     "Run": "robot.run",
     "claims": "studies.claims",

@@ -1,0 +1,71 @@
+"""The reach map shows what its data says, and its marks stay apart without colour."""
+
+import numpy as np
+import pytest
+from matplotlib.figure import Figure
+
+from dmp_teach.errors import ViewError
+from dmp_teach.robot.page import Page
+from dmp_teach.robot.reach_map import ReachMap
+from dmp_teach.views.robot_figures import reach_drawn
+
+INF = np.inf
+
+
+def made(name, across):
+    """A map with one page of every kind in its first row."""
+    x = (0.2, 0.5, 0.8, 1.1)
+    pages = tuple(tuple(Page.table(far) for far in x) for _ in across)
+    effort = [[INF, 1.0, 3.0, INF]] * len(across)
+    return ReachMap(x, across, name, pages, effort, [[0.0, 0.0, 0.0, 0.3]] * len(across))
+
+
+MAPS = made("y", (-0.3, 0.0, 0.5)), made("tilt", np.radians((0, 90)))
+
+
+@pytest.fixture(scope="module")
+def figure():
+    return reach_drawn(*MAPS)
+
+
+def marks(panel):
+    return {line.get_label(): line for line in panel.lines if not line.get_label().startswith("_")}
+
+
+def test_every_kind_of_page_stands_where_it_is(figure):
+    above, by_tilt = figure.axes
+    for name, x in zip(("near enough, but robot or paper is in the way", "reached", "reached, arm nearly straight",
+                        "too far"), (0.2, 0.5, 0.8, 1.1), strict=True):  # fmt: skip
+        np.testing.assert_allclose(np.sort(marks(above)[name].get_xdata()), (-0.5, 0.0, 0.3))
+        np.testing.assert_allclose(marks(above)[name].get_ydata(), x)
+        np.testing.assert_allclose(marks(by_tilt)[name].get_xdata(), x)
+        np.testing.assert_allclose(marks(by_tilt)[name].get_ydata(), (0, 90))
+
+
+def test_without_colour_the_marks_stay_apart(figure):
+    forms = [line.get_marker() for line in marks(figure.axes[0]).values()]
+    assert len(set(forms)) == len(forms) == 4
+
+
+def test_the_robot_is_seen_from_above_in_its_place(figure):
+    above = figure.axes[0]
+    corners = np.concatenate([patch.get_xy() for patch in above.patches])
+    assert np.abs(corners[:, 0]).max() == pytest.approx(0.27, abs=0.03)
+    assert above.get_aspect() == 1
+    (arm,) = [text for text in above.texts if "arm begins" in text.get_text()]
+    assert arm.xy == pytest.approx((0.0, 0.033), abs=0.002)
+
+
+def test_axes_have_units_and_it_is_shown_in_a_notebook(figure):
+    assert isinstance(figure, Figure)
+    above, by_tilt = figure.axes
+    for words, unit in ((above.get_xlabel(), "[m]"), (above.get_ylabel(), "[m]"), (by_tilt.get_xlabel(), "[m]"),
+                        (by_tilt.get_ylabel(), "[degrees]")):  # fmt: skip
+        assert unit in words
+    assert figure._repr_png_().startswith(b"\x89PNG")
+
+
+@pytest.mark.parametrize("maps", [(), (None,), (MAPS[0], 3)])
+def test_what_is_no_map_is_refused(maps):
+    with pytest.raises(ViewError, match=r"takes maps, as reach_map\(\) and reach_around\(\) give them"):
+        reach_drawn(*maps)
