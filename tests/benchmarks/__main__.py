@@ -1,4 +1,4 @@
-"""How fast the primitive is, beside the others: `python -m tests.benchmarks [--turns 40] [--json figures.json]`.
+"""How fast primitive and robot are, beside others: `python -m tests.benchmarks [--turns 40] [--json figures.json]`.
 
 No test: what a computer does beside it decides too, so nothing here fails. It prints medians, ratios of medians with
 the quartiles of the ratios turn by turn, and the error of each path against the letter that was shown.
@@ -26,6 +26,8 @@ from dmp_teach.letters.letter import Letter
 from dmp_teach.trajectory import Trajectory
 from tests.benchmarks.contenders import HOW_TO_INSTALL, Contender, others, ours
 from tests.benchmarks.measure import Times, exponent, in_turns, peak_memory, rms
+from tests.benchmarks.writing import lines as writing_lines
+from tests.benchmarks.writing import writing
 from tests.dmp.ink import letter
 from tests.ink.motive_csv import Pen, bar, bowl, lab, motive
 
@@ -93,7 +95,7 @@ def growth(turns: int) -> dict[str, Any]:
 
 
 def real_time(turns: int) -> list[dict[str, Any]]:
-    """How much longer a `D` took to write than we take to read it, to learn it and to plan the robot's motion."""
+    """How much longer a `D` took to write than we take to read it and to learn it."""
     t, page = Pen().rest(1.0).draw(bar()).hop((0.0, 0.0)).draw(bowl()).rest(1.0).sampled()
     with tempfile.TemporaryDirectory() as folder:
         path = motive(Path(folder) / "D_w01.csv", t, lab(page))
@@ -103,16 +105,16 @@ def real_time(turns: int) -> list[dict[str, Any]]:
             "learning and writing, star": lambda: Letter.learn(recording).write(),
         }
         took = {name: each.median for name, each in in_turns(tasks, turns).items()}
-    try:
-        from dmp_teach.robot.fetch import Fetch  # noqa: PLC0415 (not everywhere)
-        from dmp_teach.robot.page import Page  # noqa: PLC0415
-
-        fetch, strokes = Fetch(), Letter.learn(recording).write()
-        plan = {"planning the robot's motion": lambda: fetch.write(strokes, Page.table())}
-        took |= {name: each.median for name, each in in_turns(plan, min(turns, 3)).items()}
-    except (ImportError, TeachError) as error:
-        print(f"The robot is not measured: {error}\n", file=sys.stderr)
     return [{"name": name, "seconds": s, "times_real_time": recording.duration / s} for name, s in took.items()]
+
+
+def _writing(turns: int) -> tuple[list[dict[str, Any]], list[str]]:
+    """The robot's writing, where there is a robot."""
+    try:
+        return writing(turns)
+    except TeachError as error:
+        print(f"The robot is not measured: {error}\n", file=sys.stderr)
+        return [], []
 
 
 def printed(results: dict[str, Any]) -> str:
@@ -143,7 +145,7 @@ def printed(results: dict[str, Any]) -> str:
     lines += ["", "A D from motion capture, beside the time that its writer took"]
     for row in results["real_time"]:
         lines.append(f"{row['name']:35}{1e3 * row['seconds']:10.3f} ms{row['times_real_time']:10.1f} times faster")
-    return "\n".join(lines)
+    return "\n".join(lines + writing_lines(results["writing"]))
 
 
 def _cell(figures: dict[str, float]) -> str:
@@ -164,14 +166,16 @@ def main(arguments: list[str] | None = None) -> None:
     warnings.simplefilter("ignore", RuntimeWarning)
     found, missing = others(KERNELS)
     few = max(3, options.turns // 4)
+    robot, more_missing = _writing(few)
     results = {
         "race": race(ours(KERNELS) + found, options.turns),
         "growth": growth(few),
         "real_time": real_time(few),
+        "writing": robot,
     }
     print(printed(results))
-    if missing:
-        print("\n" + HOW_TO_INSTALL.format(names=" and ".join(missing)))
+    if missing + more_missing:
+        print("\n" + HOW_TO_INSTALL.format(names=" and ".join(missing + more_missing)))
     if options.json:
         options.json.write_text(json.dumps(results, indent=2), encoding="utf-8")
 

@@ -17,7 +17,7 @@ PEERS = {Requirement(line).name for line in PROJECT["optional-dependencies"]["be
 
 
 def test_the_peers_are_in_no_environment_of_ours():
-    assert {"pydmps", "movement_primitives"} <= PEERS
+    assert {"pydmps", "movement_primitives", "pin-pink"} <= PEERS
     others = PROJECT["dependencies"] + PROJECT["optional-dependencies"]["test"]
     assert not PEERS & {Requirement(line).name for line in others}
     pinned = (ROOT / "environment.txt").read_text(encoding="utf-8").replace("-", "_")
@@ -25,10 +25,11 @@ def test_the_peers_are_in_no_environment_of_ours():
 
 
 def test_the_peers_are_imported_nowhere_else():
-    imported = re.compile(rf"^\s*(import|from) ({'|'.join(PEERS)})\b", re.MULTILINE)
+    modules = {name.removeprefix("pin-") for name in PEERS}
+    imported = re.compile(rf"^\s*(import|from) ({'|'.join(modules)})\b", re.MULTILINE)
     files = [path for room in ("dmp_teach", "tests", "notebooks", "assets") for path in (ROOT / room).rglob("*.py")]
     using = {path.relative_to(ROOT).as_posix() for path in files if imported.search(path.read_text(encoding="utf-8"))}
-    assert using == {"tests/benchmarks/contenders.py"}
+    assert using == {"tests/benchmarks/contenders.py", "tests/benchmarks/pink_arm.py"}
 
 
 def test_every_task_is_repeated_within_its_turn_and_measured_for_one():

@@ -1,47 +1,99 @@
-"""How fast the robot is planned, simulated and shown: `python -m tests.benchmarks.writing`.
+"""How fast the robot's writing is planned, simulated and shown: multiples of real time, beside pink.
 
-No test: what a computer does beside it decides too. It prints multiples of real time by processor time, medians of
-several letters.
+All tasks take turns on the same letters. Planning is everything that `Fetch().write` does; the joints alone are what
+pink does, too: it gets our pen's path, our start posture and a robot with only the seven joints that write.
 """
 
-import sys
 from collections.abc import Callable
-from time import process_time
 from typing import Any
 
 import numpy as np
 
 import dmp_teach as teach
+from dmp_teach.robot.arm import solver_here
+from dmp_teach.robot.model import Model
+from dmp_teach.robot.motion import Motion
+from dmp_teach.trajectory import Array
 from dmp_teach.views.commands import run_commands
 from dmp_teach.views.stage import Stage
+from tests.benchmarks.measure import in_turns
 
 LETTERS = (("a", "round"), ("g", "slanted"), ("R", "round"), ("8", "slanted"), ("k", "round"))
+AT_LEAST = {"planning": 100, "physics, ideal motors": 10, "physics, real motors": 10}
+"""The multiples of real time that are to be reached."""
+
+SOON = 2.0  # the view is to be ready so long after the motion [s]
+_VIEW = "view ready after [s]"
 
 
-def took(task: Callable[[], Any]) -> tuple[Any, float]:
-    """What a task gives, and its processor time [s]."""
-    start = process_time()
-    return task(), process_time() - start
-
-
-def measure() -> dict[str, list[float]]:
-    """Multiples of real time for each letter, after one that warms up; the view in seconds."""
-    found = {"plan": [], "physics, ideal motors": [], "physics, real motors": [], "view ready after [s]": []}
-    fetch, page = teach.Fetch(), teach.Page.table()
-    for number, (character, alphabet) in enumerate((LETTERS[0], *LETTERS)):
+def writing(turns: int) -> tuple[list[dict[str, Any]], list[str]]:
+    """A row for every task, over all letters and turns, and the names of what is not installed."""
+    pink, missing = _pink()
+    figures: dict[str, list[Array]] = {}
+    errors: dict[str, list[float]] = {}
+    for character, alphabet in LETTERS:
         strokes = teach.Letter.learn(teach.recording_of(character, alphabet)).write()
-        motion, planned = took(lambda strokes=strokes: fetch.write(strokes, page))
-        run, ideal = took(lambda motion=motion: teach.simulate(motion))
-        _, real = took(lambda motion=motion: teach.simulate(motion, motors="real"))
+        motion, tasks = _tasks(strokes, pink)
+        for name, times in in_turns(tasks, turns).items():
+            figures.setdefault(name, []).append(times.seconds if name == _VIEW else motion.duration / times.seconds)
+        for name in ("joints alone", *pink):
+            errors.setdefault(name, []).append(tip_error(motion, tasks[name]()))
+    return [_row(name, np.concatenate(found), errors.get(name)) for name, found in figures.items()], missing
+
+
+def _tasks(strokes: Any, pink: dict[str, Callable]) -> tuple[Motion, dict[str, Callable[[], Any]]]:
+    """A letter's motion, and what is measured with it."""
+    fetch, page, solver = teach.Fetch(), teach.Page.table(), solver_here()
+    motion = fetch.write(strokes, page)
+    run = teach.simulate(motion)
+
+    def shown() -> Any:
         stage = Stage(run.motion, run)
-        _, shown = took(lambda stage=stage: (run_commands(stage), stage.facts()))
-        if number:
-            for row, figure in zip(found.values(), (planned, ideal, real), strict=False):
-                row.append(motion.duration / figure)
-            found["view ready after [s]"].append(shown)
-    return found
+        return run_commands(stage), stage.facts()
+
+    return motion, {
+        "planning": lambda: fetch.write(strokes, page),
+        "joints alone": lambda: solver.follow(motion.q[0], page.normal, motion.target, lambda step, part: None),
+        **{name: arm(motion).follow for name, arm in pink.items()},
+        "physics, ideal motors": lambda: teach.simulate(motion),
+        "physics, real motors": lambda: teach.simulate(motion, motors="real"),
+        _VIEW: shown,
+    }
 
 
-if __name__ == "__main__":
-    for name, figures in measure().items():
-        sys.stdout.write(f"{name:24} {np.median(figures):8.2f}   ({min(figures):.2f} to {max(figures):.2f})\n")
+def _pink() -> tuple[dict[str, Callable], list[str]]:
+    """Pink as documented, and as lean as it gets, where it is installed."""
+    try:
+        from tests.benchmarks.pink_arm import PinkArm  # noqa: PLC0415 (only where it is installed)
+    except ImportError:
+        return {}, ["pin-pink"]
+    return {"joints alone, pink": PinkArm, "joints alone, pink, leanest": lambda motion: PinkArm(motion, lean=True)}, []
+
+
+def tip_error(motion: Motion, q: Array) -> float:
+    """Root mean square distance of the nib from its path, by the model's own kinematics [mm]."""
+    tip = Model.load().frame("pen_tip", q, motion.joint_names)[:, :3, 3]
+    return 1e3 * float(np.sqrt(((tip - motion.target) ** 2).sum(axis=1).mean()))
+
+
+def _row(name: str, figures: Array, errors: list[float] | None) -> dict[str, Any]:
+    """Median and quartiles over letters and turns, the worst letter's error, and what is to be reached."""
+    low, median, high = np.percentile(figures, [25, 50, 75])
+    row = {"name": name, "median": median, "lower_quartile": low, "upper_quartile": high}
+    return row | {"tip_error_mm": max(errors) if errors else None, "bound": AT_LEAST.get(name)}
+
+
+def lines(rows: list[dict[str, Any]]) -> list[str]:
+    """The rows as a plain table."""
+    if not rows:
+        return []
+    found = [
+        "",
+        "Writing with the robot, multiples of real time at 240 Hz, and the tip's error (rms, the worst letter)",
+    ]
+    for row in rows:
+        spread = "{median:9.2f} [{lower_quartile:.2f}, {upper_quartile:.2f}]".format_map(row)
+        bound = f" of {row['bound']}" if row["bound"] else ""
+        error = "" if row["tip_error_mm"] is None else f"{row['tip_error_mm']:10.4f} mm"
+        found.append(f"{row['name']:30}{spread + bound:36}{error}".rstrip())
+    return [*found, f"The joints alone are what pink does, too. The view is to be ready within {SOON:.0f} s."]
