@@ -3,6 +3,8 @@
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
+from os import PathLike
+from pathlib import Path
 from types import MappingProxyType
 from typing import Any, Self
 
@@ -14,6 +16,8 @@ from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import LetterError
 from dmp_teach.letters.piece import Piece
+from dmp_teach.letters.saved import parts_of, to_json
+from dmp_teach.paths import write_whole
 from dmp_teach.trajectory import Array, Trajectory, locked
 
 LIFT = 0.36  # a pen that goes to a stroke of another letter is in the air for this long [s] ...
@@ -158,6 +162,24 @@ class Letter:
         """
         starts, goals = self._asked(goals, starts, goal_shifts)
         return joined(self.primitives, overlap, starts, goals)
+
+    def save(self, path: str | PathLike[str]) -> Path:
+        """Keep the letter in a file of plain JSON, whole or not at all (`letters/saved.py` says what is in it).
+
+        Raises:
+            LetterError: A stroke that is not 2-D.
+            PathError: A name that does not end with .json, or a place that cannot be written.
+        """
+        return write_whole(path, to_json(self).encode(), ".json")
+
+    @classmethod
+    def load(cls, path: str | PathLike[str]) -> Self:
+        """A letter that was saved: it writes as it did, to the last bit.
+
+        Raises:
+            LetterError: No such file, another version, a file that was changed, or a field that cannot be.
+        """
+        return cls(**parts_of(path))
 
     @property
     def duration(self) -> float:

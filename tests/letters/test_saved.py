@@ -1,0 +1,203 @@
+"""A letter that was saved writes as it did, and a file that was touched is refused."""
+
+import json
+import os
+import pickle
+from contextlib import suppress
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from dmp_teach.dmp.settings import Settings
+from dmp_teach.errors import LetterError, PathError
+from dmp_teach.ink.alphabet import recording_of
+from dmp_teach.letters import saved
+from dmp_teach.letters.letter import Letter
+from dmp_teach.letters.shelf import Shelf
+from dmp_teach.trajectory import Trajectory
+
+PRESETS = ["star", "original", "joint", "plus", "as_printed", "as_coded", "as_fixed"]
+ASKED = [
+    {},
+    {"goals": {0: (0.01, 0.02)}},
+    {"goal_shifts": {1: (0.03, -0.01)}, "starts": {0: (0.0, 0.1)}},
+    {"duration": 7.0},
+]
+
+
+def same(one, other, **asked):
+    """Whether two letters write the same, bit for bit."""
+    return all(
+        np.array_equal(a.t, b.t) and np.array_equal(a.position, b.position)
+        for a, b in zip(one.write(**asked), other.write(**asked), strict=True)
+    )
+
+
+@pytest.mark.parametrize("preset", PRESETS)
+def test_a_letter_that_was_saved_writes_the_same_to_the_last_bit(tmp_path, preset):
+    letter = Letter.learn(recording_of("D"), getattr(Settings, preset)())
+    again = Letter.load(letter.save(tmp_path / "d.json"))
+    for asked in ASKED:
+        assert same(letter, again, **asked)
+    for one, other in zip(letter.primitives, again.primitives, strict=True):
+        assert one.settings == other.settings
+        assert one.notes == other.notes
+        assert np.array_equal(one.weights, other.weights)
+    assert again.error == letter.error
+    assert repr(again) == repr(letter)
+    assert again.save(tmp_path / "e.json").read_bytes() == (tmp_path / "d.json").read_bytes()
+
+
+@pytest.mark.parametrize("transform", ["star", "similarity"])
+def test_other_transforms_and_endless_kernels_are_kept(tmp_path, transform):
+    letter = Letter.learn(recording_of("M"), Settings.joint(transform=transform, kernel_width=np.inf))
+    again = Letter.load(letter.save(tmp_path / "m.json"))
+    for asked in ASKED:
+        assert same(letter, again, **asked)
+
+
+def test_a_letter_that_was_composed_is_kept(tmp_path):
+    bar, bowl = Shelf.of([recording_of("D")])["D"]
+    letter = Letter.compose([bar, bowl.led(lower=bar.at(0.5))])
+    again = Letter.load(letter.save(tmp_path / "p.json"))
+    assert same(letter, again)
+    assert again.made_of == letter.made_of
+    assert {k: tuple(v) for k, v in again.led_to.items()} == {k: tuple(v) for k, v in letter.led_to.items()}
+
+
+def test_a_letter_keeps_its_clock_unless_it_is_one_of_the_world(tmp_path):
+    t = np.linspace(0, 1, 60)
+    way = np.column_stack([0.1 * t, 0.05 * np.sin(3 * t)])
+    soon, epoch = (Letter.learn([Trajectory(t + begin, way)]) for begin in (3.25, 1.7e9))
+    assert Letter.load(soon.save(tmp_path / "a.json")).write()[0].t[0] == 3.25
+    path = epoch.save(tmp_path / "b.json")
+    assert Letter.load(path).write()[0].t[0] == 0.0
+    assert "17000" not in path.read_text()
+
+
+@pytest.fixture(scope="module")
+def content(tmp_path_factory):
+    """A saved letter of two short strokes, as an object."""
+    t = np.linspace(0, 0.5, 25)
+    strokes = [Trajectory(t, np.column_stack([0.1 * t, t**2])), Trajectory(t + 1, np.column_stack([t**2, 0.1 * t]))]
+    path = Letter.learn(strokes).save(tmp_path_factory.mktemp("saved") / "l.json")
+    return json.loads(path.read_text())
+
+
+def forged(content, path, *keys, value):
+    """The file with one value changed and its check sum made again."""
+    content = json.loads(json.dumps(content))
+    inner = content
+    for key in keys[:-1]:
+        inner = inner[key]
+    inner[keys[-1]] = value
+    del content["check"]
+    content["check"] = saved._check_sum(content)
+    path.write_text(json.dumps(content))
+    return path
+
+
+def test_a_file_that_was_changed_is_refused(tmp_path, content):
+    text = json.dumps(content)
+    (tmp_path / "l.json").write_text(text)
+    assert len(Letter.load(tmp_path / "l.json").strokes) == 2
+    (tmp_path / "l.json").write_text(text.replace('"duration": 0.5', '"duration": 0.6', 1))
+    with pytest.raises(LetterError, match=r"l\.json: check is .*it was changed after it was saved; save again"):
+        Letter.load(tmp_path / "l.json")
+
+
+FORGED = {
+    "version": (("version",), 2, "version is 2, but this program reads version 1; update dmp_teach"),
+    "format": (("format",), "font", "this is not a dmp_teach letter"),
+    "units": (("units",), {"t": "ms"}, "units is {'t': 'ms'}, but must be"),
+    "no strokes": (("strokes",), [], "strokes is [], but must be a list, with a primitive for each"),
+    "flat stroke": (("strokes", 0), [[0.0, 1.0]], "strokes[0] is [[0.0, 1.0]], but must be finite numbers, any x 3"),
+    "time stands still": (("strokes", 0), [[0.0, 1.0, 1.0]] * 3, "t[1] is 0.0 s and does not come after"),
+    "text": (("primitives", 0, "goal"), [0.0, "1"], "primitives[0].goal is [0.0, '1'], but must be finite numbers, 2"),
+    "no weights": (("primitives", 1, "weights"), [], "primitives[1].weights is [], but must be finite numbers, 6 x 2"),
+    "ragged": (("primitives", 1, "weights"), [[1.0], [1.0, 2.0]], "primitives[1].weights is"),
+    "biases": (("primitives", 0, "biases"), [[1.0, 2.0]], "primitives[0].biases is [[1.0, 2.0]]"),
+    "huge": (("primitives", 0, "start"), [10**400, 0.0], "primitives[0].start is"),
+    "a step too few": (("primitives", 0, "steps"), 3, "primitives[0].path is"),
+    "steps": (("primitives", 0, "steps"), 1.5, "primitives[0].steps is 1.5, but must be a whole number of steps"),
+    "duration": (("primitives", 0, "duration"), -1.0, "primitives[0].duration is -1.0, but must be a time longer"),
+    "times": (("primitives", 0, "times"), [0.0, 0.0], "t[1] is 0.0 s and does not come after"),
+    "notes": (("primitives", 0, "notes"), "x", "primitives[0].notes is 'x', but must be sentences"),
+    "a field": (("primitives", 0, "code"), "import os", "primitives[0] is {"),
+    "a setting": (("primitives", 0, "settings", "phase"), "moon", "phase is 'moon', but it must be one of"),
+    "a setting more": (("primitives", 0, "settings", "name"), "Kim", "primitives[0].settings is {"),
+    "alpha": (("primitives", 0, "settings", "alpha"), None, "but must be complete: n_kernels and alpha are numbers"),
+    "kernels": (("primitives", 0, "settings", "n_kernels"), 7, "primitives[0].weights is"),
+    "led": (("led_to",), {"7": [0.0, 0.0]}, "led_to is {'7': [0.0, 0.0]}, but must be a goal by the number"),
+    "made": (("made_of",), [1], "made_of is [1], but must be a list of names"),
+}
+
+
+@pytest.mark.parametrize("fault", FORGED)
+def test_a_forged_field_is_named_even_with_its_sum_made_again(tmp_path, content, fault):
+    keys, value, sentence = FORGED[fault]
+    with pytest.raises(LetterError) as caught:
+        Letter.load(forged(content, tmp_path / "l.json", *keys, value=value))
+    assert str(caught.value).startswith("l.json: ")
+    assert sentence in str(caught.value)
+
+
+@pytest.mark.parametrize("field", saved.FIELDS)
+def test_a_missing_field_is_refused(tmp_path, content, field):
+    (tmp_path / "l.json").write_text(json.dumps({name: value for name, value in content.items() if name != field}))
+    with pytest.raises(LetterError, match=r"l\.json: "):
+        Letter.load(tmp_path / "l.json")
+
+
+@settings(max_examples=60, deadline=None, suppress_health_check=list(HealthCheck))
+@given(
+    keys=st.sampled_from(
+        [("primitives", 0, name) for name in (*saved.PRIMITIVE, "path")] + [(f,) for f in saved.FIELDS[2:7]]
+    ),
+    value=st.recursive(
+        st.none() | st.booleans() | st.integers() | st.floats() | st.text(max_size=3),
+        lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=3), inner, max_size=3),
+    ),
+)
+def test_anything_in_any_field_is_a_letter_or_a_sentence(tmp_path, content, keys, value):
+    forged(content, tmp_path / "l.json", *keys, value=value)
+    with suppress(LetterError):
+        assert Letter.load(tmp_path / "l.json").strokes
+
+
+def test_what_is_no_saved_letter_is_refused(tmp_path):
+    recording_path = tmp_path / "a.json"
+    recording_path.write_text("{}")
+    with pytest.raises(LetterError, match=r"a\.json: this is not a dmp_teach letter"):
+        Letter.load(recording_path)
+    recording_path.write_bytes(pickle.dumps([1]))
+    with pytest.raises(LetterError, match=r"a\.json: this is not plain JSON"):
+        Letter.load(recording_path)
+    with pytest.raises(LetterError, match=r"b\.json cannot be read: No such file"):
+        Letter.load(tmp_path / "b.json")
+    with pytest.raises(LetterError, match="must be the name of a file"):
+        Letter.load(3)
+
+
+def test_a_save_that_fails_leaves_what_was_there(tmp_path, monkeypatch):
+    letter = Letter.learn(recording_of("l"))
+    path = letter.save(tmp_path / "l.json")
+    before = path.read_bytes()
+
+    def full(*_):
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr(os, "replace", full)
+    with pytest.raises(PathError, match="No space left on device"):
+        Letter.learn(recording_of("D")).save(path)
+    assert path.read_bytes() == before
+    with pytest.raises(PathError, match=r"its name must end with \.json"):
+        letter.save(tmp_path / "l.pickle")
+
+
+def test_only_flat_letters_are_saved(tmp_path):
+    t = np.linspace(0, 1, 60)
+    with pytest.raises(LetterError, match="has strokes in 2-D"):
+        Letter.learn([Trajectory(t, np.column_stack([t, t, t]))]).save(tmp_path / "l.json")
