@@ -48,6 +48,10 @@ class ReachError(TeachError, ValueError):
     """The arm cannot get to all of the page; says by how much, and which page works."""
 
 
+class ReachWarning(UserWarning):
+    """The arm gets there, but only just: it is nearly stretched out. Says how far to move the page."""
+
+
 class JointError(TeachError, KeyError):
     """No joint or frame of that name; names the nearest ones."""
 

@@ -1,5 +1,6 @@
 """The robot that a teacher asks to write."""
 
+import warnings
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
@@ -7,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from dmp_teach.errors import ReachError
+from dmp_teach.errors import ReachError, ReachWarning
 from dmp_teach.robot.arm import JOINTS, Solver, solver_here
 from dmp_teach.robot.clearance import nearest
 from dmp_teach.robot.motion import Motion
@@ -16,7 +17,7 @@ from dmp_teach.robot.place import place
 from dmp_teach.robot.plan import PenPlan, way_over
 from dmp_teach.robot.reach import stance_for
 from dmp_teach.robot.speed import Clock
-from dmp_teach.robot.stance import TILT, TIP, TOUCHING, Stance, examined
+from dmp_teach.robot.stance import STRAINED, TILT, TIP, TOUCHING, Stance, examined
 from dmp_teach.robot.torque import too_heavy
 from dmp_teach.trajectory import Array, Trajectory
 
@@ -63,7 +64,10 @@ class Fetch:
         Raises:
             TrajectoryError: Strokes that no hand could write.
             PageError: Ink that does not fit on the page.
-            ReachError: The arm cannot get to the ink; says where, by how much, and which page works.
+            ReachError: The arm cannot get to the ink, or would touch the robot or what the page lies on; says where,
+                by how much, and which page works.
+
+        Where the arm is nearly stretched out a `ReachWarning`, and a note, say how far to move the page.
         """
         report = progress or (lambda step, fraction: None)
         placed = place(strokes, page, at, size)
@@ -74,6 +78,8 @@ class Fetch:
             stance = stance_for(solver, page, ink)
         except ReachError as error:
             raise _in_time(solver, page, placed, error) from None
+        if stance.effort >= STRAINED:
+            warnings.warn(next(note for note in stance.notes if "stretched" in note), ReachWarning, stacklevel=2)
         report("reach", 1.0)
         plan, q, poses, slowed = _joints_for(solver, stance, page, placed, report)
         _check_tip(poses["pen_tip"], plan, page)
@@ -88,7 +94,7 @@ class Fetch:
             page=page,
             strokes=placed,
         )
-        return replace(motion, notes=(*slowed, *too_heavy(motion), *close, *stance.notes))
+        return replace(motion, notes=(*slowed, *too_heavy(motion, solver.model), *close, *stance.notes))
 
 
 def _joints_for(

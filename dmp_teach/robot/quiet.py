@@ -3,21 +3,25 @@
 import contextlib
 import os
 import sys
+import threading
 from collections.abc import Iterator
+
+_one_at_a_time = threading.Lock()  # two at once would each put back what the other has put there: silence for ever
 
 
 @contextlib.contextmanager
 def quiet() -> Iterator[None]:
     """Silence what C++ prints, on the two file descriptors themselves."""
-    sys.stdout.flush()
-    sys.stderr.flush()
-    kept = [os.dup(1), os.dup(2)]
-    try:
-        with open(os.devnull, "wb") as nowhere:
-            os.dup2(nowhere.fileno(), 1)
-            os.dup2(nowhere.fileno(), 2)
-        yield
-    finally:
-        for number, copy in zip((1, 2), kept, strict=True):
-            os.dup2(copy, number)
-            os.close(copy)
+    with _one_at_a_time:
+        sys.stdout.flush()
+        sys.stderr.flush()
+        kept = [os.dup(1), os.dup(2)]
+        try:
+            with open(os.devnull, "wb") as nowhere:
+                os.dup2(nowhere.fileno(), 1)
+                os.dup2(nowhere.fileno(), 2)
+            yield
+        finally:
+            for number, copy in zip((1, 2), kept, strict=True):
+                os.dup2(copy, number)
+                os.close(copy)

@@ -113,11 +113,8 @@ class Clearances:
     """
 
     def __init__(self, page: Page | None = None, around: float = 0.0) -> None:
-        solids = solids_of()
-        self._points = {
-            link: np.concatenate([solid.surface() for solid in solids if solid.link == link]) for link in _MOVING
-        }
-        self._solids = {link: [solid for solid in solids if solid.link == link] for link in (*_BODY, *_MOVING)}
+        self._points = _points()
+        self._solids = {link: [solid for solid in solids_of() if solid.link == link] for link in (*_BODY, *_MOVING)}
         self.pairs = [(link, other) for link in _MOVING for other in (*_BODY, *_MOVING) if _may_meet(link, other)]
         if page is not None:
             size = (page.width + 2 * around, page.height + 2 * around, _UNDER)
@@ -169,6 +166,12 @@ class Clearances:
         """The world seen from each of a link's solids, each of shape (T, 4, 4); the page stands still."""
         X = poses[other] if other != "page" else np.broadcast_to(np.eye(4), (len(next(iter(poses.values()))), 4, 4))
         return [_undone(X @ solid.X_link_solid) for solid in self._solids[other]]
+
+
+@lru_cache(maxsize=1)
+def _points() -> dict[str, Array]:
+    """Points all over the surface of each link that moves, in its frame, each of shape (P, 3) [m]."""
+    return {link: np.concatenate([solid.surface() for solid in solids_of() if solid.link == link]) for link in _MOVING}
 
 
 def _may_meet(link: str, other: str) -> bool:

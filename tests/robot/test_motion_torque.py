@@ -6,13 +6,13 @@ import pytest
 
 from dmp_teach.errors import JointError
 from dmp_teach.paths import ASSETS
-from dmp_teach.robot import torque
 from dmp_teach.robot.arm import JOINTS, torques
 from dmp_teach.robot.bench import SLIDE, Bench
 from dmp_teach.robot.fetch import Fetch
 from dmp_teach.robot.model import Model
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.physics import client
+from dmp_teach.robot.torque import too_heavy
 from dmp_teach.robot.urdf import origin
 from dmp_teach.trajectory import Trajectory
 from tests.robot.ink import LETTER
@@ -95,11 +95,10 @@ def test_more_than_a_motor_gives_is_said_with_the_moment_and_the_cure():
     )
 
 
-def test_a_weight_that_is_too_much_is_not_cured_by_patience(monkeypatch):
+def test_a_weight_that_is_too_much_is_not_cured_by_patience():
     motion = Fetch().write(LETTER, Page.table())
     feeble = replace(MODEL, joints=tuple(replace(joint, effort=joint.effort / 2) for joint in MODEL.joints))
-    monkeypatch.setattr(torque.Model, "load", lambda: feeble)
-    (note,) = torque.too_heavy(motion)
+    (note,) = too_heavy(motion, feeble)
     assert note.startswith("torso_lift_joint needs ")
     assert note.endswith(", but its motor gives 225 N. The weight of the arm alone is too much: move the page nearer.")
 
