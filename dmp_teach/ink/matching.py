@@ -9,7 +9,7 @@ are one group. If the numbers differ, the letters are also laid over each other 
 """
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import combinations
 from typing import Any
 
@@ -23,6 +23,7 @@ from dmp_teach.trajectory import Array
 POINTS = 64  # over all the ink of a letter
 ALONE = 4.0  # what a stroke without a partner costs: as a sixteenth of the letter a third of it away [radii^2]
 STRANGE = 0.9  # strokes that are farther from each other are no partners [radii: about a third of the height]
+DOT = 0.3  # a shorter stroke is a dot, and nobody sees which way it went [radii: a tenth of the height]
 SPLIT = 0.5  # strokes that do the work of others: each of them lies this near to those [radii] ...
 LONGER = 1.5  # ... and neither side is so many times as long: a line drawn twice is not a line in two pieces
 PARTED = 0.25  # two pairs are one, cut at other places, if that leaves less than this of what they cost
@@ -106,10 +107,11 @@ def matched(strokes: Any, others: Any) -> Matching:
     mirrored, turn, groups = _seen(ink, other)
     back = undone(mirrored, turn)
     both = sorted((group for group in groups if group[0] and group[1]), key=lambda group: min(group[1]))
-    pairs = [
-        Pair(mine, yours, laid([written[k].position @ back.T for k in mine], [model[k].position for k in yours]))
-        for mine, yours in both
-    ]
+    pairs = []
+    for mine, yours in both:
+        lines = laid([written[k].position @ back.T for k in mine], [model[k].position for k in yours])
+        dot = other.lengths[list(yours)].sum() < DOT
+        pairs.append(Pair(mine, yours, replace(lines, backwards=False) if dot else lines))
     extra = tuple(sorted(k for mine, yours in groups if not yours for k in mine))
     missing = tuple(sorted(k for mine, yours in groups if not mine for k in yours))
     return Matching(tuple(pairs), extra, missing, mirrored, turn)
