@@ -4,6 +4,8 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from dmp_teach.errors import LetterError
 from dmp_teach.ink.alphabet import alphabets, characters, recording_of
@@ -14,6 +16,7 @@ from dmp_teach.letters.recipes import made, makeable, needed, recipes
 from dmp_teach.letters.roles import strokes_in_role
 from dmp_teach.letters.shelf import Shelf
 from dmp_teach.studies.new_letters import p_from_d
+from dmp_teach.trajectory import Trajectory
 from tests.recordings import RECORDINGS, needs_recordings
 
 FORMS = ("star", "similarity")
@@ -142,3 +145,31 @@ def test_every_writers_d_makes_a_p_of_that_writer_however_it_was_drawn():
     for recording in of_d:
         bar, bowl = Letter.make("P", Shelf.of([recording])).write()
         assert min(np.linalg.norm(nearest(bar.position, end) - end) for end in bowl.position[[0, -1]]) < 1e-4
+
+
+@settings(max_examples=25, deadline=None)
+@given(
+    st.sampled_from(alphabets()),
+    st.tuples(st.floats(-0.5, 0.5), st.floats(0.6, 1.6), st.floats(0.2, 5)),
+    st.tuples(st.booleans(), st.booleans(), st.booleans()),
+    st.sampled_from(FORMS),
+)
+def test_any_d_makes_a_p(name, form, ways, transform):
+    """Slanted, narrow, large, in any order and direction: the bowl meets the bar half way up."""
+    strokes = [_drawn(stroke, form, up) for stroke, up in zip(recording_of("D", name).strokes(), ways[:2], strict=True)]
+    strokes = strokes[::-1] if ways[2] else strokes
+    late = Trajectory(strokes[1].t + strokes[0].t[-1] + 0.4, strokes[1].position)
+    p = Letter.make("P", Shelf.of({"D": Letter.learn([strokes[0], late])}), transform)
+    stem, bow = p.write()
+    low, high = np.sort(stem.position[[0, -1], 1])
+    lower = min(bow.position[[0, -1]], key=lambda end: end[1])
+    assert np.linalg.norm(nearest(stem.position, lower) - lower) < 1e-4
+    assert abs(lower[1] - (low + high) / 2) < 0.05 * (high - low)
+
+
+def _drawn(stroke, form, up):
+    """A stroke from 0 s on, slanted, widened, scaled, and drawn upwards or downwards."""
+    slant, wide, size = form
+    path = size * stroke.position @ np.array([[wide, 0], [slant, 1]])
+    rises = path[-1, 1] > path[0, 1]
+    return Trajectory(stroke.t - stroke.t[0], path if rises == up else path[::-1])

@@ -71,6 +71,18 @@ def test_the_white_between_letters_is_even(name):
     assert np.ptp(boxes) > 0.1
 
 
+def test_round_letters_stand_nearer_than_stems_and_slopes_fit_into_each_other():
+    hand = HANDS["round"]
+
+    def gap(pair):
+        left, right = map(hand.glyph, pair)
+        step = distance(left, right, hand.x_height)
+        return (step + points(right)[:, 0].min() - points(left)[:, 0].max()) / hand.x_height
+
+    assert gap("OO") < gap("HH") - 0.08
+    assert gap("AV") < gap("HH") - 0.2
+
+
 @settings(max_examples=25, deadline=None)
 @given(HAND, TEXTS, st.booleans())
 def test_time_only_runs_forward_and_ink_begins_at_the_corner(name, text, joined):
