@@ -6,6 +6,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from dmp_teach.ink.reader import read_recording
 from dmp_teach.ink.strokes import find_strokes
@@ -71,3 +73,13 @@ def test_writers_drawn_by_lot_are_cut_where_their_pens_wrote(habit):
     off = np.concatenate([each for each in off if each.max() < np.inf])
     assert np.mean(off <= NEAR) >= 0.95
     assert np.median(off) <= 0.01
+
+
+@settings(max_examples=25, deadline=None, derandomize=True)
+@given(st.integers(0, 10**6), st.floats(0.02, 0.06), st.floats(-10.0, 1000.0))
+def test_neither_the_thresholds_nor_the_clock_change_the_count(seed, lift, later):
+    drawn = take(seed, letters="aDBePM", lift=lift, wander=0.005, noise=0.0001)
+    counts = {len(find_strokes(drawn.t, drawn.page, theta, sigma)) for theta, sigma in GRID}
+    assert counts == {len(drawn.ink)}
+    moved = find_strokes(drawn.t + later, drawn.page)
+    assert np.abs(np.subtract(moved, find_strokes(drawn.t, drawn.page))).max() <= 1
