@@ -42,9 +42,16 @@ def stance_for(solver: Solver, page: Page, ink: Array) -> Stance:
     return replace(stance, notes=notes)
 
 
-def misses(solver: Solver, page: Page, area: Area) -> dict[str, float]:
-    """How far from each place around a part of a page the tip of an upright pen stays, at best [m]."""
-    return {name: _miss(solver, page, place) for name, place in rim(*area).items()}
+def misses(solver: Solver, page: Page, area: Area, among: str = "") -> dict[str, float]:
+    """How far from each place around a part of a page the tip of an upright pen stays, at best [m].
+
+    Args:
+        solver: This thread's solver.
+        page: The sheet.
+        area: The part.
+        among: "corner" for those only.
+    """
+    return {name: _miss(solver, page, place) for name, place in rim(*area).items() if among in name}
 
 
 def _stretched(cure: Cure) -> str:
