@@ -17,7 +17,7 @@ from dmp_teach.views.figure_style import COLOURS, INK, QUIET, SHADE, dressed, ex
 _BLUE, _VERMILION, _PINK = COLOURS[0], COLOURS[1], COLOURS[3]
 _LOOKS = {  # each a form of its own, so that they stay apart in grey
     "reached": {"marker": "o", "markersize": 6.5, "color": _BLUE},
-    "reached, arm nearly straight": {
+    "reached, but a joint must hurry": {
         "marker": "s",
         "markersize": 6,
         "color": _VERMILION,

@@ -34,7 +34,7 @@ def marks(panel):
 
 def test_every_kind_of_page_stands_where_it_is(figure):
     above, by_tilt = figure.axes
-    for name, x in zip(("near enough, but robot or paper is in the way", "reached", "reached, arm nearly straight",
+    for name, x in zip(("near enough, but robot or paper is in the way", "reached", "reached, but a joint must hurry",
                         "too far"), (0.2, 0.5, 0.8, 1.1), strict=True):  # fmt: skip
         np.testing.assert_allclose(np.sort(marks(above)[name].get_xdata()), (-0.5, 0.0, 0.3))
         np.testing.assert_allclose(marks(above)[name].get_ydata(), x)
