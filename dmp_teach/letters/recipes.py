@@ -30,7 +30,7 @@ from dmp_teach.trajectory import Array
 
 TABLE = """
 P   D bar, D bowl lead lower to 1:0.5
-P   B bar, B upper
+P   B bar, B upper lead lower to 1:0.5
 R   D bar, D bowl lead lower to 1:0.5, D bar lead upper to 1:0.5 lead lower to 2:right/1:bottom
 R   P bar, P bowl, P bar lead upper to 1:0.5 lead lower to 2:right/1:bottom
 B   D bar, D bowl lead lower to 1:0.5, D bowl lead upper to 1:0.5
