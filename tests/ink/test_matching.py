@@ -69,6 +69,14 @@ def test_a_stroke_that_was_left_out_is_found(character, alphabet, gone):
     assert found.missing == ()
 
 
+@pytest.mark.parametrize("character", list("aceglosz0M"))
+def test_a_letter_drawn_twice_has_a_stroke_too_many_and_none_in_two_pieces(character):
+    once = strokes(character)
+    found = matched([*once, *once], once)
+    assert len(found.extra) == len(once)
+    assert found.split == ()
+
+
 @pytest.mark.parametrize("character", list("aBDPRegk247"))
 @pytest.mark.parametrize(("mirrored", "turn"), [(True, 0), (False, 2), (True, 2), (False, 1), (False, 3)])
 def test_a_mirrored_or_turned_letter_is_seen_as_one(character, mirrored, turn):
