@@ -162,6 +162,16 @@ def test_bends_are_slow_and_a_large_letter_takes_no_longer():
     assert large.duration == pytest.approx(oval.duration, abs=0.02)
 
 
+@pytest.mark.parametrize("length", [0.01, 0.06, 0.3])
+def test_a_bar_is_one_bell_of_speed(length):
+    (stroke,) = in_time([np.array([[0.0, 0.0], [0.0, -length]])])
+    speed = np.linalg.norm(np.gradient(stroke.position, stroke.t, axis=0), axis=1)
+    peak = stroke.t[np.argmax(speed)] / stroke.duration
+    assert 0.4 < peak < 0.6
+    assert 0.3 < speed.mean() / speed.max() < 0.6
+    assert speed[stroke.t < 0.15 * stroke.duration].max() < 0.35 * speed.max()
+
+
 @pytest.mark.parametrize("letter", ["a", "D", "i", "M"])
 def test_what_is_written_is_read_again_to_the_micrometre_and_by_others(tmp_path, letter):
     once = recording_of(letter)
