@@ -152,13 +152,12 @@ function later(act, wait) {
 // What is seen -------------------------------------------------------------------------------------------------------
 
 const robotStrokes = (model, name) => strokesOf(model, name, name === "model" ? model.get("model_times").map((t) => t.length) : model.get(`${name}_counts`));
-const startsIn = (strokes) => strokes.map((points) => points[0]);
 
 function drawPad(model, parts) {
   const written = [...strokesOf(model, "ink"), ...parts.pending.map((stroke) => stroke.points)];
   const [box, lines, character] = [model.get("sheet"), model.get("lines"), model.get("character")];
   const letter = character ? `${anA(character)}` : "a letter";
-  parts.sheet.draw({ box, lines, dots: written, line: [], numbers: startsIn(written), pen: parts.pen, title: model.get("title") });
+  parts.sheet.draw({ box, lines, dots: written, line: [], numbered: written, pen: parts.pen, title: model.get("title") });
   parts.ink.setAttribute("aria-label", `${model.get("title")} Write ${letter} with finger, pen or mouse; or with keys: Space puts the pen down and lifts it, arrows move it, with Shift further, Home goes to the start.`);
   parts.hint.textContent = `Write ${letter} here, with finger, pen or mouse`;
   parts.hint.hidden = written.length > 0 || Boolean(parts.pen);
@@ -178,7 +177,7 @@ function drawRobot(model, parts, { box, lines, written }) {
   parts.robotCaption.textContent = own || !learned ? "" : "learned from your dots";
   parts.robotHint.textContent = line.length ? "" : own ? "Choose a letter, and the robot shows it" : "The robot learns from what you write";
   const name = own ? `The robot’s own ${model.get("character")}` : "What the robot learned from you";
-  parts.robotPaper.draw({ box, lines, dots, line, numbers: startsIn(line), title: line.length ? `${name}, ${line.length} stroke${line.length > 1 ? "s" : ""}.` : "The robot’s sheet is empty." });
+  parts.robotPaper.draw({ box, lines, dots, line, numbered: line, title: line.length ? `${name}, ${line.length} stroke${line.length > 1 ? "s" : ""}.` : "The robot’s sheet is empty." });
   change(parts.show, { "aria-disabled": model.get("character") ? null : "true" });
 }
 
@@ -191,6 +190,7 @@ function showIt(model, parts) {
   const [box, lines] = [model.get("sheet"), model.get("lines")];
   const draw = (moment) => parts.robotPaper.draw({ box, lines, dots: [], title: `The robot writes its ${model.get("character")}.`, ...momentOf(strokes, times, moment) });
   if (matchMedia(CALM).matches) return showStill(parts, draw, stillsOf(times), still + 1);
+  draw(0);
   parts.playing = { stop: playLetter(times, draw, () => (endShow(parts), drawPad(model, parts))) };
   parts.root.setAttribute("data-dt-showing", "true");
   parts.robotCaption.textContent = "watch where it starts";

@@ -3,7 +3,7 @@
 const STILLS = 3;
 const SVG_DOT = "h0.01";
 
-/** A sheet. Gives {node, title, view(), draw({box, lines, dots, line, rest, pen, numbers, title})}; lengths are metres. */
+/** A sheet. Gives {node, title, view(), draw({box, lines, dots, line, rest, pen, numbered, title})}; lengths are metres. */
 function writingSheet({ small = false } = {}) {
   const title = make("title", { id: newId("title") });
   const [rules, rest, line, dots, marks] = [make("g"), make("g"), make("g"), make("g"), make("g")];
@@ -13,12 +13,12 @@ function writingSheet({ small = false } = {}) {
   const redraw = () => {
     if (!state.size[0] || !state.scene) return;
     const { scene } = state;
-    const [now, numbered] = [view(), [...scene.dots, ...scene.line]];
+    const [now, ink] = [view(), [...scene.dots, ...scene.line]];
     rules.replaceChildren(...scene.lines.map((y, i) => writingLine(now, y, i === 0)));
     fill(rest, scene.rest ?? [], "dt-rest", now);
     fill(line, scene.line, "dt-robot-line", now);
     fill(dots, scene.dots, "dt-child-dots", now);
-    marks.replaceChildren(...(small ? [] : startsOf(now, scene.numbers ?? [], numbered)), ...penOf(now, scene.pen));
+    marks.replaceChildren(...(small ? [] : startsOf(now, scene.numbered, ink)), ...penOf(now, scene.pen));
     title.textContent = scene.title;
   };
   new ResizeObserver(() => ((state.size = [node.clientWidth, node.clientHeight]), redraw())).observe(node);
@@ -42,10 +42,11 @@ function writingLine(view, y, base) {
   return make("line", { class: base ? "dt-baseline" : "dt-midline", x1: 16, x2: view.w - 16, y1: at, y2: at });
 }
 
-/** A circle and a number where each stroke starts; numbers of starts that lie on each other share one label. */
-function startsOf(view, starts, ink) {
-  const strokes = starts.map((start) => [start]);
-  const rings = starts.map((start) => view.px(start)).map(([cx, cy]) => make("g", { class: "dt-start" }, make("circle", { cx, cy, r: 6 })));
+/** A circle and a number where each stroke starts, a number at a dot; numbers of starts that lie on each other share one label. */
+function startsOf(view, strokes, ink) {
+  const isLong = ([start, ...rest]) => rest.some((p) => view.k * Math.hypot(p[0] - start[0], p[1] - start[1]) > 8);
+  const ring = ([cx, cy]) => make("g", { class: "dt-start" }, make("circle", { cx, cy, r: 6 }));
+  const rings = strokes.filter(isLong).map(([start]) => ring(view.px(start)));
   const labels = startLabels(view, { demo: strokes }, String);
   return [...rings, ...labels.map(({ at, words }) => make("text", { class: "dt-small", ...labelPlace(view, at, { demo: ink }, 12) }, words))];
 }
@@ -56,7 +57,7 @@ function penOf(view, pen) {
   return [make("circle", { class: pen.down ? "dt-pen dt-down" : "dt-pen", cx, cy, r: 7 })];
 }
 
-/** What is written of a letter at one moment: {line, rest, pen, numbers}. `times` are seconds from its first point. */
+/** What is written of a letter at one moment: {line, rest, pen, numbered}. `times` are seconds from its first point. */
 function momentOf(strokes, times, moment) {
   const begun = strokes.filter((_, i) => times[i][0] <= moment);
   const line = begun.map((points, i) => {
@@ -67,7 +68,7 @@ function momentOf(strokes, times, moment) {
     return [...points.slice(0, end), tip];
   });
   const last = line[line.length - 1];
-  return { line, rest: strokes, numbers: begun.map((points) => points[0]), pen: last && { at: last[last.length - 1], down: true } };
+  return { line, rest: strokes, numbered: begun, pen: last && { at: last[last.length - 1], down: true } };
 }
 
 /** Let a letter be written at its own tempo: `draw(moment)` every frame, `done()` at the end. Gives a function that ends it. */

@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import Any, Self
 
 from dmp_teach.classroom.words import beside, millimetres
-from dmp_teach.errors import RecordingError
+from dmp_teach.errors import LetterError, RecordingError
 from dmp_teach.ink.pad import PadStroke, pad_recording
 from dmp_teach.ink.recording import Recording
 from dmp_teach.ink.score import Score, score
@@ -55,7 +55,7 @@ class Try:
         """How near it is to the model; None without a model, or where it has no shape: a dot, or two."""
         try:
             return None if self.model is None else score(self.recording, self.model)
-        except ValueError:
+        except LetterError:
             return None
 
     def named(self, writer: str) -> Self:
