@@ -10,6 +10,8 @@ _HOME = {
     "redraw": ("redrawn", "four_widths"),
     "new_letters": ("p_from_d",),
     "style": ("attribution",),
+    "hands": ("told_apart",),
+    "answers": ("Answers", "Attributions"),
     "lifts": ("segmentation",),
     "shapes": ("any_shape", "random_ink"),
     "closeness": ("goals_near_start",),

@@ -9,16 +9,18 @@ from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import RecordingError, SettingError
 from dmp_teach.studies.against import Against, against_original
+from dmp_teach.studies.answers import Attributions
 from dmp_teach.studies.beginnings import FirstMoments, first_moments
 from dmp_teach.studies.closeness import Closeness, goals_near_start
 from dmp_teach.studies.curves import ErrorCurves, error_against_number, error_against_width
 from dmp_teach.studies.goals import GoalChanges, goal_change_1d, goal_change_2d
+from dmp_teach.studies.hands import told_apart
 from dmp_teach.studies.lifts import Segmentation, segmentation
 from dmp_teach.studies.material import Stroke, Written, letters_of, recordings_of, strokes_of
 from dmp_teach.studies.new_letters import MadeLetters, p_from_d
 from dmp_teach.studies.redraw import Redrawings, redrawn
 from dmp_teach.studies.shapes import AnyShape, any_shape
-from dmp_teach.studies.style import Attributions, attribution
+from dmp_teach.studies.style import attribution
 from dmp_teach.trajectory import Trajectory
 
 FOURTH = 4
@@ -140,6 +142,11 @@ class Bench:
     def hands(self) -> Attributions:
         """Made letters given to their writers."""
         return attribution(None if self.recordings is None else self.letters, executor=self.executor)
+
+    @cached_property
+    def real_hands(self) -> Attributions:
+        """Real letters given to their writers."""
+        return told_apart(self.letters, executor=self.executor)
 
     @cached_property
     def against(self) -> Against:

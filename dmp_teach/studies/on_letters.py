@@ -9,9 +9,11 @@ import numpy as np
 
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.errors import SettingError
+from dmp_teach.studies.answers import Answers
 from dmp_teach.studies.bench import bench_of
 from dmp_teach.studies.lifts import NEAR
 from dmp_teach.studies.material import strokes_of
+from dmp_teach.studies.style import question
 from dmp_teach.studies.verdict import DEPENDS, FAILS, HOLDS, Claim, judged, mm, per_cent, times
 
 SURE = 0.05  # a guess that hits so often or more is this improbable at most
@@ -220,28 +222,35 @@ def any_ink(recordings: Any = None) -> Claim:
 
 
 def writing_style(recordings: Any = None) -> Claim:
-    """New letters have a similar style: made P are given to their writer, by shape and by hand, beyond chance.
+    """New letters have a similar style: bowls that DMP* led to other ends are given to their writer beyond chance.
 
-    HOLDS if both are (less than 5 % by luck), DOES NOT HOLD if neither hits more often than a guess would, else it
+    HOLDS if all four questions are (less than 5 % by luck): with the ends of the recipe and with varied ends, as drawn
+    and less what the recipe does to everybody. DOES NOT HOLD if none hits more often than a guess would, else it
     DEPENDS ON the number of writers and on what is compared.
     """
     bench = bench_of(recordings)
-    hands = bench.hands
-    questions = {"by_shape": len(hands.items), "by_hand": hands.others}
-    sure = [hands.luck(each) <= SURE for each in questions]
-    hits = [hands.right(q)[0] * max(n, 1) > hands.right(q)[1] for q, n in questions.items()]
-    verdict = HOLDS if all(sure) else FAILS if not any(hits) else DEPENDS
-    (shape, of), (hand, asked), (source, _) = (hands.right(q) for q in (*questions, "source_by_hand"))
-    against = "recorded P" if hands.recorded else "D with its bowl turned"
-    luck = f"(by luck {hands.luck('by_shape'):.2g})"
+    hands, real = bench.hands, bench.real_hands
+    asked = [hands[question("DMP*", varied, less)] for less in (True, False) for varied in (False, True)]
+    sure = [each.luck <= SURE for each in asked]
+    verdict = HOLDS if all(sure) else FAILS if not any(each.rate > each.chance for each in asked) else DEPENDS
+    control = hands[question("original", False, True)]
+    told = [f"{each.question} {per_cent(each.rate)} (by luck {each.luck:.2g})" for each in real if each.items]
     figure = (
-        f"Of {of} P made from D, {shape} are nearest to their writer's {against} {luck}; "
-        f"of {asked}, {hand} are nearest to their writer's other letters in slant, size and pace "
-        f"(by luck {hands.luck('by_hand'):.2g}), and of the D themselves {source}."
+        f"Bowls that DMP* led, given to the right one of {len(asked[0].writers)} writers less everybody's mean: "
+        f"{_rate(asked[0])}, with varied ends {_rate(asked[1])}; as drawn {_rate(asked[2])} and {_rate(asked[3])}. A "
+        f"guess: {per_cent(asked[0].chance)}; the original form: {_rate(control)}. "
+        f"Real letters told apart: {', '.join(told) or 'none could be asked'}."
     )
-    why = f"the number of writers ({of} here), and on whether shape or hand is compared"
+    borrowed = "; our own letters, since none of these can be made into others" if hands.borrowed else ""
+    why = "the number of writers, and on whether what the recipe does to everybody is taken away" + borrowed
     said = "New letters have a writing style similar to that of the demonstrations."
     return Claim("writing style", said, verdict, figure, why, _call("writing_style", bench))
+
+
+def _rate(answers: Answers) -> str:
+    """A rate with its spread."""
+    low, high = answers.interval
+    return f"{per_cent(answers.rate)} [{100 * low:.0f}, {100 * high:.0f}]"
 
 
 def _call(name: str, bench: Any) -> str:

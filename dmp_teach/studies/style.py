@@ -1,4 +1,4 @@
-"""Whose hand is it? Made letters given to the writer whose letters they look most like."""
+"""Is a style kept? Made letters, given to the writer whose own strokes they look most like."""
 
 from collections.abc import Sequence
 from concurrent.futures import Executor
@@ -6,152 +6,211 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from scipy.stats import binomtest
 
-from dmp_teach.letters.outline import bar_and_bowl
+from dmp_teach.dmp.settings import Settings
+from dmp_teach.errors import LetterError, SettingError
+from dmp_teach.letters.outline import evenly, straightness
+from dmp_teach.letters.piece import Piece
+from dmp_teach.letters.recipes import cooked, needed, recipes
+from dmp_teach.letters.roles import STRAIGHT, strokes_in_role
+from dmp_teach.letters.shelf import Shelf
+from dmp_teach.studies.answers import Answers, Attributions, luck_of
+from dmp_teach.studies.hands import fresh
 from dmp_teach.studies.material import OURS, Written, letters_of, own_recordings
-from dmp_teach.studies.new_letters import MadeLetter, p_from_d, transforms
-from dmp_teach.studies.tables import Rows, Tabled
-from dmp_teach.studies.work import Progress
-from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.studies.work import Progress, run
+from dmp_teach.trajectory import Array
 
-POINTS = 40  # along each stroke
-FEATURES = ("slant", "log size", "log pace", "unevenness of pace")
+STEPS = 39  # between points at equal ways along a stroke
+VARIATIONS = 20
+FAR = 0.1  # how far starts and goals vary, one standard deviation in each direction, in parts of the stroke's size
+WAYS = {
+    "DMP*": (Settings.star(), None),
+    "similarity": (Settings.star(), "similarity"),
+    "original": (Settings.original(), None),
+}
+"""How strokes are learned, and what leads them to other ends."""
 
 
-@dataclass(frozen=True)
-class Attribution:
-    """One made letter, and whose it was taken for.
-
-    Args:
-        writer: Who wrote the D.
-        by_shape: Whose P is nearest in shape, whatever its size.
-        by_hand: Whose other letters are nearest in slant, size and pace; None where a writer has no others.
-        source_by_hand: The same asked of the D itself: what the question can tell at all.
-    """
-
-    writer: str
-    by_shape: str
-    by_hand: str | None
-    source_by_hand: str | None
+Take = dict[str, Written]
+"""One take of each letter that one writer wrote."""
 
 
 @dataclass(frozen=True, eq=False)
-class Attributions(Tabled):
-    """Every made letter, and whose it was taken for.
+class _Bowl:
+    """A bowl that a recipe leads, by everybody: T takes with the bowl as written (T, F), and made (T, ways, V, F)."""
 
-    Args:
-        items: One for each writer with a D of two strokes.
-        others: How many writers have other letters to compare with.
-        recorded: Whether shapes were compared with Ps that the writers wrote themselves.
-    """
+    takes: tuple[int, ...]
+    writers: tuple[str, ...]
+    real: Array
+    made: Array
 
-    items: tuple[Attribution, ...]
-    others: int
-    recorded: bool = False
+    def neighbours(self) -> np.ndarray:
+        """Which real bowls each made one may be given to: its own source only if its writer has no other, (T, T)."""
+        whose = np.array(self.writers)
+        several = (whose[:, None] == whose).sum(axis=1) > 1
+        return ~(np.eye(len(whose), dtype=bool) & several)
 
-    def right(self, question: str) -> tuple[int, int]:
-        """How many were given to their writer, and of how many, for "by_shape", "by_hand" or "source_by_hand"."""
-        asked = [(each.writer, getattr(each, question)) for each in self.items if getattr(each, question) is not None]
-        return sum(writer == answer for writer, answer in asked), len(asked)
-
-    def luck(self, question: str) -> float:
-        """How probable as many hits or more are for somebody who guesses; 1 where nothing could be asked."""
-        hits, asked = self.right(question)
-        choices = len(self.items) if question == "by_shape" else self.others
-        if not asked or choices < 2:
-            return 1.0
-        return float(binomtest(hits, asked, 1 / choices, alternative="greater").pvalue)
-
-    def rows(self) -> Rows:
-        """One for each writer."""
-        return tuple(
-            {
-                "made from the D of": each.writer,
-                "nearest P": each.by_shape,
-                "nearest hand": each.by_hand or "-",
-                "nearest hand of the D itself": each.source_by_hand or "-",
-            }
-            for each in self.items
-        )
+    def named(self, way: int, variations: slice, less: bool) -> list[list[str | None]]:
+        """Whose bowl is nearest to each made one, for each take and variation; None where nothing was drawn."""
+        made, real = self.made[:, way, variations], self.real
+        if less:
+            drawn = np.isfinite(made[:, :, 0])
+            mean = np.where(drawn[:, :, None], made, 0).sum(axis=0) / np.maximum(drawn.sum(axis=0), 1)[:, None]
+            made, real = made - mean, real - real.mean(axis=0)
+        far = np.linalg.norm(made[:, :, None] - real, axis=3)
+        near = np.where(self.neighbours()[:, None], far, np.inf)
+        return [
+            [self.writers[int(np.argmin(each))] if np.isfinite(each).any() else None for each in row]
+            for row in np.where(np.isnan(near), np.inf, near)
+        ]
 
 
 def attribution(
-    recordings: Any = None, *, executor: Executor | None = None, progress: Progress | None = None
+    recordings: Any = None,
+    variations: int = VARIATIONS,
+    *,
+    executor: Executor | None = None,
+    progress: Progress | None = None,
 ) -> Attributions:
-    """Each writer's P, made from the D with DMP*, given to the nearest writer.
+    """Made letters given to the writer whose real stroke is nearest.
 
-    By shape: strokes of 40 points at equal ways along them, the letter moved to its middle and scaled to the same
-    size, root mean square distance to every writer's P: the one that was recorded, where every writer has one, or else
-    the writer's D with its bowl turned and scaled, which asks only whether the primitive kept the shape. By hand:
-    slant, size, pace and unevenness of pace, each divided by its spread over the writers, against the means of every
-    writer's *other* letters, which the primitive never saw.
+    Every recipe that leads a stroke to other ends (D to P, D to R, D to B) is made from every writer's letters. What
+    was only moved is the writer's own stroke and would be right for nothing, and a straight stroke whose ends are both
+    given is a line: neither is asked about. What is asked are bowls that were led. Their neighbours are the bowls that
+    all writers wrote themselves, in the same role: other takes by the same writer, and only if there is none the
+    stroke that the made one comes from. In that case the question is whether the primitive changes a shape less than
+    writers differ, and nothing more.
+
+    The distance is the root mean square difference of the directions of the ink at 40 equal ways along: place and size
+    do not count, lean does. Every question is asked "as drawn", and "less the mean": the mean of everybody's strokes
+    is taken from both sides first, as what a recipe does to everybody's bowl (a P's is half as high as a D's) says
+    nothing about whose it is. "varied" moves starts and goals by chance as well, the same for everybody.
 
     Args:
-        recordings: Recordings, files or strokes; our own letters where none is a D of two strokes.
-        executor: Any `concurrent.futures.Executor`; a piece of work is one D.
+        recordings: Recordings, files or strokes; our own letters where nothing can be made of them.
+        variations: How often starts and goals are moved, by a tenth of the stroke's size (normal, in each direction).
+        executor: Any `concurrent.futures.Executor`; a piece of work is one take by one writer.
         progress: Called as `progress(done, total)`.
     """
-    made = p_from_d(recordings, {"DMP*": transforms()["DMP*"]}, executor=executor, progress=progress)
-    letters = letters_of(own_recordings(OURS + "P") if made.borrowed or recordings is None else recordings)
-    one = {item.source.writer: item for item in made.items}
-    shapes, recorded = _shapes(letters, one)
-    hands = _hands(letters, one)
+    if isinstance(variations, bool) or not isinstance(variations, int) or variations < 1:
+        raise SettingError(f"variations is {variations!r}, but must be a whole number of at least 1.")
+    found = _bowls(letters_of(recordings), variations, executor, progress)
+    borrowed = not found
+    if borrowed:
+        found = _bowls(letters_of(own_recordings(OURS)), variations, executor, progress)
+    asked = [_asked(found, way, varied, less) for way in WAYS for varied in (False, True) for less in (True, False)]
+    return Attributions(tuple(asked), borrowed)
+
+
+def question(way: str, varied: bool, less: bool) -> str:
+    """The words for a question, such as "DMP*, varied, less the mean"."""
+    return f"{way}{', varied' * varied}, {'less the mean' if less else 'as drawn'}"
+
+
+def directions(path: Array) -> Array:
+    """The direction of the ink at equal ways along it, from its upper end on, as unit vectors, shape (2 * STEPS,)."""
+    points, _ = evenly(path if path[0, 1] >= path[-1, 1] else path[::-1], STEPS + 1)
+    step = np.diff(points, axis=0)
+    return (step / np.maximum(np.linalg.norm(step, axis=1, keepdims=True), 1e-12)).ravel() / np.sqrt(STEPS)
+
+
+def _bowls(letters: Sequence[Written], variations: int, executor: Executor | None, progress: Progress | None) -> list:
+    """Every bowl that a recipe leads, as far as anybody's letters have it."""
+    takes = _takes(letters)
+    hows = dict.fromkeys(",".join(how.split(",")[: number + 1]) for _, how in recipes() for number in _led(how))
+    made = run(_made, [(take, tuple(hows), variations) for _, take in takes], executor, progress)
     found = []
-    for writer, item in one.items():
-        form = _shape(item.strokes)
-        near = min(shapes, key=lambda other: float(np.linalg.norm(shapes[other] - form)))
-        asked = writer in hands and len(hands) > 1
-        by_hand = _nearest_hand(item.strokes, hands) if asked else None
-        found.append(Attribution(writer, near, by_hand, _nearest_hand(item.source.strokes, hands) if asked else None))
-    return Attributions(tuple(found), len(hands), recorded)
+    for bowl in zip(*made, strict=True):
+        there = tuple(number for number, each in enumerate(bowl) if each is not None)
+        if there:
+            real, drawn = (np.array([bowl[number][side] for number in there]) for side in (0, 1))
+            found.append(_Bowl(there, tuple(takes[number][0] for number in there), real, drawn))
+    return found
 
 
-def hand(strokes: Sequence[Trajectory]) -> Array:
-    """Slant of the steep parts, log of size [m], log of pace [m/s], unevenness of pace, shape (4,)."""
-    step = np.concatenate([np.diff(s.position, axis=0) for s in strokes])
-    dt = np.concatenate([np.diff(s.t) for s in strokes])
-    long = np.linalg.norm(step, axis=1)
-    steep = np.abs(step[:, 1]) > np.abs(step[:, 0])
-    slant = (step[steep, 0] * step[steep, 1]).sum() / max((step[steep, 1] ** 2).sum(), 1e-12)
-    size = np.ptp(np.concatenate([s.position for s in strokes]), axis=0).max()
-    pace, speed = long.sum() / dt.sum(), long / dt
-    return np.array([slant, np.log(size), np.log(pace), speed.std() / max(speed.mean(), 1e-12)])
+def _led(how: str) -> list[int]:
+    """The numbers of the strokes that a recipe leads to other ends."""
+    return [number for number, item in enumerate(how.split(",")) if "lead" in item.split()]
 
 
-def _hands(letters: Sequence[Written], made: dict[str, MadeLetter]) -> dict[str, Array]:
-    """The mean hand of every writer's letters other than the D."""
-    found: dict[str, list[Array]] = {}
+def _takes(letters: Sequence[Written]) -> list[tuple[str, Take]]:
+    """The first take of each of a writer's letters, then the second, as far as there are."""
+    groups: dict[tuple[str, str], list[Written]] = {}
     for letter in letters:
-        if letter.character != "D" and letter.writer in made:
-            found.setdefault(letter.writer, []).append(hand(letter.strokes))
-    return {writer: np.mean(each, axis=0) for writer, each in found.items()}
+        groups.setdefault((letter.writer, letter.character), []).append(letter)
+    takes: dict[tuple[str, int], Take] = {}
+    for (writer, character), group in groups.items():
+        for number, letter in enumerate(fresh(group)):
+            takes.setdefault((writer, number), {})[character] = letter
+    return [(writer, take) for (writer, _), take in takes.items()]
 
 
-def _nearest_hand(strokes: Sequence[Trajectory], hands: dict[str, Array]) -> str:
-    """The writer whose hand is nearest."""
-    spread = np.std(list(hands.values()), axis=0)
-    spread = np.where(spread > 0, spread, 1.0)
-    asked = hand(strokes)
-    return min(hands, key=lambda writer: float(np.linalg.norm((hands[writer] - asked) / spread)))
+def _made(piece: tuple[Take, Sequence[str], int]) -> list[tuple[Array, Array] | None]:
+    """What one take gives for the last stroke of each recipe."""
+    take, hows, variations = piece
+    return [_last(take, how, variations) if set(needed(how)) <= take.keys() else None for how in hows]
 
 
-def _shapes(letters: Sequence[Written], made: dict[str, MadeLetter]) -> tuple[dict[str, Array], bool]:
-    """Every writer's P, and whether they were recorded."""
-    own = {each.writer: each for each in letters if each.character == "P" and len(each.strokes) >= 2}
-    if made.keys() <= own.keys():
-        return {writer: _shape(own[writer].strokes) for writer in made}, True
-    return {writer: _shape(item.ideal) for writer, item in made.items()}, False
+def _last(take: Take, how: str, variations: int) -> tuple[Array, Array] | None:
+    """The last stroke of a recipe, real (F,) and made (ways, 1 + variations, F); None where it is no bowl.
+
+    What cannot be drawn is NaN.
+    """
+    letter, role = how.rsplit(",", maxsplit=1)[-1].split()[:2]
+    try:
+        (real,) = (piece.shown.position for piece in strokes_in_role(role, _shelf(take, how, Settings.star())[letter]))
+    except LetterError:
+        return None
+    if straightness(real) > STRAIGHT:
+        return None
+    made = np.full((len(WAYS), 1 + variations, 2 * STEPS), np.nan)
+    for row, (settings, transform) in zip(made, WAYS.values(), strict=True):
+        try:
+            led = cooked(how, _shelf(take, how, settings), transform)[-1]
+        except (SettingError, LetterError):
+            continue
+        size = float(np.ptp(real, axis=0).max())
+        for number in range(1 + variations):
+            row[number] = directions(_varied(led, size, number).drawn.position)
+    return directions(real), made
 
 
-def _shape(strokes: Sequence[Trajectory]) -> Array:
-    """Bar and bowl as points, without place and size, shape (2 * POINTS * 2,)."""
-    points = np.concatenate([_evenly(strokes[k].position) for k in bar_and_bowl(tuple(strokes))])
-    points = points - points.mean(axis=0)
-    return (points / np.sqrt((points**2).sum(axis=1).mean())).ravel()
+def _shelf(take: Take, how: str, settings: Settings) -> Shelf:
+    return Shelf.of({character: take[character].strokes for character in needed(how)}, settings)
 
 
-def _evenly(path: Array) -> Array:
-    """Points at equal ways along a path."""
-    way = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(path, axis=0), axis=1))])
-    return np.column_stack([np.interp(np.linspace(0, way[-1], POINTS), way, axis) for axis in path.T])
+def _varied(piece: Piece, size: float, number: int) -> Piece:
+    """The stroke with its start and goal moved by chance; as it is for number 0."""
+    if not number:
+        return piece
+    start, goal = FAR * size * np.random.default_rng(number).normal(size=(2, 2))
+    return piece.led(start=piece.at("start") + start, goal=piece.at("goal") + goal)
+
+
+def _asked(bowls: Sequence[_Bowl], way: str, varied: bool, less: bool) -> Answers:
+    """One question with its answers."""
+    asked, guess = [], []
+    for bowl in bowls:
+        named = bowl.named(list(WAYS).index(way), slice(1, None) if varied else slice(1), less)
+        asked += [
+            (take, writer, name)
+            for take, writer, row in zip(bowl.takes, bowl.writers, named, strict=True)
+            for name in row
+        ]
+        same, allowed = np.array(bowl.writers)[:, None] == np.array(bowl.writers), bowl.neighbours()
+        guess += list((same & allowed).sum(axis=1) / allowed.sum(axis=1))
+    items = tuple((writer, name) for _, writer, name in asked)
+    return Answers(question(way, varied, less), items, float(np.mean(guess)), _luck(asked))
+
+
+def _luck(asked: Sequence[tuple[int, str, str | None]]) -> float:
+    """How often it is as good with the takes' names shuffled; all that was made of one take keeps together."""
+    whose = {take: writer for take, writer, _ in asked}
+    names = sorted(set(whose.values()))
+    row = {take: number for number, take in enumerate(whose)}
+    counts = np.zeros((len(whose), len(names)), dtype=int)
+    for take, _, name in asked:
+        if name is not None:
+            counts[row[take], names.index(name)] += 1
+    code = np.array([names.index(writer) for writer in whose.values()])
+    return luck_of(lambda order: int(counts[np.arange(len(code)), code[order]].sum()), np.zeros(len(code)))

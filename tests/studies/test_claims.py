@@ -1,6 +1,7 @@
 """The paper's claims: computed from whatever is given, reproduced by their calls, and turned by other data."""
 
 from dataclasses import replace
+from itertools import product
 from types import SimpleNamespace
 
 import numpy as np
@@ -12,18 +13,20 @@ from dmp_teach.errors import RecordingError, SettingError
 from dmp_teach.ink.alphabet import alphabets, recording_of
 from dmp_teach.studies import on_kernels, on_letters
 from dmp_teach.studies.against import Against
+from dmp_teach.studies.answers import Answers, Attributions
 from dmp_teach.studies.bench import Bench
 from dmp_teach.studies.claims import ALL, claims
 from dmp_teach.studies.curves import ErrorCurves
 from dmp_teach.studies.lifts import Found, Lifts, Segmentation
 from dmp_teach.studies.new_letters import p_from_d
-from dmp_teach.studies.style import Attribution, Attributions
+from dmp_teach.studies.style import question
 from dmp_teach.studies.verdict import DEPENDS, FAILS, HOLDS, judged, mm, per_cent, times
 from dmp_teach.trajectory import Trajectory
 from tests.dmp.ink import letter
 from tests.recordings import RECORDINGS, needs_recordings
 
 FEW = [recording_of(character, alphabet) for character in "aD" for alphabet in alphabets()]
+QUESTIONS = [question(*each) for each in product(("DMP*", "original"), (True, False), (True, False))]
 NAMES = ("Gaussian, LWR", "Gaussian, joint")
 
 
@@ -228,9 +231,16 @@ def test_strokes_are_found_as_often_as_they_are_found():
 
 
 def test_a_style_is_kept_where_guessing_would_fail():
-    for hits, verdict in ((8, HOLDS), (0, FAILS), (2, DEPENDS)):
-        items = tuple(Attribution(f"w{k}", *([f"w{k if k < hits else (k + 1) % 8}"] * 2), f"w{k}") for k in range(8))
-        assert on_letters.writing_style(made(hands=Attributions(items, 8))).verdict == verdict
+    for hits, luck, verdict in ((8, 0.001, HOLDS), (0, 1.0, FAILS), (2, 0.3, DEPENDS)):
+        items = tuple((f"w{k}", f"w{k if k < hits else (k + 1) % 8}") for k in range(8))
+        found = Attributions(tuple(Answers(words, items, 1 / 8, luck) for words in QUESTIONS))
+        assert on_letters.writing_style(made(hands=found)).verdict == verdict
+
+
+def test_a_style_that_is_kept_only_beside_everybodys_mean_depends_on_that():
+    items = tuple((f"w{k}", f"w{k}") for k in range(8))
+    found = [Answers(words, items, 1 / 8, 0.001 if "mean" in words else 0.06) for words in QUESTIONS]
+    assert on_letters.writing_style(made(hands=Attributions(tuple(found)))).verdict == DEPENDS
 
 
 def test_any_ink_needs_enough_kernels():

@@ -2,8 +2,6 @@
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.ink.alphabet import alphabets, recording_of
@@ -13,7 +11,6 @@ from dmp_teach.studies.material import letters_of, own_recordings
 from dmp_teach.studies.new_letters import p_from_d
 from dmp_teach.studies.redraw import four_widths, redrawn, width_name
 from dmp_teach.studies.shapes import KINDS, any_shape, random_ink
-from dmp_teach.studies.style import attribution, hand
 from dmp_teach.trajectory import Trajectory
 from tests.dmp.ink import letter
 
@@ -78,27 +75,6 @@ def test_the_similarity_makes_the_bowl_that_is_only_turned_and_scaled():
 def test_without_a_d_of_two_strokes_our_own_is_borrowed():
     assert p_from_d([recording_of("a")]).borrowed
     assert not p_from_d(DS).borrowed
-
-
-@settings(max_examples=20, deadline=None)
-@given(st.floats(0.2, 4.0), st.floats(-1, 1), st.floats(-1, 1))
-def test_whose_hand_it_is_does_not_depend_on_place(scale, x, y):
-    strokes = DS[0].strokes()
-    moved = [Trajectory(s.t, scale * s.position + [x, y]) for s in strokes]
-    np.testing.assert_allclose(hand(moved)[[0, 3]], hand(strokes)[[0, 3]], atol=1e-6)
-    np.testing.assert_allclose(hand(moved)[1:3], hand(strokes)[1:3] + np.log(scale), atol=1e-6)
-
-
-def test_writers_who_differ_are_told_apart():
-    found = attribution()
-    assert found.recorded
-    assert found.right("source_by_hand") == (2, 2)
-    assert found.luck("by_hand") >= 0.25  # two writers prove nothing
-
-
-def test_one_writer_alone_proves_nothing():
-    found = attribution([recording_of("D"), recording_of("a")])
-    assert found.luck("by_shape") == found.luck("by_hand") == 1.0
 
 
 def lifted(lift, rate=120):
