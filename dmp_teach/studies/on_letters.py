@@ -241,7 +241,7 @@ def writing_style(recordings: Any = None) -> Claim:
         f"guess: {per_cent(asked[0].chance)}; the original form: {_rate(control)}. "
         f"Real letters told apart: {', '.join(told) or 'none could be asked'}."
     )
-    borrowed = "; our own letters, since none of these can be made into others" if hands.borrowed else ""
+    borrowed = "; our own letters, as there are no two writers' bowls to lead" if hands.borrowed else ""
     why = "the number of writers, and on whether what the recipe does to everybody is taken away" + borrowed
     said = "New letters have a writing style similar to that of the demonstrations."
     return Claim("writing style", said, verdict, figure, why, _call("writing_style", bench))

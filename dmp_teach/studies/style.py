@@ -9,10 +9,10 @@ import numpy as np
 
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import LetterError, SettingError
-from dmp_teach.letters.outline import evenly, straightness
+from dmp_teach.letters.outline import evenly
 from dmp_teach.letters.piece import Piece
 from dmp_teach.letters.recipes import cooked, needed, recipes
-from dmp_teach.letters.roles import STRAIGHT, strokes_in_role
+from dmp_teach.letters.roles import strokes_in_role
 from dmp_teach.letters.shelf import Shelf
 from dmp_teach.studies.answers import Answers, Attributions, luck_of
 from dmp_teach.studies.hands import fresh
@@ -74,9 +74,9 @@ def attribution(
 ) -> Attributions:
     """Made letters given to the writer whose real stroke is nearest.
 
-    Every recipe that leads a stroke to other ends (D to P, D to R, D to B) is made from every writer's letters. What
-    was only moved is the writer's own stroke and would be right for nothing, and a straight stroke whose ends are both
-    given is a line: neither is asked about. What is asked are bowls that were led. Their neighbours are the bowls that
+    Every recipe that leads a stroke to other ends (D to P, R and B, B to P) is made from every writer's letters. What
+    was only moved is the writer's own stroke and would be right for nothing, and a bar whose ends are both given is a
+    line: neither is asked about. What is asked are bowls that were led. Their neighbours are the bowls that
     all writers wrote themselves, in the same role: other takes by the same writer, and only if there is none the
     stroke that the made one comes from. In that case the question is whether the primitive changes a shape less than
     writers differ, and nothing more.
@@ -87,7 +87,7 @@ def attribution(
     nothing about whose it is. "varied" moves starts and goals by chance as well, the same for everybody.
 
     Args:
-        recordings: Recordings, files or strokes; our own letters where nothing can be made of them.
+        recordings: Recordings, files or strokes; our own letters where there are no bowls by two writers in it.
         variations: How often starts and goals are moved, by a tenth of the stroke's size (normal, in each direction).
         executor: Any `concurrent.futures.Executor`; a piece of work is one take by one writer.
         progress: Called as `progress(done, total)`.
@@ -115,22 +115,24 @@ def directions(path: Array) -> Array:
 
 
 def _bowls(letters: Sequence[Written], variations: int, executor: Executor | None, progress: Progress | None) -> list:
-    """Every bowl that a recipe leads, as far as anybody's letters have it."""
+    """Every bowl that a recipe leads, as far as two writers or more have it."""
     takes = _takes(letters)
     hows = dict.fromkeys(",".join(how.split(",")[: number + 1]) for _, how in recipes() for number in _led(how))
     made = run(_made, [(take, tuple(hows), variations) for _, take in takes], executor, progress)
     found = []
     for bowl in zip(*made, strict=True):
         there = tuple(number for number, each in enumerate(bowl) if each is not None)
-        if there:
+        writers = tuple(takes[number][0] for number in there)
+        if len(set(writers)) > 1:
             real, drawn = (np.array([bowl[number][side] for number in there]) for side in (0, 1))
-            found.append(_Bowl(there, tuple(takes[number][0] for number in there), real, drawn))
+            found.append(_Bowl(there, writers, real, drawn))
     return found
 
 
 def _led(how: str) -> list[int]:
-    """The numbers of the strokes that a recipe leads to other ends."""
-    return [number for number, item in enumerate(how.split(",")) if "lead" in item.split()]
+    """The numbers of the strokes, other than bars, that a recipe leads to other ends."""
+    items = [item.split() for item in how.split(",")]
+    return [number for number, (_, role, *words) in enumerate(items) if "lead" in words and role != "bar"]
 
 
 def _takes(letters: Sequence[Written]) -> list[tuple[str, Take]]:
@@ -152,7 +154,7 @@ def _made(piece: tuple[Take, Sequence[str], int]) -> list[tuple[Array, Array] | 
 
 
 def _last(take: Take, how: str, variations: int) -> tuple[Array, Array] | None:
-    """The last stroke of a recipe, real (F,) and made (ways, 1 + variations, F); None where it is no bowl.
+    """The last stroke of a recipe, real (F,) and made (ways, 1 + variations, F); None where this D has none.
 
     What cannot be drawn is NaN.
     """
@@ -160,8 +162,6 @@ def _last(take: Take, how: str, variations: int) -> tuple[Array, Array] | None:
     try:
         (real,) = (piece.shown.position for piece in strokes_in_role(role, _shelf(take, how, Settings.star())[letter]))
     except LetterError:
-        return None
-    if straightness(real) > STRAIGHT:
         return None
     made = np.full((len(WAYS), 1 + variations, 2 * STEPS), np.nan)
     for row, (settings, transform) in zip(made, WAYS.values(), strict=True):

@@ -9,6 +9,7 @@ from dmp_teach.studies.curves import ErrorCurves
 from dmp_teach.studies.goals import Traces
 from dmp_teach.trajectory import Array
 from dmp_teach.views.alphabet_figures import contact_sheet
+from dmp_teach.views.attribution_figures import attribution_bars, confusion
 from dmp_teach.views.figure_style import (
     CHILD,
     COLOURS,
@@ -28,6 +29,8 @@ from dmp_teach.views.ink_figures import d_to_p, four_widths_drawn, goal_change_d
 from dmp_teach.views.style_figures import style_sheet
 
 __all__ = [
+    "attribution_bars",
+    "confusion",
     "contact_sheet",
     "d_to_p",
     "error_over_number",

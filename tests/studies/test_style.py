@@ -112,17 +112,20 @@ def test_whoever_lacks_a_letter_is_left_out_and_nothing_is_asked_of_one_letter()
     assert np.isnan([nothing.rate, *nothing.interval, nothing.chance]).all()
 
 
-def test_two_writers_prove_nothing_and_one_even_less():
+def test_two_writers_prove_nothing():
     found = attribution(variations=1)
     assert found.borrowed is False
     assert found[FOUR[0]].rate == 1
     assert found[FOUR[0]].luck > 0.3
-    alone = attribution([recording_of("D"), recording_of("a")], 1)[FOUR[0]]
-    assert (alone.rate, alone.chance, alone.luck) == (1.0, 1.0, 1.0)
 
 
-def test_where_nothing_can_be_made_our_own_letters_are_taken():
+def test_where_nobody_else_could_be_named_our_own_letters_are_taken():
     assert attribution([recording_of("a")], 1).borrowed
+    assert attribution([recording_of("D"), recording_of("a", "slanted")], 1).borrowed
+    pupils = [Pupil(seed) for seed in range(3)]
+    found = attribution([each.writes("D") for each in pupils] + [pupils[0].writes("B")], 1)
+    assert not found.borrowed
+    assert found[FOUR[0]].right[1] == 3 * 2  # the bowl of the one B is not asked about
 
 
 def test_what_the_original_form_cannot_learn_counts_as_wrong():
