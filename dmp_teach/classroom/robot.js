@@ -37,7 +37,7 @@ function strokesOf(model, name, counts = model.get("counts")) {
 
 /** A person's own recording, read by the kernel of this notebook and kept nowhere. */
 function fileButton(model) {
-  const input = make("input", { type: "file", accept: ".csv,.json", "aria-label": "Open your own recording, a CSV or JSON file" });
+  const input = make("input", { type: "file", accept: ".csv,.json,.inkml,.svg,.mat", "aria-label": "Open your own recording, a CSV, JSON, InkML, SVG or MAT file" });
   const node = make("label", { class: "dt-button" }, icon(ICONS.file), make("span", {}, "Your own recording"), input);
   input.addEventListener("change", async () => {
     const file = input.files[0];
