@@ -1,1 +1,20 @@
-"""Recordings in every format, and the strokes in them."""
+"""Recordings in every format, the strokes in them, and how near one letter is to another.
+
+Read in this order:
+
+    recording       what flows: the pen's way, its clock, its strokes
+    strokes         ... found from the height; `printed_rules`: the paper's way; `cuts`: moved by hand
+    reader          a file becomes recordings; what is in it tells which of these reads it:
+      capture         motion capture (`motive` reads the table, `plane` finds the paper)
+      inkml           digital ink (`inkml_channels`, `inkml_points`, `inkml_times`)
+      reference_sets  Character Trajectories and LASA (`matfile` reads MATLAB's files)
+      svg             drawings (`pace`: when a hand would be where)
+      our_json        what we write ourselves (`plain_json`: strictly, never run)
+      for all         `opening` (bounded files), `markup` (XML from strangers), `flat` and `lifts` (ink without height)
+    writer          a recording becomes a file
+    pad             events of a mouse, a finger or a stylus become a recording
+    alphabet        our own letters
+    score           how well a letter is written, in a sentence, by
+      matching        which stroke is which, whatever their order (`laying`: stroke upon stroke; `points`: evenly along)
+      fitting         size, place and lean; `distances`: shape; `movement`: smoothness; `faults`: what to say first
+"""

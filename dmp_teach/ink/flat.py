@@ -8,6 +8,7 @@ from numpy.typing import ArrayLike
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.ink.lifts import with_lifts
+from dmp_teach.ink.markup import number_of
 from dmp_teach.ink.plain_json import is_pseudonym
 from dmp_teach.ink.recording import Recording
 from dmp_teach.trajectory import Array, Trajectory
@@ -18,7 +19,7 @@ USUAL = 0.05  # how high a letter is taken to be where a file says no unit [m]
 LONGEST_LABEL = 40  # a longer text is no label
 
 
-def as_letter(
+def flat_recording(
     strokes: Sequence[Trajectory],
     pressures: Sequence[Array] | None = None,
     origin: ArrayLike | None = None,
@@ -35,12 +36,9 @@ def as_letter(
     Raises:
         RecordingError: The ink is far larger or smaller than a hand's, or as `with_lifts`.
     """
-    ink = np.concatenate([stroke.position for stroke in strokes])
-    corner, size = ink.min(axis=0), float(np.ptp(ink, axis=0).max())
-    if not SMALLEST < size < LARGEST:
-        raise RecordingError(
-            f"the ink is {size:.4g} m large, but must be {SMALLEST} to {LARGEST} m; is its unit right?"
-        )
+    ink = [stroke.position for stroke in strokes]
+    check_size(ink)
+    corner = np.concatenate(ink).min(axis=0)
     shift = corner if origin is None else np.asarray(origin)
     if not (np.abs(shift - corner) < LARGEST).all():
         raise RecordingError(f"the page's origin is {shift - corner} m from the ink, but no page is so large.")
@@ -57,6 +55,12 @@ def check_size(strokes: Sequence[Array]) -> None:
         raise RecordingError(
             f"the ink is {size:.4g} m large, but must be {SMALLEST} to {LARGEST} m; is its unit right?"
         )
+
+
+def millimetres(text: str | None, count: int) -> Array | None:
+    """So many lengths [m] that we wrote into a file ourselves, in mm with spaces between; None where there are none."""
+    numbers = [number_of(word) for word in (text or "").split()[: count + 1]]
+    return None if len(numbers) != count or None in numbers else np.array(numbers, dtype=float) / 1000
 
 
 def usual_scale(letters: Sequence[Sequence[Array]]) -> float:

@@ -1,9 +1,10 @@
 """Digital ink as tablets and forms save it: InkML, a recommendation of the W3C (20 September 2011).
 
-Channels are taken as the file declares them (`channels.py`, `traces.py`). Each trace that was written with the pen down
-is a stroke, a trace that continues another one is part of it, and points where the tip switch S is off leave a gap.
-Groups of traces with a label of their own (an annotation `truth`, `label` or the like) are letters of their own; a file
-without such groups is one letter. Times are those of channel T, or the device's sample rate, or else a hand's.
+Channels are taken as the file declares them (`inkml_channels`), points as it abbreviates them (`inkml_points`). Each
+trace that was written with the pen down is a stroke, a trace that continues another one is part of it, and points where
+the tip switch S is off leave a gap. Groups of traces with a label of their own (an annotation `truth`, `label` or the
+like) are letters of their own; a file without such groups is one letter. Times are those of channel T, or the device's
+sample rate (`inkml_times`), or else a hand's (`pace`).
 """
 
 from collections.abc import Iterator
@@ -13,14 +14,14 @@ from xml.etree.ElementTree import Element
 import numpy as np
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.ink.channels import Channel, Contexts, Format, number_of
-from dmp_teach.ink.flat import as_letter, check_size, label_of, usual_scale, writer_of
+from dmp_teach.ink.flat import check_size, flat_recording, label_of, millimetres, usual_scale, writer_of
+from dmp_teach.ink.inkml_channels import Channel, Contexts, Format
+from dmp_teach.ink.inkml_points import MOST, points_of
+from dmp_teach.ink.inkml_times import one_clock, times_of
 from dmp_teach.ink.markup import local
 from dmp_teach.ink.pace import in_time
 from dmp_teach.ink.recording import Recording
 from dmp_teach.ink.strokes import runs
-from dmp_teach.ink.timing import one_clock, times_of
-from dmp_teach.ink.traces import MOST, points_of
 from dmp_teach.trajectory import Array, Trajectory
 
 LABELS = ("truth", "label", "character", "symbol", "transcription", "text")
@@ -173,8 +174,10 @@ def _letter(root: Element, group: Element, strokes: list[_Stroke], scale: float,
         laid = [(stroke.t, stroke.position) for stroke in in_time(rows)]
     else:
         laid = one_clock([(stroke.t, row) for stroke, row in zip(strokes, rows, strict=True)])
-    origin, baseline = (_lengths(root, name, count) for name, count in (("origin", 2), ("baseline", 1)))
-    return as_letter(
+    origin, baseline = (
+        millimetres(_annotation(root, (name,)), count) for name, count in (("origin", 2), ("baseline", 1))
+    )
+    return flat_recording(
         [Trajectory(t, row[:, :2]) for t, row in laid],
         [row[:, 2] for _, row in laid] if forced else None,
         origin,
@@ -190,10 +193,3 @@ def _annotation(element: Element, kinds: tuple[str, ...]) -> str | None:
         if local(each) == "annotation" and (each.get("type") or "").lower() in kinds:
             return each.text or ""
     return None
-
-
-def _lengths(root: Element, kind: str, count: int) -> Array | None:
-    """Lengths [m] that we wrote into an annotation, in mm; None where there are none."""
-    words = (_annotation(root, (kind,)) or "").split()
-    numbers = [number_of(word) for word in words[: count + 1]]
-    return np.array(numbers, dtype=float) / 1000 if len(words) == count and None not in numbers else None

@@ -1,5 +1,6 @@
 """XML from strangers: no entities, nothing from elsewhere, no more elements and no deeper than ink needs."""
 
+import math
 from xml.etree.ElementTree import Element, ParseError, TreeBuilder
 
 from defusedxml.common import DefusedXmlException, EntitiesForbidden
@@ -57,3 +58,12 @@ def parsed(data: bytes) -> Element:
 def local(element: Element) -> str:
     """An element's name without its namespace; nothing for what is no element."""
     return element.tag.rpartition("}")[2] if isinstance(element.tag, str) else ""
+
+
+def number_of(text: str | None) -> float | None:
+    """The number that an attribute says; None where it says none."""
+    try:
+        value = float((text or "").replace("_", "x"))
+    except ValueError:
+        return None
+    return value if math.isfinite(value) and abs(value) < 1e100 else None

@@ -9,10 +9,10 @@ from dmp_teach.ink.capture import read_motive
 from dmp_teach.ink.inkml import read_inkml
 from dmp_teach.ink.markup import local, parsed
 from dmp_teach.ink.matfile import HDF5
-from dmp_teach.ink.matlab import read_sets
 from dmp_teach.ink.opening import contents
 from dmp_teach.ink.our_json import from_json
 from dmp_teach.ink.recording import Recording
+from dmp_teach.ink.reference_sets import read_sets
 from dmp_teach.ink.svg import read_svg
 
 XML = {"ink": read_inkml, "svg": read_svg}

@@ -16,7 +16,7 @@ import numpy as np
 from svgelements import Circle, Close, Ellipse, Line, Matrix, Move, Path, Rect
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.ink.flat import as_letter, check_size, label_of, writer_of
+from dmp_teach.ink.flat import check_size, flat_recording, label_of, millimetres, writer_of
 from dmp_teach.ink.markup import local
 from dmp_teach.ink.pace import in_time
 from dmp_teach.ink.recording import Recording
@@ -60,11 +60,13 @@ def read_svg(root: Element) -> tuple[Recording, ...]:
         raise RecordingError("draws nothing: there is no path in it. Convert text and objects to paths.")
     check_size(strokes)
     character, writer = _labels(root)
-    origin, baseline = _numbers(root, "data-origin", 2), _numbers(root, "data-baseline", 1)
+    origin, baseline = (
+        millimetres(root.get(name), count) for name, count in (("data-origin", 2), ("data-baseline", 1))
+    )
     if origin is not None:
         origin = origin * [1, -1]
     line = None if baseline is None or origin is None else float(baseline[0])
-    return (as_letter(in_time(strokes), None, origin, character=character, writer=writer, baseline=line),)
+    return (flat_recording(in_time(strokes), None, origin, character=character, writer=writer, baseline=line),)
 
 
 def _shapes(element: Element, matrix: Array | None) -> Iterator[tuple[Path, Array]]:
@@ -209,11 +211,3 @@ def _labels(root: Element) -> tuple[str | None, str | None]:
         return label_of(match[1]), writer
     label = label_of(title)
     return (label if label and len(label) == 1 else None), None
-
-
-def _numbers(root: Element, name: str, count: int) -> Array | None:
-    """Lengths [m] that we wrote into an attribute, in mm; None where there are none."""
-    words = (root.get(name) or "").split()
-    if len(words) != count or not all(re.fullmatch(NUMBER, word) for word in words):
-        return None
-    return np.array(words, dtype=float) / 1000

@@ -23,7 +23,7 @@ from dmp_teach.ink.reader import read_recordings
 from dmp_teach.ink.writer import write_recording
 from tests.ink.ink_files import d_strokes, inkml, lasa, loop, mat, trace, uci
 from tests.ink.motive_csv import Pen, bar, lab, motive
-from tests.ink.test_matlab import VALUES
+from tests.ink.test_reference_sets import VALUES
 
 HUGE = [
     "1e308",

@@ -7,12 +7,11 @@ Spaces may be left out where a sign divides.
 """
 
 import re
-from typing import Any
 
 import numpy as np
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.ink.channels import Format
+from dmp_teach.ink.inkml_channels import Format
 from dmp_teach.trajectory import Array
 
 TOKEN = re.compile(
@@ -61,7 +60,7 @@ def points_of(text: str, form: Format, most: int = MOST) -> Array:
     for match in TOKEN.finditer(text):
         sign, number, minus, digits, word, comma, odd = match.groups()
         if odd or len(row) > len(counters) - (not comma):
-            _refuse(odd, row, text, match.start(), len(counters))
+            _refuse(odd, text, match.start(), len(counters))
         if comma:
             _finish(rows, row, counters, regular)
             row = []
@@ -71,7 +70,7 @@ def points_of(text: str, form: Format, most: int = MOST) -> Array:
         if digits:
             number = str(int(minus + digits, 16))
         if number and not abs(float(number)) < TOO_LARGE:
-            _refuse(number, row, text, match.start(), len(counters))
+            _refuse(number, text, match.start(), len(counters))
         counter = counters[len(row)]
         known = {"T": 1.0, "F": 0.0}.get(word) if word else float(number)
         row.append(np.nan if word == "?" else counter.next(sign, known))
@@ -87,7 +86,7 @@ def _finish(rows: list, row: list, counters: list[_Counter], regular: int) -> No
     rows.append(row + [counter.value for counter in counters[len(row) :]])
 
 
-def _refuse(odd: Any, row: list, text: str, place: int, channels: int) -> None:
+def _refuse(odd: str | None, text: str, place: int, channels: int) -> None:
     """Say what has no place in a trace."""
     if odd:
         raise RecordingError(f"has {text[place : place + 20].strip()!r} where a number should be.")

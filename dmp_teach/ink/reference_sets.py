@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.ink.flat import as_letter, label_of, usual_scale
+from dmp_teach.ink.flat import flat_recording, label_of, usual_scale
 from dmp_teach.ink.matfile import read_mat
 from dmp_teach.ink.recording import Recording
 from dmp_teach.trajectory import Array, Trajectory
@@ -59,7 +59,7 @@ def _characters(variables: dict[str, Any]) -> tuple[Recording, ...]:
         made = _numbered(
             "mixout",
             k,
-            lambda t=t, path=path, speed=speed, label=label: as_letter(
+            lambda t=t, path=path, speed=speed, label=label: flat_recording(
                 [Trajectory(t, path * scale)], _pressed(speed), character=label
             ),
         )
@@ -131,7 +131,7 @@ def _demonstration(cell: Any, usual: Any, letter: str | None) -> Recording:
         if not 1e-5 < step < 10:
             raise RecordingError("has neither a time 't' for every point of 'pos' nor a step 'dt' [s].")
         t = np.arange(pos.shape[1]) * step
-    return as_letter([Trajectory(t.ravel(), pos.T / 1000)], character=letter)
+    return flat_recording([Trajectory(t.ravel(), pos.T / 1000)], character=letter)
 
 
 def _check(matrix: Array) -> None:

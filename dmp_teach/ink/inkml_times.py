@@ -5,7 +5,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.ink.channels import Format, number_of
+from dmp_teach.ink.inkml_channels import Format
+from dmp_teach.ink.markup import number_of
 from dmp_teach.ink.pace import PAUSE
 from dmp_teach.trajectory import Array
 

@@ -5,14 +5,13 @@ a resolution (`channelProperty`, such as 1000 to 1/cm) counts in steps of the de
 `dev`; else its own unit holds. Y points down, as on every tablet, unless its orientation is -ve.
 """
 
-import math
 import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from xml.etree.ElementTree import Element
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.ink.markup import local
+from dmp_teach.ink.markup import local, number_of
 
 ID = "{http://www.w3.org/XML/1998/namespace}id"
 METRES = {"m": 1.0, "dm": 0.1, "cm": 0.01, "mm": 0.001, "um": 1e-6, "µm": 1e-6, "himetric": 1e-5, "in": 0.0254}
@@ -168,12 +167,3 @@ def _rate(source: Element | None) -> float | None:
     rates = [each for each in source if local(each) == "sampleRate"] if source is not None else []
     value = number_of(rates[0].get("value")) if rates else None
     return value if value is not None and 0.1 <= value <= 1e5 else None
-
-
-def number_of(text: str | None) -> float | None:
-    """The number that an attribute says; None where it says none."""
-    try:
-        value = float((text or "").replace("_", "x"))
-    except ValueError:
-        return None
-    return value if math.isfinite(value) and abs(value) < 1e100 else None
