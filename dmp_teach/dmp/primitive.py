@@ -1,6 +1,6 @@
 """The dynamic movement primitive: a movement learned once, drawn again to any goal."""
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Self
 
@@ -105,9 +105,13 @@ class DMP:
             drawn, velocity = drawn + np.multiply.outer(faster, kick).T, velocity + faster
         notes += asleep(kernels, settings, T)
         measures = trajectory.t, equation.steps, notes
-        learned = cls(weights, biases, path[0], path[-1], T, settings, velocity / T, *measures)
-        learned.__dict__["_shown"] = drawn  # what `_shown` would draw again
-        return learned
+        return cls(weights, biases, path[0], path[-1], T, settings, velocity / T, *measures).showing(drawn)
+
+    def showing(self, path: Array) -> Self:
+        """The same, with `path` for `shown`: it costs no second drawing, and keeps the last bits of the first."""
+        same = replace(self)
+        same.__dict__["shown"] = locked(path)
+        return same
 
     def rollout(
         self,
@@ -157,6 +161,14 @@ class DMP:
         return kernels_of(self.settings)
 
     @cached_property
+    def shown(self) -> Array:
+        """The path to the demonstrated goal, seen from its start, shape (M + 1, D), M being `steps` [m].
+
+        It is kept: another goal costs one product and one sum.
+        """
+        return self._drawn(self.steps)
+
+    @cached_property
     def _clock(self) -> Array:
         """The demonstration's sample times as parts of the movement, shape (T,)."""
         return (self.times - self.times[0]) / self.duration
@@ -184,12 +196,12 @@ class DMP:
     @cached_property
     def _demonstrated(self) -> Array:
         """The path to the demonstrated goal at the demonstration's own times, shape (T, D)."""
-        return self._at_own_times(self.start + self._shown)
+        return self._at_own_times(self.start + self.shown)
 
     @cached_property
     def _longer(self) -> Array:
         """How that changes when its way becomes 1 longer in each coordinate, shape (T, D)."""
-        return self._at_own_times(np.broadcast_to(self._answer, self._shown.shape))
+        return self._at_own_times(np.broadcast_to(self._answer, self.shown.shape))
 
     def _at_own_times(self, path: Array) -> Array:
         """`path` (M + 1, D) at the demonstration's times, shape (T, D).
@@ -201,7 +213,7 @@ class DMP:
     def _path(self, way: Array, steps: int) -> Array:
         """The path from its start, shape (steps + 1, D). It is linear in the way from start to goal."""
         kept = steps == self.steps
-        shown, taught = self._shown if kept else self._drawn(steps), self.goal - self.start
+        shown, taught = self.shown if kept else self._drawn(steps), self.goal - self.start
         if self.settings.transform == "original":
             return shown * (way / taught)
         change = way - taught
@@ -216,11 +228,6 @@ class DMP:
         """The path to the demonstrated goal, in so many steps."""
         velocity = self.start_velocity * self.duration
         return Equation(self.settings, steps).draw(self.weights, self.biases, self.goal - self.start, velocity)
-
-    @cached_property
-    def _shown(self) -> Array:
-        """The path to the demonstrated goal, kept: another goal costs one product and one sum."""
-        return self._drawn(self.steps)
 
     @cached_property
     def _answer(self) -> Array:

@@ -77,7 +77,7 @@ def _said(primitive: DMP, begin: float) -> dict[str, Any]:
     settings = asdict(primitive.settings)
     said["settings"] = {name: ENDLESS if value == math.inf else value for name, value in settings.items()}
     said["times"] = (primitive.times - begin).tolist()
-    return said | {"path": primitive._shown.tolist()}
+    return said | {"path": primitive.shown.tolist()}
 
 
 def _check_sum(content: dict[str, Any]) -> str:
@@ -126,9 +126,7 @@ def _primitive(name: str, said: Any) -> DMP:
     Trajectory(times, times)  # they must increase
     path = values.pop("path")
     made = {"biases": biases, "duration": duration, "settings": settings, "times": times, "steps": steps}
-    primitive = DMP(notes=tuple(notes), **made, **values)
-    primitive.__dict__["_shown"] = path  # as `imitate` keeps it: computed again, its last bits may differ
-    return primitive
+    return DMP(notes=tuple(notes), **made, **values).showing(path)  # drawn again, its last bits may differ
 
 
 def _settings(name: str, said: Any) -> Settings:

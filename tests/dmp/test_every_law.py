@@ -87,7 +87,7 @@ def follows_its_goal(p, shown, moved, shift, size):
         assert len(way) == 1 or np.linalg.det(turn) > 0
     else:
         h = p._answer[:, 0]
-        close(p._path(way + shift, p.steps) - p._shown, np.outer(h, shift), size)  # the same for every letter
+        close(p._path(way + shift, p.steps) - p.shown, np.outer(h, shift), size)  # the same for every letter
         late = 0.06 if p.settings.integrator == "lagged" else 0.0  # its pushes come a step late
         if p.settings.feed_goal:
             assert abs(1 - h[-1]) <= REACHED[p.settings.phase] + late

@@ -47,7 +47,7 @@ def test_a_pushed_pen_comes_back_to_its_path(demo, kind, when, seed):
     hand = np.random.default_rng(seed).normal(size=len(p.start))
     begin, end = when * p.duration, (when + 0.05) * p.duration
     pushed = Rollout.begin(p).to_the_end(lambda t: 100 * hand / p.duration**2 if begin < t < end else None)
-    off = np.linalg.norm(pushed.position - p.start - p._shown, axis=1)
+    off = np.linalg.norm(pushed.position - p.start - p.shown, axis=1)
     before = pushed.t < begin - 1e-9
     assert off[before].max(initial=0) < 1e-12
     assert off.max() > 1e-3 * np.linalg.norm(hand)
@@ -103,7 +103,7 @@ def test_with_patience_the_clock_waits_for_a_pen_that_is_held():
     hasty, patient = Rollout.begin(p).to_the_end(hold), Rollout.begin(p, patience=0.005).to_the_end(hold)
     assert hasty.duration == pytest.approx(2.5)
     assert 3.0 < patient.duration < 4.0
-    shown = p.start + p._shown
+    shown = p.start + p.shown
 
     def skipped(drawn):
         """How much of the letter was never come near to, in samples."""
