@@ -84,7 +84,7 @@ class Letter:
         Raises:
             LetterError: Nothing to put together, something that is no piece, or a transformation that cannot be.
         """
-        pieces = tuple(pieces)
+        pieces = tuple(pieces) if isinstance(pieces, Iterable) else (pieces,)
         wrong = [each for each in pieces if not isinstance(each, Piece)]
         if wrong or not pieces:
             what = f"a {type(wrong[0]).__name__}" if wrong else "nothing"

@@ -79,7 +79,12 @@ class Piece:
         """The point of the stroke at a part of its height, 0 at the bottom and 1 at the top, shape (2,) [m].
 
         Of several the last in the order of writing: of an l with a loop the stem.
+
+        Raises:
+            LetterError: No such height.
         """
+        if isinstance(part, bool) or not isinstance(part, int | float):
+            raise LetterError(f"There is no height {part!r} on {self.name}; give a part from 0 (bottom) to 1 (top).")
         (_, low), (_, high) = self.at("bottom"), self.at("top")
         y = low + part * (high - low)
         found = crossings(self.drawn.position, y)
@@ -133,9 +138,13 @@ class Piece:
             other: The stroke that it touches.
             end: Which end: "start", "goal", "upper" or "lower".
             at: Which place of `other`, as in `at`; None: the one nearest to where that end is now.
+
+        Raises:
+            LetterError: No such end or place, or `other` is no piece.
         """
         if end not in ENDS:
             raise LetterError(f"A stroke has no end {end!r}; it can be led by {_list(ENDS)}.")
+        _must_be_piece(other)
         where = nearest(other.drawn.position, self.at(end)) if at is None else other.at(at)
         return self.led(**{end: where})
 
@@ -147,8 +156,9 @@ class Piece:
         """The stroke moved level, until `place` (as in `at`) lies on another stroke.
 
         Raises:
-            LetterError: The other stroke is nowhere near that height.
+            LetterError: The other stroke is nowhere near that height, or it is no piece.
         """
+        _must_be_piece(other)
         here = self.at(place)
         return self.moved((_across(other, here[1]) - here[0], 0))
 
@@ -256,6 +266,12 @@ class Piece:
                 f"{self.name} was learned with the original form, whose weights belong to one way from start to goal, "
                 f"so it cannot be {done}; learn it with Settings.star()."
             )
+
+
+def _must_be_piece(other: object) -> None:
+    """Raise a LetterError for what is no stroke of a shelf."""
+    if not isinstance(other, Piece):
+        raise LetterError(f"The other stroke must be a Piece, such as shelf['D.1'], but is {other!r}.")
 
 
 def _across(piece: Piece, height: float) -> float:

@@ -102,9 +102,11 @@ def made(character: str, shelf: Shelf, transform: str | None = None, recipe: str
     """A letter by its recipe; see `Letter.make`."""
     if not isinstance(shelf, Shelf):
         raise LetterError(f"A letter is made from a Shelf, but got a {type(shelf).__name__}; use Shelf.of(recordings).")
+    if not isinstance(recipe, str | None):
+        raise LetterError(f"recipe is {recipe!r}, but must be a line of strokes, such as 'D bar, D bowl'.")
     hows = [how for _, how in recipes(character)] if recipe is None else [recipe]
     if not hows:
-        known = " ".join(dict.fromkeys(made for made, _ in recipes()))
+        known = " ".join(dict.fromkeys(letter for letter, _ in recipes()))
         raise LetterError(
             f"There is no recipe for {character!r}; there are recipes for {known}. Give one: recipe='...'."
         )

@@ -7,6 +7,7 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike
 
+from dmp_teach.dmp import asked
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import LetterError
 from dmp_teach.letters.alike import as_letter, learned_alike, letter_of, path_of, row_of
@@ -15,6 +16,9 @@ from dmp_teach.trajectory import Array, locked
 
 FARTHEST = 3.0
 """How far along a principal style a slider goes [standard deviations]."""
+
+BOLDEST = 10.0
+"""How many times a letter can be exaggerated: larger shares of a writer draw no letter."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,6 +74,8 @@ class Style:
             LetterError: Fewer than two letters, or letters that are not made of the same strokes.
             SettingError: The original transformation.
         """
+        if not isinstance(letters, Iterable):
+            raise LetterError(f"A style is learned from letters, but got {letters!r}; give a list of recordings.")
         given = list(letters)
         writers = tuple(getattr(each, "writer", None) or str(n) for n, each in enumerate(given, start=1))
         if len(set(writers)) < len(writers):
@@ -104,21 +110,24 @@ class Style:
                 below 0 or above 1 exaggerates.
 
         Raises:
-            LetterError: No such writer, or shares whose sum is not 1.
+            LetterError: No such writer, a share larger than `BOLDEST`, or shares whose sum is not 1.
         """
+        if not isinstance(shares, Mapping):
+            raise LetterError(f"shares is {shares!r}, but must be a dictionary, writer: share, such as {{'w01': 1.0}}.")
         weights = np.zeros(len(self.writers))
         for writer, share in shares.items():
-            weights[self._number(writer)] += share
+            weights[self._number(writer)] += _within(f"The share of {writer}", share, (-BOLDEST, BOLDEST))
         if not abs(weights.sum() - 1) < 1e-6:
             raise LetterError(f"The shares add up to {weights.sum():g}, but must add up to 1, such as 0.7 and 0.3.")
         return self._drawn(weights @ self.coordinates)
 
     def morph(self, one: str, other: str, part: float) -> Letter:
-        """The letter on the way from one writer's (part 0) to another's (part 1).
+        """The letter on the way from one writer's (part 0) to another's (part 1), or beyond them.
 
         Raises:
-            LetterError: No such writer.
+            LetterError: No such writer, or a part larger than `BOLDEST`.
         """
+        part = _within("part", part, (-BOLDEST, BOLDEST))
         here, there = self.coordinates[self._number(one)], self.coordinates[self._number(other)]
         return self._drawn(here + part * (there - here))
 
@@ -131,15 +140,19 @@ class Style:
         Raises:
             LetterError: More coordinates than there are styles, or farther out than `FARTHEST`.
         """
-        z = np.atleast_1d(np.asarray(coordinates, dtype=float))
+        z = np.atleast_1d(_within("coordinates", coordinates, (-FARTHEST, FARTHEST)))
         if z.ndim > 1 or len(z) > len(self.spread):
             raise LetterError(f"coordinates has shape {z.shape}, but there are {len(self.spread)} principal styles.")
-        if not (np.abs(z) <= FARTHEST).all():
-            raise LetterError(f"coordinates is {z.tolist()}, but each must be between -{FARTHEST:g} and {FARTHEST:g}.")
         return self._drawn(np.pad(z, (0, len(self.spread) - len(z))))
 
     def sample(self, rng: np.random.Generator) -> Letter:
-        """A new letter in this style, by chance."""
+        """A new letter in this style, by chance; the same state of `rng` gives the same letter.
+
+        Raises:
+            LetterError: Not a generator of NumPy's.
+        """
+        if not isinstance(rng, np.random.Generator):
+            raise LetterError(f"rng is {rng!r}, but must be a generator, such as np.random.default_rng(1).")
         return self._drawn(rng.multivariate_normal(self.centre, self.covariance, method="eigh"))
 
     def through(self, stroke: int, part: float, point: ArrayLike, near: float = 5e-4) -> Self:
@@ -149,19 +162,17 @@ class Style:
             stroke: Its number, from 0.
             part: When, as a part of the stroke's duration, 0 to 1.
             point: Shape (2,) [m].
-            near: How exactly, as a standard deviation [m].
+            near: How exactly, as a standard deviation, 1 um to 1 m [m].
 
         Raises:
-            LetterError: No such stroke or moment, or no point.
+            LetterError: No such stroke or moment.
+            TrajectoryError: A point that is not one.
         """
-        place = np.asarray(point, dtype=float)
-        if stroke not in range(len(self.letters[0].primitives)) or not 0 <= part <= 1:
-            raise LetterError(
-                f"Stroke {stroke!r} at {part!r} of its time is not there: strokes are numbered from 0 to "
-                f"{len(self.letters[0].primitives) - 1}, and time goes from 0 to 1."
-            )
-        if place.shape != (2,) or not np.isfinite(place).all():
-            raise LetterError(f"point is {point!r}, but must be two numbers, right and up [m].")
+        if stroke not in range(len(self.letters[0].primitives)):
+            last = len(self.letters[0].primitives) - 1
+            raise LetterError(f"stroke is {stroke!r}, but strokes are numbered from 0 to {last}.")
+        part, near = float(_within("part", part, (0, 1))), float(_within("near", near, (1e-6, 1)))
+        place = asked.point("point", point, 2)
         middle = self._place(np.zeros_like(self.centre), stroke, part)
         H = np.array([self._place(unit, stroke, part) - middle for unit in np.eye(len(self.centre))]).T
         gain = self.covariance @ H.T @ np.linalg.inv(H @ self.covariance @ H.T + near**2 * np.eye(2))
@@ -171,7 +182,8 @@ class Style:
     def __repr__(self) -> str:
         """In one line, without the numbers."""
         first = f", the first explains {100 * self.shares[0]:.0f} %" if len(self.spread) else ""
-        return f"Style({len(self.letters)} letters, {len(self.spread)} principal styles{first})"
+        count = len(self.spread)
+        return f"Style({len(self.letters)} letters, {count} principal style{'s' * (count != 1)}{first})"
 
     def _number(self, writer: str) -> int:
         """Which letter is this writer's."""
@@ -188,3 +200,15 @@ class Style:
         path = self._drawn(z).strokes[stroke].position
         clock = np.linspace(0, 1, len(path))
         return np.array([np.interp(part, clock, axis) for axis in path.T])
+
+
+def _within(name: str, value: ArrayLike, ends: tuple[float, float]) -> Array:
+    """Numbers between two others, as an array, or a sentence."""
+    try:
+        found = np.asarray(value, dtype=float)
+    except (TypeError, ValueError):
+        found = np.array(np.nan)
+    if not ((found >= ends[0]) & (found <= ends[1])).all():
+        what = "each must be" if found.ndim else "must be a number"
+        raise LetterError(f"{name} is {value!r}, but {what} between {ends[0]:g} and {ends[1]:g}.")
+    return found

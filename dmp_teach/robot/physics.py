@@ -16,8 +16,6 @@ Mesh = tuple[Array, Array, Array, Sequence[float]]
 _FINER = 2
 """The renderer has no smooth edges: draw so many times larger, then average."""
 
-_MOST_CORNERS = 100_000
-
 
 @contextmanager
 def client() -> Iterator[tuple[ModuleType, int]]:

@@ -19,8 +19,6 @@ from dmp_teach.trajectory import Array, Trajectory, locked
 WAYS = (0.05, 0.02, 0.01, 0.005, 0.002, 0.001, 0.0005)
 """How far the goal is from the start [m]."""
 
-DRAWN = ("shown", "original", "DMP*")
-
 
 @dataclass(frozen=True, eq=False)
 class Closeness(Tabled):

@@ -11,7 +11,7 @@ from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import SettingError
 from dmp_teach.letters.letter import rms_distance
-from dmp_teach.studies.material import Written, letters_of, own_recordings
+from dmp_teach.studies.material import Written, letters_of
 from dmp_teach.studies.tables import Rows, Tabled
 from dmp_teach.studies.work import Progress, run
 from dmp_teach.trajectory import Trajectory
@@ -125,12 +125,6 @@ def width_name(width: float) -> str:
 def chosen(letters: Sequence[Written], wanted: str) -> tuple[Written, ...]:
     """The letters that are wanted; all, where none of them is there."""
     return tuple(each for each in letters if each.character in wanted) or tuple(letters)
-
-
-def own_or(letters: Sequence[Written], needed: str) -> tuple[Written, ...]:
-    """Letters `needed` of what was given, or else our own."""
-    found = tuple(each for each in letters if each.character in needed)
-    return found or letters_of(own_recordings(needed))
 
 
 def _drawn(piece: tuple[Written, tuple]) -> tuple[Redrawn, ...]:

@@ -108,6 +108,7 @@ def test_a_line_of_ones_own_makes_a_letter():
         (("P", "D all size 2"), r"'D' has 2 strokes, but 'size 2' is for one; name it by its role"),
         (("P", "D bar, D bowl put side at 1:top"), r"There is no place 'side'"),
         (("P", "D bar, D bowl put top at 1:side"), r"There is no place 'side'"),
+        (("P", 3), r"recipe is 3, but must be a line of strokes, such as 'D bar, D bowl'"),
         (("P", "D nose"), r"There is no role 'nose'"),
     ],
 )

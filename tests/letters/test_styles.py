@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from dmp_teach.dmp.settings import Settings
-from dmp_teach.errors import LetterError, SettingError
+from dmp_teach.errors import LetterError, SettingError, TrajectoryError
 from dmp_teach.ink.alphabet import recording_of
 from dmp_teach.letters.alike import learned_alike, path_of
 from dmp_teach.letters.letter import Letter
@@ -190,15 +190,27 @@ def test_the_mean_of_the_recorded_letters_lies_among_them():
         (lambda s: s.letter(np.zeros((2, 2))), "coordinates has shape (2, 2), but there are 4 principal styles."),
         (
             lambda s: s.through(2, 0.5, (0, 0)),
-            "Stroke 2 at 0.5 of its time is not there: strokes are numbered from 0 to 1, and time goes from 0 to 1.",
+            "stroke is 2, but strokes are numbered from 0 to 1.",
         ),
-        (lambda s: s.through(0, 0.5, (0, np.nan)), "point is (0, nan), but must be two numbers, right and up [m]."),
+        (lambda s: s.through(0, "half", (0, 0)), "part is 'half', but must be a number between 0 and 1."),
+        (lambda s: s.through(0, 0.5, (0, 0), near=0), "near is 0, but must be a number between 1e-06 and 1."),
+        (lambda s: s.morph("1", "5", np.inf), "part is inf, but must be a number between -10 and 10."),
+        (lambda s: s.letter("bold"), "coordinates is 'bold', but must be a number between -3 and 3."),
+        (lambda s: s.blend({"1": "all"}), "The share of 1 is 'all', but must be a number between -10 and 10."),
+        (lambda s: s.blend(["1"]), "shares is ['1'], but must be a dictionary, writer: share, such as {'w01': 1.0}."),
+        (lambda s: s.sample(3), "rng is 3, but must be a generator, such as np.random.default_rng(1)."),
+        (lambda s: Style.of(3), "A style is learned from letters, but got 3; give a list of recordings."),
     ],
 )
 def test_what_cannot_be_is_answered(style, ask, words):
     with pytest.raises(LetterError) as error:
         ask(style)
     assert str(error.value) == words
+
+
+def test_a_point_that_is_none_is_refused(style):
+    with pytest.raises(TrajectoryError, match=r"^point is \[ ?0\. nan\], but it must be finite \[m\]\.$"):
+        style.through(0, 0.5, (0, np.nan))
 
 
 def test_the_original_transformation_cannot_be_blended():
