@@ -10,28 +10,29 @@ from collections.abc import Sequence
 import numpy as np
 from scipy.ndimage import maximum_filter1d
 
+from dmp_teach.letters.meeting import leaving, meeting, needed
 from dmp_teach.letters.outline import evenly, long
 from dmp_teach.trajectory import Array, Trajectory
+
+Strokes = tuple[Trajectory, ...]
 
 WHITE = 0.33  # the mean distance of two letters, in x-heights
 DEEP = 0.50  # white counts to this depth
 CLEAR = 0.12  # ink is never nearer to ink than this
-STEM = 0.15  # more room for a pen that goes up to the top of a stem, in x-heights
-LINKED = (0.28, 0.5, 0.04)  # the same for letters that are joined: their exits reach for the next
+LINKED = 0.28  # the mean distance of two letters that are joined, without the way between them
 BANDS = 25  # in an x-height
 LOWEST, HIGHEST = -2.0, 4.0  # in x-heights, from the writing line
 
 
-def distance(left: Sequence[Trajectory], right: Sequence[Trajectory], x_height: float, linked: bool = False) -> float:
+def distance(left: Sequence[Trajectory], right: Sequence[Trajectory], x_height: float, white: float = WHITE) -> float:
     """How far the strokes `right` are moved to the right of where they are, to follow `left`; may be negative [m].
 
     Args:
         left: A letter on the writing line y = 0.
         right: The next one, on the same line.
         x_height: The height of a small letter without a stem [m].
-        linked: Whether the pen goes from the one to the other on the paper.
+        white: The mean distance that they get, in x-heights.
     """
-    white, deep, clear = LINKED if linked else (WHITE, DEEP, CLEAR)
     near = round(CLEAR * BANDS)
     right_edge = _edge(left, x_height, 1)
     left_edge = -_edge(right, x_height, -1)
@@ -42,8 +43,34 @@ def distance(left: Sequence[Trajectory], right: Sequence[Trajectory], x_height: 
     overlap = float(wide[np.isfinite(wide)].max(initial=-np.inf))
     if not np.isfinite(overlap):  # the one ends under the other
         overlap = float(right_edge.max() - left_edge.min())
-    stem = STEM * (linked and right[0].position[0, 1] > 1.3 * x_height)
-    return x_height * (stem + max(clear + overlap, _moved_to_white(apart[zone], white, deep)))
+    return x_height * max(CLEAR + overlap, _moved_to_white(apart[zone], white, DEEP))
+
+
+def linked_distance(glyphs: Sequence[Strokes], bodies: Sequence[Strokes], x_height: float) -> float:
+    """The same for two letters that are joined: by their white, and so that the way between them is not too steep.
+
+    Args:
+        glyphs: The two letters, with dots, crosses and accents.
+        bodies: The strokes of each that are joined: the last of the one to the first of the other.
+        x_height: As in `distance`.
+    """
+    end, start = bodies[0][-1], bodies[1][0]
+    a = leaving(end, x_height)
+    here = end.position[a]
+    left = [_part(end, slice(a + 1)) if stroke is end else stroke for stroke in glyphs[0]]
+    right, step = glyphs[1], 0.0
+    for _ in range(3):
+        step = distance(left, right, x_height, LINKED)
+        met = meeting(here - (step, 0.0), start, x_height)
+        step += max(0.0, needed(here - (step, 0.0), start.position[met.sample], x_height))
+        met = meeting(here - (step, 0.0), start, x_height)
+        cut = slice(0 if met.back else met.sample, None)
+        right = [_part(start, cut) if stroke is start else stroke for stroke in glyphs[1]]
+    return step
+
+
+def _part(stroke: Trajectory, part: slice) -> Trajectory:
+    return Trajectory(stroke.t[part], stroke.position[part])
 
 
 def _moved_to_white(apart: Array, white: float, deep: float) -> float:

@@ -11,8 +11,9 @@ from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import LetterError
 from dmp_teach.ink.alphabet import alphabets, characters, recording_of
 from dmp_teach.letters.letter import Letter, pause_before
-from dmp_teach.letters.linking import body_and_marks, can_arrive, can_leave, linked
-from dmp_teach.letters.spacing import distance
+from dmp_teach.letters.linking import linked
+from dmp_teach.letters.meeting import body_and_marks, can_arrive, can_leave
+from dmp_teach.letters.spacing import distance, linked_distance
 from dmp_teach.trajectory import Array, Trajectory
 
 Strokes = tuple[Trajectory, ...]
@@ -115,13 +116,13 @@ class Hand:
     def word(self, text: str, joined: bool) -> Strokes:
         """The strokes of one word in the size of the alphabet, from x = 0 on, each on the clock of its letter."""
         glyphs = [self.glyph(character) for character in text]
-        links = [
-            joined and can_leave(one, body_and_marks(one, glyph)[0]) and can_arrive(other)
-            for (one, other), glyph in zip(pairwise(text), glyphs[:-1], strict=True)
-        ]
+        bodies = [body_and_marks(character, glyph)[0] for character, glyph in zip(text, glyphs, strict=True)]
+        links = [joined and self._links(*pair) for pair in pairwise(zip(text, bodies, strict=True))]
         steps = [
-            distance(before, after, self.x_height, link)
-            for (before, after), link in zip(pairwise(glyphs), links, strict=True)
+            linked_distance(glyphs[k : k + 2], bodies[k : k + 2], self.x_height)
+            if link
+            else distance(*glyphs[k : k + 2], self.x_height)
+            for k, link in enumerate(links)
         ]
         moved = [
             tuple(_moved(stroke, (right, 0.0)) for stroke in glyph)
@@ -130,6 +131,10 @@ class Hand:
         strokes = self._joined(text, moved, links) if joined else [stroke for glyph in moved for stroke in glyph]
         left = min(float(stroke.position[:, 0].min()) for stroke in strokes)
         return tuple(_moved(stroke, (-left, 0.0)) for stroke in strokes)
+
+    def _links(self, one: tuple[str, Strokes], other: tuple[str, Strokes]) -> bool:
+        """Whether the pen goes from a letter (its character and body) to the next one on the paper."""
+        return can_leave(*one, self.x_height) and can_arrive(*other, self.x_height)
 
     def _joined(self, text: str, glyphs: Sequence[Strokes], links: Sequence[bool]) -> list[Trajectory]:
         """Letters in place, joined where they link, then the marks from left to right."""
