@@ -24,6 +24,8 @@ from dmp_teach.ink.alphabet import recording_of
 from dmp_teach.ink.reader import read_recording
 from dmp_teach.letters.letter import Letter
 from dmp_teach.trajectory import Trajectory
+from tests.benchmarks.classroom import classroom
+from tests.benchmarks.classroom import lines as classroom_lines
 from tests.benchmarks.contenders import HOW_TO_INSTALL, Contender, others, ours
 from tests.benchmarks.measure import Times, exponent, in_turns, peak_memory, rms
 from tests.benchmarks.writing import lines as writing_lines
@@ -145,7 +147,7 @@ def printed(results: dict[str, Any]) -> str:
     lines += ["", "A D from motion capture, beside the time that its writer took"]
     for row in results["real_time"]:
         lines.append(f"{row['name']:35}{1e3 * row['seconds']:10.3f} ms{row['times_real_time']:10.1f} times faster")
-    return "\n".join(lines + writing_lines(results["writing"]))
+    return "\n".join(lines + classroom_lines(results["classroom"]) + writing_lines(results["writing"]))
 
 
 def _cell(figures: dict[str, float]) -> str:
@@ -171,6 +173,7 @@ def main(arguments: list[str] | None = None) -> None:
         "race": race(ours(KERNELS) + found, options.turns),
         "growth": growth(few),
         "real_time": real_time(few),
+        "classroom": classroom(),
         "writing": robot,
     }
     print(printed(results))

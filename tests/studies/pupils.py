@@ -33,7 +33,7 @@ class Pupil:
         self.seed, self.name = seed, f"w{seed}"
         self.size, self.width = 0.07 * np.exp(0.2 * chance.normal()), 0.9 * np.exp(0.15 * chance.normal())
         self.slant, self.pace = 0.1 + 0.12 * chance.normal(), 0.12 * np.exp(0.25 * chance.normal())
-        self.habit = _bending(chance, 0.03)
+        self.habit = bending(chance, 0.03)
 
     def writes(self, character, take=0, name=None):
         """One take of a letter."""
@@ -44,7 +44,7 @@ class Pupil:
         pace = self.pace * np.exp(0.08 * now.normal())
         hand = Hand(f"{self.name} {take}", self.size, width, slant, pace, 1.2, 0.034, 0.0015, 0.022)
         samples, spans = write(character, SHAPES[character], hand)
-        bent = (self.habit, _bending(own, 0.03), _bending(now, 0.015))
+        bent = (self.habit, bending(own, 0.03), bending(now, 0.015))
         strokes = []
         for begin, end in spans:
             there = (samples[:, 0] >= begin) & (samples[:, 0] <= end)
@@ -54,7 +54,7 @@ class Pupil:
         return Written(character, name or self.name, tuple(strokes))
 
 
-def _bending(chance, size):
+def bending(chance, size):
     """A smooth field over the page, in letter units."""
     waves, phases = 2 * chance.normal(size=(6, 2)), chance.uniform(0, 2 * np.pi, (6, 1))
     strength = chance.normal(size=(6, 2)) * size / np.sqrt(3)
