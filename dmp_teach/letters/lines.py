@@ -10,7 +10,7 @@ import numpy as np
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import LetterError
 from dmp_teach.letters.spacing import distance
-from dmp_teach.letters.words import Hand, Strokes, Text, placed
+from dmp_teach.letters.words import TEMPO, Hand, Strokes, Text, placed
 from dmp_teach.trajectory import Array
 
 SPACE = 0.6  # between two words, in x-heights: what they stand farther apart than two letters
@@ -29,6 +29,7 @@ def lines(
     alphabet: str | None = None,
     joined: bool = False,
     letters: Mapping[str, Any] | None = None,
+    tempo: float = TEMPO,
     settings: Settings | None = None,
 ) -> Text:
     r"""Write text on a sheet: from the top left, broken between words, and where the text has a new line.
@@ -46,6 +47,7 @@ def lines(
         alphabet: As in `word`.
         joined: As in `word`.
         letters: As in `word`.
+        tempo: As in `word`.
         settings: As in `word`.
 
     Returns:
@@ -74,7 +76,7 @@ def lines(
         for place, each in row:
             words.append(kept[each])
             spots.append((margin - width / 2 + place, first - number * sheet.pitch(x_height)))
-    return placed(words, spots, hand.scale(x_height))
+    return placed(words, spots, hand.scale(x_height), tempo)
 
 
 @dataclass(frozen=True)

@@ -16,6 +16,8 @@ from dmp_teach.letters.meeting import body_and_marks, can_arrive, can_leave
 from dmp_teach.letters.spacing import distance, linked_distance
 from dmp_teach.trajectory import Array, Trajectory
 
+TEMPO = 0.4  # between the two: isochrony is strong, but not perfect
+FLYING = 0.5  # a pen in the air is on average no faster than this [m/s]
 Strokes = tuple[Trajectory, ...]
 
 
@@ -50,9 +52,15 @@ def word(
     joined: bool = False,
     letters: Mapping[str, Any] | None = None,
     x_height: float | None = None,
+    tempo: float = TEMPO,
     settings: Settings | None = None,
 ) -> Text:
     """Write a word: every letter by its primitives, spaced by the white between them.
+
+    People write larger letters faster, so that the time hardly grows with the size (isochrony: Viviani and McCollum,
+    1983; Viviani and Schneider, 1991): a word takes
+
+        duration = duration in the alphabet's size * (x_height / x_height of the alphabet)^tempo
 
     Args:
         text: Letters and digits, without a space.
@@ -62,19 +70,20 @@ def word(
         letters: One's own, by character: `Letter`s or recordings. Each is made as tall as the alphabet's, and stands
             where that stands; those that are missing are the alphabet's.
         x_height: How tall a small letter without a stem is [m]; None: as in the alphabet.
+        tempo: 0: the same time in every size; 1: the same speed in every size.
         settings: How the alphabet's letters are learned; `Settings.star()` unless given.
 
     Returns:
         The strokes, from time 0, the first ink at x = 0 and the writing line at y = 0 [s, m].
 
     Raises:
-        LetterError: Nothing to write, a space, a character that is not there (names those that are), or a size that is
-            no length.
+        LetterError: Nothing to write, a space, a character that is not there (names those that are), a size that is no
+            length, or a tempo that is none.
     """
     hand = Hand.of(alphabet, letters, settings)
     if not isinstance(text, str) or not text or text.split() != [text]:
         raise LetterError(f"A word is letters without a space, but got {text!r}; teach.lines writes text with spaces.")
-    return placed([hand.word(text, joined)], [(0.0, 0.0)], hand.scale(x_height))
+    return placed([hand.word(text, joined)], [(0.0, 0.0)], hand.scale(x_height), tempo)
 
 
 @dataclass(frozen=True)
@@ -149,15 +158,28 @@ class Hand:
         return strokes + sorted(marks, key=lambda mark: float(mark.position[:, 0].min()))
 
 
-def placed(words: Sequence[Strokes], spots: Sequence[tuple[float, float]], scale: float) -> Text:
-    """Words in their places (the left end of each on its line [m]), one stroke after the other from 0 s on."""
+def placed(words: Sequence[Strokes], spots: Sequence[tuple[float, float]], scale: float, tempo: float) -> Text:
+    """Words in their places (the left end of each on its line [m]), one stroke after the other from 0 s on.
+
+    Args:
+        words: Each from x = 0 on, in the size of the alphabet.
+        spots: A place for each.
+        scale: How much larger than that they are to be.
+        tempo: As in `word`.
+    """
+    if isinstance(tempo, bool) or not isinstance(tempo, int | float) or not 0 <= tempo <= 1:
+        raise LetterError(
+            f"tempo is {tempo!r}, but must be from 0 (the same time in every size) to 1 (the same speed)."
+        )
     strokes: list[Trajectory] = []
     for own, spot in zip(words, spots, strict=True):
         for stroke in own:
             position, begin = stroke.position * scale + spot, 0.0
             if strokes:
-                begin = strokes[-1].t[-1] + pause_before(strokes[-1].position[-1], position[0])
-            strokes.append(Trajectory(stroke.t - stroke.t[0] + begin, position))
+                here, there = strokes[-1].position[-1], position[0]
+                pause = pause_before(here / scale, there / scale) * scale**tempo
+                begin = strokes[-1].t[-1] + max(pause, float(np.linalg.norm(there - here)) / FLYING)
+            strokes.append(Trajectory((stroke.t - stroke.t[0]) * scale**tempo + begin, position))
     return Text(strokes)
 
 

@@ -214,6 +214,28 @@ def test_another_size_is_the_same_word_scaled(size):
         np.testing.assert_allclose(two.position, factor * one.position, atol=1e-12)
 
 
+@pytest.mark.parametrize("tempo", [0, 0.4, 1])
+def test_the_time_grows_with_a_power_of_the_size(tempo):
+    """Strokes and lifts alike; with 1 the speed stays, with 0 the time."""
+    usual, small = word("tip", tempo=tempo), word("tip", x_height=HANDS["round"].x_height / 8, tempo=tempo)
+    assert small.duration == pytest.approx(usual.duration / 8**tempo)
+    for one, two in zip(usual, small, strict=True):
+        assert two.duration == pytest.approx(one.duration / 8**tempo)
+    assert fastest(small[0]) == pytest.approx(fastest(usual[0]) * 8 ** (tempo - 1))
+
+
+def test_small_text_is_written_in_less_time_but_not_in_proportion():
+    large, small = word("lift", x_height=0.07).duration, word("lift", x_height=0.007).duration
+    assert 0.3 * large < small < 0.5 * large
+
+
+def test_the_way_to_the_next_line_takes_its_time_however_small_the_letters_are():
+    text = lines("on and on and on\nlo", x_height=0.004, width=0.2)
+    for before, after in pairwise(text):
+        far = np.linalg.norm(after.position[0] - before.position[-1])
+        assert far / (after.t[0] - before.t[-1]) < 0.5 + 1e-9
+
+
 def test_letters_stand_on_the_line():
     for character, low in (("x", 0), ("H", 0), ("g", -0.8), ("p", -0.8)):
         ink = points(word(character)) / HANDS["round"].x_height
@@ -268,6 +290,8 @@ def test_accents_are_written_too():
         (lambda: word("%", letters={"%": recording_of("o")}), r"There is a letter for '%', but nobody knows how tall"),
         (lambda: word("a", letters=[1]), r"letters is a list, but must be \{'a': letter\}"),
         (lambda: word("a", x_height=0), r"x_height is 0, but must be a height from 0\.0001 to 1 m"),
+        (lambda: word("a", tempo=2), r"tempo is 2, but must be from 0 \(the same time in every size\) to 1"),
+        (lambda: lines("a", tempo="fast"), r"tempo is 'fast', but must be from 0"),
         (lambda: lines("  \n "), r"There is nothing to write in"),
         (lambda: lines("a", margin=-1), r"margin is -1, but must be a length from 0 to 10 m"),
         (lambda: lines("a", x_height="big"), r"x_height is 'big', but must be a height"),
