@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from dmp_teach.errors import MissingPartError
+from dmp_teach.robot.quiet import quiet
 from dmp_teach.trajectory import Array
 
 Mesh = tuple[Array, Array, Array, Sequence[float]]
@@ -25,7 +26,8 @@ def client() -> Iterator[tuple[ModuleType, int]]:
         MissingPartError: pybullet is not installed.
     """
     try:
-        import pybullet  # noqa: PLC0415 (heavy, and absent on some platforms)
+        with quiet():  # it prints when it was built
+            import pybullet  # noqa: PLC0415 (heavy, and absent on some platforms)
     except ImportError:
         raise MissingPartError(
             "Pictures and physics need pybullet, which is not installed here. The live view and "

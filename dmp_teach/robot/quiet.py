@@ -1,6 +1,7 @@
 """Silence for libraries that print past Python."""
 
 import contextlib
+import ctypes
 import os
 import sys
 import threading
@@ -22,6 +23,13 @@ def quiet() -> Iterator[None]:
                 os.dup2(nowhere.fileno(), 2)
             yield
         finally:
+            _flush()
             for number, copy in zip((1, 2), kept, strict=True):
                 os.dup2(copy, number)
                 os.close(copy)
+
+
+def _flush() -> None:
+    """Let C write what it has kept, so that it does not come out later."""
+    with contextlib.suppress(OSError, AttributeError, TypeError):  # Windows has another name for its library
+        ctypes.CDLL(None).fflush(None)

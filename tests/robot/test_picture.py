@@ -1,5 +1,9 @@
 """Pictures without a browser."""
 
+import subprocess
+import sys
+from pathlib import Path
+
 import numpy as np
 import pytest
 from PIL import Image
@@ -8,6 +12,8 @@ from dmp_teach.errors import MissingPartError
 from dmp_teach.robot import physics
 from dmp_teach.views.scene import SceneView, view
 from tests.views.moves import sway
+
+ROOT = Path(__file__).parents[2]
 
 
 def blue(path):
@@ -66,3 +72,12 @@ def test_without_pybullet_it_says_what_still_works(shown, tmp_path, without_pybu
     with pytest.raises(MissingPartError, match=r"need pybullet.*\.html\(path\) work without it"):
         picture(shown, tmp_path)
     assert not list(tmp_path.iterdir())
+
+
+def test_a_picture_prints_nothing(tmp_path):
+    draw = "from tests.views.moves import sway; from dmp_teach.views.scene import view; import sys; "
+    draw += "view(sway(seconds=0.5)).png(sys.argv[1], width=64, height=64)"
+    done = subprocess.run(
+        [sys.executable, "-c", draw, tmp_path / "a.png"], cwd=ROOT, capture_output=True, text=True, check=True
+    )
+    assert (done.stdout, done.stderr) == ("", "")
