@@ -3,6 +3,8 @@
 import re
 from pathlib import Path
 
+import dmp_teach as teach
+
 ROOT = Path(__file__).parents[1]
 README = (ROOT / "README.md").read_text(encoding="utf-8")
 
@@ -17,6 +19,29 @@ def test_the_quick_start_prints_what_the_readme_says(tmp_path, monkeypatch):
     for name, text in shown:
         assert repr(names[name]) == text
     assert (tmp_path / "a.html").stat().st_size <= 800_000
+
+
+SLOW = {"reach_map", "claims", "explore"}  # they have tests of their own
+
+
+def test_what_is_one_line_works_as_it_stands(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    a1, a2, D = (teach.recording_of(*which) for which in (("a",), ("a", "slanted"), ("D",)))
+    letter = teach.Letter.learn(a1)
+    teach.write_recording(a1, "a.svg")
+    names = {"teach": teach, "recording": a1, "a1": a1, "a2": a2, "D": D, "letter": letter, "strokes": letter.write()}
+    table = README.split("What else is one line")[1].split("## ")[0]
+    lines = re.findall(r"`((?:pad = )?(?:teach|letter)\.[^`]*\)[.\w]*)`", table)
+    tried = [line for line in lines if re.search(r"\w+(?=\()", line).group() not in SLOW]
+    assert len(tried) >= 10
+    for line in tried:
+        exec(line, names)
+    assert type(names["pad"].recordings) is tuple
+
+
+def test_every_name_in_the_readme_is_there():
+    for name in re.findall(r"\bteach\.(\w+)", README):
+        assert getattr(teach, name) is not None
 
 
 def test_the_two_commands_are_the_first_lines():
