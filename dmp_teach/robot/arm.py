@@ -134,7 +134,7 @@ class Solver:
 
     def joints(self) -> Array:
         """Where the joints are, shape (J,) [rad, m]."""
-        return self.unpacked(self._robot.state.q[None, :])[0]
+        return np.array([self._robot.get_joint(name) for name in JOINTS])
 
     def pen(self) -> Array:
         """Pose of the pen's tip in the world, shape (4, 4) [m]."""

@@ -11,7 +11,7 @@ import numpy as np
 
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.plan import RATE
-from dmp_teach.robot.solids import Clearances
+from dmp_teach.robot.solids import Clearances, balls
 from dmp_teach.trajectory import Array
 
 LEAST = 0.010
@@ -120,12 +120,10 @@ def _near(clearances: Clearances, poses: Mapping[str, Array], within: float) -> 
     steps = len(next(iter(poses.values())))
     starts = np.arange(0, steps, _EVERY)
     looked = np.minimum(starts + _EVERY // 2, steps - 1)
-    some = {link: X[looked] for link, X in poses.items()}
-    moves = _moves(clearances, poses, starts, looked)
-    spared = np.column_stack(
-        [sum(moves.get(link, 0.0) for link in pair) + np.zeros(len(starts)) for pair in clearances.pairs]
-    )
-    doubtful = clearances.at_least(some) - spared < within
+    some = {link: X[looked] if X.strides[0] else X[: len(looked)] for link, X in poses.items()}
+    centres, moves = _moves(poses, starts, looked)
+    spared = np.column_stack([moves[link] + moves.get(other, 0.0) for link, other in clearances.pairs])
+    doubtful = clearances.at_least(some, centres[looked]) - spared < within
     for number in np.flatnonzero(doubtful.any(axis=0)):
         pair = clearances.pairs[number]
         if pair[1] == "page" and pair[0].startswith("pen"):
@@ -140,17 +138,17 @@ def _near(clearances: Clearances, poses: Mapping[str, Array], within: float) -> 
             yield int(number), rows, distances
 
 
-def _moves(clearances: Clearances, poses: Mapping[str, Array], starts: Array, looked: Array) -> dict[str, Array]:
-    """How far any point of a link is at most, in each span, from where it is at the sample that is looked at (n,) [m].
+def _moves(poses: Mapping[str, Array], starts: Array, looked: Array) -> tuple[Array, dict[str, Array]]:
+    """The links' middles (T, L, 3), and how far a point of each is at most, in each span, from where it is looked at.
 
     A point at r from the middle goes no further than the middle, and r times the norm of the change of the turn.
     """
-    (centres, radii), links = clearances.balls(poses), clearances.links
-    center_of = np.repeat(looked, np.diff(np.append(starts, len(centres))))
-    moves = {}
-    for number, link in enumerate(links):
+    centres, moves = [], {}
+    beside = np.repeat(looked, np.diff(np.append(starts, len(next(iter(poses.values()))))))
+    for link, middle, radius in zip(*balls(), strict=True):
         R = poses[link][:, :3, :3]
-        turned = np.linalg.norm((R - R[center_of]).reshape(len(R), 9), axis=1)
-        moved = np.linalg.norm(centres[:, number] - centres[center_of, number], axis=1)
-        moves[link] = np.maximum.reduceat(moved + radii[number] * turned, starts)
-    return moves
+        centres.append(R @ middle + poses[link][:, :3, 3])
+        gone, turned = centres[-1] - centres[-1][beside], R - R[beside]
+        far = np.sqrt(np.einsum("ti,ti->t", gone, gone)) + radius * np.sqrt(np.einsum("tij,tij->t", turned, turned))
+        moves[link] = np.maximum.reduceat(far, starts)
+    return np.stack(centres, axis=1), moves

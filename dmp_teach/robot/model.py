@@ -74,7 +74,8 @@ class Model:
                 (`REST`) and all others stay at 0.
 
         Returns:
-            X_world_link for each link, each of shape (T, 4, 4) [m].
+            X_world_link for each link, each of shape (T, 4, 4), to be read only [m]. Of a link that does not move it is
+            one pose, repeated without a copy.
 
         Raises:
             JointError: A joint that the robot does not have, that cannot move, or that is named twice.
@@ -82,12 +83,12 @@ class Model:
         """
         q = np.atleast_2d(np.asarray(q, dtype=float))
         self._check(q, joint_names)
-        columns = {joint.name: np.full(len(q), REST.get(joint.name, 0.0)) for joint in self.joints}
+        columns = {joint.name: np.full(1, REST.get(joint.name, 0.0)) for joint in self.joints}
         columns |= dict(zip(joint_names, q.T, strict=True))
-        poses = {self.root: np.broadcast_to(np.eye(4), (len(q), 4, 4)).copy()}
+        poses = {self.root: np.eye(4)[None]}
         for joint in self.joints:
             poses[joint.child] = poses[joint.parent] @ joint.pose(columns[joint.name])
-        return poses
+        return {link: np.broadcast_to(X, (len(q), 4, 4)) for link, X in poses.items()}
 
     def frame(self, name: str, q: ArrayLike, joint_names: Sequence[str]) -> Array:
         """Where one link is: `frame("pen_tip", q, names)` has shape (T, 4, 4) [m].

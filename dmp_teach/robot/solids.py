@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import lru_cache, reduce
 from itertools import product
 from xml.etree import ElementTree as ET
 
@@ -48,14 +48,7 @@ class Solid:
 
     def distance(self, points: Array) -> Array:
         """How far points (..., 3) of the solid's frame are from its surface, less than 0 inside, shape (...) [m]."""
-        if self.kind == "sphere":
-            return np.linalg.norm(points, axis=-1) - self.size[0]
-        if self.kind == "box":
-            beyond = np.abs(points) - self.size / 2
-        else:
-            along = np.abs(points[..., 2]) - self.size[1] / 2
-            beyond = np.stack([np.hypot(points[..., 0], points[..., 1]) - self.size[0], along], axis=-1)
-        return np.linalg.norm(np.maximum(beyond, 0), axis=-1) + np.minimum(beyond.max(axis=-1), 0)
+        return _distance(self.kind, self.size, points)
 
     def surface(self) -> Array:
         """Points all over the surface, in the link's frame, shape (P, 3) [m]."""
@@ -113,16 +106,13 @@ class Clearances:
     """
 
     def __init__(self, page: Page | None = None, around: float = 0.0) -> None:
-        self._points = _points()
-        self._solids = {link: [solid for solid in solids_of() if solid.link == link] for link in (*_BODY, *_MOVING)}
-        self.pairs = [(link, other) for link in _MOVING for other in (*_BODY, *_MOVING) if _may_meet(link, other)]
+        self._points, self._solids, self.pairs = _points(), dict(_solids_by_link()), list(_pairs())
         if page is not None:
             size = (page.width + 2 * around, page.height + 2 * around, _UNDER)
             under = np.eye(4)
             under[2, 3] = -_UNDER / 2
             self._solids["page"] = [Solid("page", "box", size, page.X_world_page @ under)]
             self.pairs += [(link, "page") for link in _MOVING[1:]]
-        self.links = tuple(self._points)
         self.page = [number for number, (_, other) in enumerate(self.pairs) if other == "page"]
 
     def __call__(self, poses: Mapping[str, Array]) -> Array:
@@ -145,27 +135,54 @@ class Clearances:
         ]
         return np.min(away, axis=0)
 
-    def balls(self, poses: Mapping[str, Array]) -> tuple[Array, Array]:
-        """A ball around each link that moves: its centre in the world (T, L, 3) and its radius (L,) [m]."""
-        middles = {link: (points.min(axis=0) + points.max(axis=0)) / 2 for link, points in self._points.items()}
-        centres = [_moved(poses[link], middle[None])[:, 0] for link, middle in middles.items()]
-        radii = [np.linalg.norm(self._points[link] - middle, axis=1).max() for link, middle in middles.items()]
-        return np.stack(centres, axis=1), np.array(radii)
+    def at_least(self, poses: Mapping[str, Array], centres: Array) -> Array:
+        """Less than the least distance of each pair, quickly: to the ball around its link, shape (T, P) [m].
 
-    def at_least(self, poses: Mapping[str, Array]) -> Array:
-        """Less than the least distance of each pair, quickly: to the ball around its link, shape (T, P) [m]."""
-        (centres, radii), far = self.balls(poses), {}
-        for other, solids in self._solids.items():
-            seen = zip(solids, self._seen_from(other, poses), strict=True)
-            spots = (solid.distance(centres @ X[:, :3, :3].transpose(0, 2, 1) + X[:, None, :3, 3]) for solid, X in seen)
-            far[other] = np.min(list(spots), axis=0) - radii
-        links = list(self._points)
-        return np.column_stack([far[other][:, links.index(link)] for link, other in self.pairs])
+        Args:
+            poses: X_world_link of every link, each of shape (T, 4, 4) [m].
+            centres: Of the `balls`, in the world, shape (T, L, 3) [m].
+        """
+        links, _, radii = balls()
+        solids = [solid for each in self._solids.values() for solid in each]
+        poses = {**poses, "page": np.broadcast_to(np.eye(4), (len(centres), 4, 4))}
+        X = np.stack([poses[solid.link] for solid in solids], axis=1) @ [solid.X_link_solid for solid in solids]
+        spots = (centres[:, None] - X[:, :, None, :3, 3]) @ X[..., :3, :3]
+        far = np.empty(spots.shape[:3])
+        for kind in ("box", "cylinder", "sphere"):
+            alike = [number for number, solid in enumerate(solids) if solid.kind == kind]
+            sizes = np.array([solids[number].size for number in alike])[:, None]
+            far[:, alike] = _distance(kind, sizes, spots[:, alike])
+        firsts = np.cumsum([0, *map(len, self._solids.values())])[:-1]
+        nearest = np.minimum.reduceat(far, firsts, axis=1) - radii
+        others = list(self._solids)
+        return nearest[:, *np.transpose([(others.index(other), links.index(link)) for link, other in self.pairs])]
 
     def _seen_from(self, other: str, poses: Mapping[str, Array]) -> list[Array]:
-        """The world seen from each of a link's solids, each of shape (T, 4, 4); the page stands still."""
-        X = poses[other] if other != "page" else np.broadcast_to(np.eye(4), (len(next(iter(poses.values()))), 4, 4))
+        """The world seen from each of a link's solids, each of shape (T, 4, 4), or (1, 4, 4) where it stands still."""
+        X = np.eye(4)[None] if other == "page" else poses[other]
+        X = X if X.strides[0] else X[:1]
         return [_undone(X @ solid.X_link_solid) for solid in self._solids[other]]
+
+
+@lru_cache(maxsize=1)
+def balls() -> tuple[tuple[str, ...], Array, Array]:
+    """A ball around each link that moves: the links' names, its centre in the link (L, 3) and its radius (L,) [m]."""
+    points = _points()
+    centres = [(each.min(axis=0) + each.max(axis=0)) / 2 for each in points.values()]
+    radii = [np.linalg.norm(each - centre, axis=1).max() for each, centre in zip(points.values(), centres, strict=True)]
+    return tuple(points), locked(centres), locked(radii)
+
+
+@lru_cache(maxsize=1)
+def _solids_by_link() -> dict[str, list[Solid]]:
+    """The solids of each link that counts."""
+    return {link: [solid for solid in solids_of() if solid.link == link] for link in (*_BODY, *_MOVING)}
+
+
+@lru_cache(maxsize=1)
+def _pairs() -> tuple[tuple[str, str], ...]:
+    """A link that moves, and a link that it could meet."""
+    return tuple((link, other) for link in _MOVING for other in (*_BODY, *_MOVING) if _may_meet(link, other))
 
 
 @lru_cache(maxsize=1)
@@ -181,6 +198,19 @@ def _may_meet(link: str, other: str) -> bool:
         return True
     place = {name: number for number, name in enumerate(chain)} | dict.fromkeys(_HAND, len(chain))
     return place[link] - place[other] > 1
+
+
+def _distance(kind: str, size: Array, points: Array) -> Array:
+    """See `Solid.distance`; sizes (..., k) and points (..., 3) may be of many solids of a kind."""
+    x, y, z = np.moveaxis(points, -1, 0)
+    if kind == "sphere":
+        return np.sqrt(x * x + y * y + z * z) - size[..., 0]
+    if kind == "box":
+        beyond = [np.abs(along) - size[..., axis] / 2 for axis, along in enumerate((x, y, z))]
+    else:
+        beyond = [np.sqrt(x * x + y * y) - size[..., 0], np.abs(z) - size[..., 1] / 2]
+    outside = np.sqrt(sum(np.maximum(each, 0) ** 2 for each in beyond))
+    return outside + np.minimum(reduce(np.maximum, beyond), 0)
 
 
 def _undone(X: Array) -> Array:

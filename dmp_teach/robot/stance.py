@@ -13,6 +13,7 @@ from dmp_teach.robot.arm import Solver
 from dmp_teach.robot.clearance import plain
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.plan import HOVER
+from dmp_teach.robot.solids import Solid
 from dmp_teach.trajectory import Array, locked
 
 TIP = 0.0003
@@ -46,6 +47,10 @@ _RANDOM = 25  # ... and these as well where it cannot stand: near the body one i
 _CLEAR = 0.055  # the forearm's radius, and a little [m]
 _FOREARM = ("elbow_flex_link", "forearm_roll_link", "wrist_flex_link", "wrist_roll_link", "gripper_link")
 _CHAIN = ("torso_lift", "shoulder_pan", "shoulder_lift", "upperarm_roll", *(name[:-5] for name in _FOREARM))
+_BULK = {  # where no page can lie: solids that stand upright, and their middles in the world [m]
+    Solid("base_link", "cylinder", (0.29, 0.38), np.eye(4)): (0.0, 0.0, 0.19),
+    Solid("torso_fixed_link", "box", (0.36, 0.36, 0.95), np.eye(4)): (-0.09, 0.0, 0.775),
+}
 _BODY = ("base", "torso_fixed", "torso_lift", "head_pan", "head_tilt")
 
 
@@ -96,12 +101,17 @@ def _examine(solver: Solver, page: Page, low: Array, high: Array, most: int | No
 
 
 def in_the_body(page: Page) -> str:
-    """Whether the page would go through the robot's base, a cylinder, or its torso, a box."""
+    """How deep the page would lie in the robot's base or torso, if it would."""
     x, y = (np.linspace(-side / 2, side / 2, 2 + int(side / 0.05)) for side in page.size)
-    x, y, z = page.to_world(np.stack(np.meshgrid(x, y), axis=-1)).reshape(-1, 3).T
-    base = (np.hypot(x, y) < 0.29) & (z > 0) & (z < 0.38)
-    torso = (np.abs(x + 0.09) < 0.18) & (np.abs(y) < 0.18) & (z > 0.3) & (z < 1.25)
-    return "The page would go through the robot's body." if (base | torso).any() else ""
+    sheet = page.to_world(np.stack(np.meshgrid(x, y), axis=-1)).reshape(-1, 3)
+    depths = {solid.link: -solid.distance(sheet - middle).min() for solid, middle in _BULK.items()}
+    link = max(depths, key=depths.get)
+    if depths[link] <= 0:
+        return ""
+    return (
+        f"The page would go through the robot's body: from 0.00 s on, it and the robot's {plain(link)} would overlap "
+        f"by {max(1000 * depths[link], 1):.0f} mm."
+    )
 
 
 def _postures(solver: Solver, page: Page) -> Iterator[Array]:
@@ -120,20 +130,20 @@ def _tried(solver: Solver, posture: Array, page: Page, low: Array, high: Array) 
     q = solver.joints()
     if trouble := _trouble(solver, page, middle):
         return Stance(q, middle, np.inf, trouble)
-    effort = 0.0
     solver.stand(q, page.normal, torso=False)
-    before = None
+    effort, before, joints, jacobians = 0.0, None, [], []
     for place in [*rim(low, high).values(), middle]:
         for spot in (place, place + np.array([0, 0, HOVER])):
             solver.glide(page.to_world(spot))
             if trouble := _trouble(solver, page, spot):
                 return Stance(q, middle, np.inf, trouble)
-            effort = max(effort, _effort(solver, page))
-        here = place, solver.joints()
+            joints.append(solver.joints())
+            jacobians.append(solver.jacobian())
+        here = place, joints[-1]
         if before is not None:
             effort = max(effort, _hurry(solver, before, here))
         before = here
-    return Stance(q, middle, effort)
+    return Stance(q, middle, max(effort, _effort(solver, page, np.array(joints), np.array(jacobians))))
 
 
 def _hurry(solver: Solver, one: tuple[Array, Array], other: tuple[Array, Array]) -> float:
@@ -186,14 +196,20 @@ def _neighbours(one: str, other: str) -> bool:
     return one in _BODY and other in _BODY
 
 
-def _effort(solver: Solver, page: Page) -> float:
+def _effort(solver: Solver, page: Page, q: Array, J: Array) -> float:
     """What a pen at `SWIFT` in any direction on the page asks of the joints, as a part of their speed limits.
 
     The joints' speeds are J^+ v, where J (5, J) holds the tip's velocity and the tilting of the pen; the torso stays.
     A joint that comes up against its stop leaves the others a jolt: such a stance is taken only if there is no other.
+
+    Args:
+        solver: This thread's solver.
+        page: The sheet.
+        q: Joints where the pen has been, shape (N, J) [rad, m].
+        J: The `Solver.jacobian` there, shape (N, 6, J).
     """
-    q = solver.joints()[1:]
+    q, J, R = q[:, 1:], J[:, :, 1:], page.X_world_page[:3, :3]
     least = _JAMMED if (np.minimum(q - solver.lower[1:], solver.upper[1:] - q) < _STOP).any() else 0.0
-    R, J = page.X_world_page[:3, :3], solver.jacobian()[:, 1:]
-    ways = np.linalg.pinv(np.concatenate([J[:3], R[:, :2].T @ J[3:]]), rcond=1e-9)[:, :3] @ R[:, :2]
-    return max(least, float((SWIFT * np.linalg.norm(ways, axis=1) / solver.fastest[1:]).max()))
+    turns = np.concatenate([J[:, :3], R[:, :2].T @ J[:, 3:]], axis=1)
+    ways = np.linalg.pinv(turns, rcond=1e-9)[:, :, :3] @ R[:, :2]
+    return max(least, float((SWIFT * np.linalg.norm(ways, axis=2) / solver.fastest[1:]).max()))

@@ -45,12 +45,12 @@ class Joint:
 
     def pose(self, q: Array) -> Array:
         """Pose of the child in the parent at positions q (T,) [rad or m], shape (T, 4, 4)."""
-        moved = np.broadcast_to(np.eye(4), (len(q), 4, 4)).copy()
+        X = np.tile(self.X_parent_joint, (len(q), 1, 1))
         if self.type == "prismatic":
-            moved[:, :3, 3] = q[:, None] * self.axis
+            X[:, :3, 3] += q[:, None] * (self.X_parent_joint[:3, :3] @ self.axis)
         elif self.type in ("revolute", "continuous"):
-            moved[:, :3, :3] = _turn(self.axis, q)
-        return self.X_parent_joint @ moved
+            X[:, :3, :3] = self.X_parent_joint[:3, :3] @ _turn(self.axis, q)
+        return X
 
 
 @dataclass(frozen=True, eq=False)

@@ -21,6 +21,12 @@ def wave(duration=1.2, rate=120, start=0.0, *, width=0.06, height=0.1, seed=0):
     return Trajectory(start + t, np.column_stack([x, y]))
 
 
+def fitting(strokes, page, most=0.19):
+    """The height at which ink fits on a page, at most `most` [m]."""
+    extent = np.ptp(np.concatenate([stroke.position for stroke in strokes]), axis=0)
+    return min(most, ((page.size - 0.0102) / np.maximum(extent, 1e-9)).min() * extent[1])
+
+
 LETTER = (wave(1.0, seed=1, start=0.4), wave(0.8, seed=2, start=1.9))
 
 

@@ -116,10 +116,28 @@ def test_a_stretched_arm_is_warned_of():
     assert float(away) == pytest.approx(1000 * (0.88 - float(x)), abs=0.5)
 
 
-@pytest.mark.parametrize("page", [Page.table(x=0.1), Page.table(x=0, z=0.2), Page.board(x=0.05)], ids=repr)
-def test_a_page_in_the_robots_body_is_refused(page):
+@pytest.mark.parametrize(
+    ("page", "part", "deep"),
+    [
+        (Page.table(x=0.2), "torso", 40),
+        (Page.table(x=0, z=0.2), "base", 180),
+        (Page.board(x=0.05), "torso", 40),
+        (Page.table(x=0.42, z=0.3, tilt=0.3), "base", 10),
+    ],
+    ids=repr,
+)
+def test_a_page_in_the_robots_body_is_refused_with_the_pair_the_moment_the_depth_and_a_page_that_works(
+    page, part, deep
+):
     message = refusal(page)
-    assert message.startswith("The page would go through the robot's body. Try Page.")
+    found = re.match(
+        r"The page would go through the robot's body: from 0\.00 s on, it and the robot's (torso|base) "
+        r"would overlap by (\d+) mm\. Try Page\.",
+        message,
+    )
+    assert found[1] == part
+    assert float(found[2]) == pytest.approx(deep, abs=5)
+    assert_sound(Fetch().write(LETTER, eval(message.partition("Try ")[2].removesuffix("."))))
 
 
 def test_a_page_where_the_arm_would_touch_the_robot_is_refused():
