@@ -118,7 +118,7 @@ def lines(found: dict[str, Any]) -> list[str]:
         rows.append(f"{count:8}{cells}{1e3 * found['seconds_a_letter'][k]:11.2f} ms")
     rows += [
         "",
-        f"Time for a letter grows with pupils^{found['exponent_of_a_letter']:.2f}. Kept of a pupil, letters and scores: "
+        f"Time for a letter grows with pupils^{found['exponent_of_a_letter']:.2f}. What is kept of a pupil: "
         f"{found['bytes_of_a_pupil'] / 1e6:.1f} MB.",
     ]
     style = [f"{1e3 * seconds:.0f} ms for {count} pupils" for count, seconds in found["seconds_of_a_style"].items()]
