@@ -1,4 +1,4 @@
-"""The paper's figures from a study's data, each a function that returns a matplotlib `Figure`."""
+"""Every figure of ours, each a function that returns a matplotlib `Figure`; here are the paper's, of a study's data."""
 
 import numpy as np
 from matplotlib.figure import Figure
@@ -26,6 +26,9 @@ from dmp_teach.views.figure_style import (
     sheet,
 )
 from dmp_teach.views.ink_figures import d_to_p, four_widths_drawn, goal_change_drawn, letters_redrawn
+from dmp_teach.views.letter_figures import letters_made, recipes_drawn, written_text
+from dmp_teach.views.robot_figures import reach_drawn
+from dmp_teach.views.stroke_figures import strokes_by_rule
 from dmp_teach.views.style_figures import style_sheet
 
 __all__ = [
@@ -40,8 +43,13 @@ __all__ = [
     "goal_change_over_time",
     "kernel_choice",
     "kernel_types",
+    "letters_made",
     "letters_redrawn",
+    "reach_drawn",
+    "recipes_drawn",
+    "strokes_by_rule",
     "style_sheet",
+    "written_text",
 ]
 
 FULL = 80.0  # where "no ends" stands on an axis of widths that ends at 40

@@ -1,5 +1,9 @@
 """Figures show what the study says, with units, and stay apart without colour."""
 
+from importlib import import_module
+from pathlib import Path
+from typing import get_type_hints
+
 import numpy as np
 import pytest
 from matplotlib.figure import Figure
@@ -35,6 +39,16 @@ def every():
         "kernel_choice": figures.kernel_choice(choose_kernels(STROKE, candidates=(5, 10, 20, 33))),
         "width_choice": figures.kernel_choice(choose_width(STROKE, candidates=(1.0, 4.0, np.inf))),
     }
+
+
+def test_every_figure_of_every_module_is_found_in_one_place():
+    for path in Path(figures.__file__).parent.glob("*_figures.py"):
+        module = import_module(f"dmp_teach.views.{path.stem}")
+        made = [name for name, each in vars(module).items() if getattr(each, "__module__", "") == module.__name__]
+        returns = {name: get_type_hints(getattr(module, name)).get("return") for name in made if name[0] != "_"}
+        drawn = [name for name, kind in returns.items() if kind is Figure]
+        assert drawn
+        assert set(drawn) <= set(figures.__all__)
 
 
 def test_every_figure_can_be_shown_in_a_notebook_and_saved(every, tmp_path):
