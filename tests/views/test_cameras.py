@@ -78,7 +78,7 @@ def test_over_the_shoulder_the_letter_is_large_upright_and_in_the_middle(page, h
     assert abs(up_to[0] - up_from[0]) * ASPECT < 0.4 * (up_to[1] - up_from[1]), "up is up"
     places, _ = picture_of(camera, corners)
     assert np.abs(places.mean(axis=0)).max() < 0.25, "in the middle"
-    assert np.ptp(places, axis=0).max() > 0.22 + 2 * height, "large, the more so the larger it is"
+    assert np.ptp(places, axis=0).max() > 0.2 + 2 * height, "large, the more so the larger it is"
 
 
 def test_the_camera_goes_round_an_arm_that_would_hide_the_letter():
