@@ -16,9 +16,13 @@ function render({ model, el, host, signal }) {
   parts.root = root;
 
   const letters = () => drawLetters(model, parts, { trait: "character", onChange: (character) => ask(model, parts, { character }) });
-  const redraw = () => (drawPad(model, parts), drawRows(model, parts), drawTries(model, parts), change(root, { "data-dt-drawing": model.get("drawing"), "data-dt-strokes": model.get("counts").length }));
+  const redraw = () => (turnTheSheet(model, parts), drawPad(model, parts), drawRows(model, parts), drawTries(model, parts), change(root, { "data-dt-drawing": model.get("drawing"), "data-dt-strokes": model.get("counts").length }));
   const redrawWork = () => (showTable(model, parts), drawWork(model, parts));
-  const redrawScene = () => model.get("scene") && (parts.robotHost.replaceChildren(), showRobot(host, model.get("scene"), parts.robotHost, signal));
+  const redrawScene = async () => {
+    if (!model.get("scene")) return;
+    parts.robotHost.replaceChildren();
+    await showRobot(host, model.get("scene"), parts.robotHost, signal);
+  };
   const stopWatching = watch(model, root, parts);
   model.on("change:drawing", redraw);
   model.on("change:answered", () => ((parts.pending = parts.pending.filter((stroke) => stroke.n > model.get("answered"))), drawPad(model, parts)));
@@ -27,7 +31,7 @@ function render({ model, el, host, signal }) {
   model.on("change:character", () => (letters(), endShow(parts)));
   model.on("change:work", () => (redrawWork(), tellWork(model, parts)));
   model.on("change:older", () => drawOlder(model, parts));
-  model.on("change:scene", () => (redrawScene(), showTable(model, parts)));
+  model.on("change:scene", () => (showTable(model, parts), redrawScene().then(() => bringIntoSight(parts.table))));
   parts.caught.textContent = model.get("caught");
   letters();
   redraw();
@@ -77,7 +81,6 @@ function childSheet(model, parts) {
     onStroke: (rows, kind) => {
       const n = tell(model, parts, { kind: "stroke", pointer: kind }, new Float64Array(rows.flat()).buffer);
       parts.pending.push({ n, points: rows.map((row) => row.slice(1, 3)) });
-      parts.robotView("copy");
       drawPad(model, parts);
     },
     onKeys: (pen, words) => ((parts.pen = pen), drawPad(model, parts), speak(words)),
@@ -124,7 +127,7 @@ function table() {
   return { table: make("div", { class: "dt-table", hidden: true }, caption, robotHost, work, spoken), older, robotHost, work, workSpoken: spoken };
 }
 
-const results = () => ({ rows: make("ul", { class: "dt-rows", "aria-label": "How near it is" }), strip: make("ol", { class: "dt-tries", "aria-label": "Your tries, in order" }) });
+const results = () => ({ rows: make("ul", { class: "dt-rows", "aria-label": "How near it is", hidden: true }), strip: make("ol", { class: "dt-tries", "aria-label": "Your tries, in order" }) });
 
 /** What is kept, and what is forgotten; forgetting asks once more. */
 function footer(model, parts) {
@@ -147,6 +150,14 @@ function footer(model, parts) {
 function later(act, wait) {
   let timer = null;
   return (words) => (clearTimeout(timer), (timer = setTimeout(() => act(words), wait)));
+}
+
+/** The robot's sheet shows its own letter while somebody writes, and what it has learned once the letter is there. */
+function turnTheSheet(model, parts) {
+  const strokes = model.get("counts").length;
+  if (!strokes && parts.strokes) parts.robotView("model");
+  if (strokes > (parts.strokes ?? 0) && !model.get("unfinished")) parts.robotView("copy");
+  parts.strokes = strokes;
 }
 
 // What is seen -------------------------------------------------------------------------------------------------------
@@ -217,7 +228,8 @@ function drawRows(model, parts) {
   const rows = model.get("parts");
   const circles = (level) => make("svg", { viewBox: "0 0 96 24", "aria-hidden": "true" }, ...[0, 1, 2, 3].map((i) => make("circle", { class: i <= level ? "dt-full" : "dt-open", cx: 12 + 24 * i, cy: 12, r: 9 })));
   const item = ({ name, level, word, reason }) => make("li", {}, make("span", {}, name), circles(level), make("b", {}, word), make("span", { class: "dt-reason" }, reason));
-  parts.rows.hidden = !rows.length;
+  parts.rows.style.minHeight = rows.length ? "" : `${parts.rows.offsetHeight}px`; // their place stays: the sheet must not jump
+  parts.rows.hidden &&= !rows.length;
   parts.rows.replaceChildren(...rows.map(item));
 }
 

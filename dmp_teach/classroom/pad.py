@@ -27,21 +27,21 @@ _STRIP = 6  # tries that are shown; all are kept
 _MOST_STROKES = 60
 
 
-def pad(letter: str | None = "a", page: Page | None = None, writer: str | None = None) -> "Pad":
+def pad(character: str | None = "a", page: Page | None = None, writer: str | None = None) -> "Pad":
     """A writing pad for mouse, finger and stylus: the robot shows its letter, and learns yours.
 
     What is written stays in this notebook's memory until *Save* is pressed. The next cells have it as `pad.recording`
     and `pad.recordings` (every try in order), what the robot learned as `pad.letter`, and `pad.score`.
 
     Args:
-        letter: The letter to begin with; None for any letter, compared with nothing.
+        character: The letter to begin with; None for any letter, compared with nothing.
         page: Where the robot writes; None for a sheet of A4 on the table.
         writer: A pseudonym such as "w01" for what is saved; None takes the first that is free.
 
     Raises:
         RecordingError: No such letter, or a writer that is no pseudonym.
     """
-    return Pad(letter, page, writer)
+    return Pad(character, page, writer)
 
 
 class Pad(RobotPanel):
@@ -71,7 +71,7 @@ class Pad(RobotPanel):
     drawing = traitlets.Int(0).tag(sync=True)
     answered = traitlets.Int(0).tag(sync=True)
 
-    def __init__(self, letter: str | None = "a", page: Page | None = None, writer: str | None = None):
+    def __init__(self, character: str | None = "a", page: Page | None = None, writer: str | None = None):
         check_pseudonym(writer)
         self.writer = writer
         self._tries = Tries()
@@ -80,10 +80,10 @@ class Pad(RobotPanel):
         self._model: Recording | None = None
         super().__init__(page)
         self.choices = [["", "any", "any letter"], *([name, name, f"the letter {name}"] for name in characters())]
-        if letter is None:
+        if character is None:
             self._choose()
         else:
-            self.character = letter
+            self.character = character
 
     # What the next cells ask ---------------------------------------------------------------------
 
@@ -276,10 +276,12 @@ class Pad(RobotPanel):
             self.message = words.invitation(self.character)
         elif self.unfinished:
             self.message = words.next_stroke(len(now.ink), len(now.model.strokes()), self.character)
+        elif now.score is None and self.character:
+            self.message = words.dot_message(self.character)
         elif now.score is None:
             self.message = words.learned_message(now.letter.error)
         else:
-            self.message = words.try_message(now.score, before[-1].score if before else None)
+            self.message = words.try_message(now.score, before[-1].score if before else None, now.is_coarse)
             rows = now.score.parts
             self.parts = [{"name": p.name, "level": p.level, "word": p.word, "reason": p.reason} for p in rows]
         said = self.message["text"] + self.message["strong"] if now else ""

@@ -65,10 +65,12 @@ function watch(model, root, parts) {
   return () => clearInterval(timer);
 }
 
+const bringIntoSight = (node) => node.scrollIntoView({ block: "nearest" });
+
 /** Let the robot write, where it is seen. A kernel that was started anew cannot hear: then the panel says so. */
 function letRobotWrite(model, parts) {
   if (model.get("work").state === "working") return;
-  parts.robotHost.scrollIntoView({ block: "nearest" });
+  bringIntoSight(parts.robotHost.parentElement);
   parts.waits();
   try {
     model.send({ kind: "write" });

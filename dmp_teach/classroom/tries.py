@@ -63,6 +63,11 @@ class Try:
         return replace(self, recording=replace(self.recording, writer=writer))
 
     @property
+    def is_coarse(self) -> bool:
+        """Whether the pad caught too few points of a stroke to tell how the pen was moved."""
+        return any(stroke.is_coarse for stroke in self.strokes)
+
+    @property
     def is_short(self) -> bool:
         """Whether the model has more strokes."""
         return self.model is not None and len(self.ink) < len(self.model.strokes())

@@ -16,6 +16,10 @@ _THINGS = (
     (100.0, "the width of a hand"),
 )
 
+_APART = "This is how far they are apart on average. "
+_ALIKE = "It looks the same as the robot’s. "
+_MOVEMENT = ("smooth", "tempo")  # faults in how it was written, which nobody sees on the paper
+
 
 def millimetres(metres: float) -> str:
     """A length as it is shown: "under 0.1", "7.8", "24"; never more figures than can be seen."""
@@ -114,11 +118,32 @@ def learned_message(error: float) -> dict[str, str]:
     return _sentence(error, "On average the robot’s line is off your dots by ", f"{as_wide_as(error)}.", after)
 
 
-def try_message(now: Score, before: Score | None) -> dict[str, str]:
-    """The sentence for a try: how far it is from the robot's letter, in what most of all, and whether it is nearer."""
+def dot_message(character: str) -> dict[str, str]:
+    """The sentence for a sheet with nothing but dots, where a letter is wanted."""
+    return _plain("That is only a dot. ", "Undo", f" takes it away; then write {a(character)}.")
+
+
+def try_message(now: Score, before: Score | None, is_coarse: bool = False) -> dict[str, str]:
+    """The sentence for a try: how far it is from the robot's letter, in what most of all, and whether it is nearer.
+
+    Args:
+        now: The try's score.
+        before: That of the try before.
+        is_coarse: Whether the pad caught too few points to tell how the pen was moved.
+    """
+    said = _named(now, is_coarse)
     if before is None:
-        return _sentence(now.distance, "", now.sentence)
-    return _sentence(now.distance, f"{now.sentence} ", compared(now.distance, before.distance))
+        return _sentence(now.distance, _APART, said)
+    return _sentence(now.distance, f"{_APART}{said} ", compared(now.distance, before.distance))
+
+
+def _named(now: Score, is_coarse: bool) -> str:
+    """The largest fault that is seen on the sheet, or else one of the movement, where that is known."""
+    large = [fault for fault in now.faults if fault.steps > 1]
+    seen = [fault.sentence for fault in large if fault.name not in _MOVEMENT]
+    moved = [_ALIKE + fault.sentence for fault in large if fault.name in _MOVEMENT and not is_coarse]
+    first = next(iter(seen + moved), _ALIKE.strip())
+    return first.replace("the model's", "the robot’s").replace("the model", "the robot’s")
 
 
 def compared(distance: float, before: float) -> str:

@@ -13,6 +13,7 @@ POINTS = 96  # over all the ink of a letter
 STIFF = 0.005  # how firmly ink that tells nothing of width or lean, as an l, is taken for unchanged
 ROUNDS = 6  # of asking which point is the nearest
 FLAT = 0.01  # ink that is flattened more than this is a line, and no number says how flat
+CRUSHED = 0.2  # a letter of which less is left across its slanted length is no letter that leans, but another shape
 PLAIN = 0.0003  # of two fits that are as near, the one that changes the model less
 
 SIDES = ("points", "others")
@@ -73,6 +74,8 @@ def fitted(matching: Matching, written: Sequence[Trajectory], model: Sequence[Tr
     starts = along, along, scale * np.eye(2)
     found = [_refined(inks, start, scale, rounds) for start, rounds in zip(starts, (0, ROUNDS, ROUNDS), strict=True)]
     linear, shifts, far = min(found, key=lambda each: _cost(each, scale, size))
+    if _is_crushed(linear):
+        linear, shifts, far = _refined(inks, scale * np.eye(2), scale, 0)
     unit = scale * size
     shapes = [float(np.sqrt((a.mean() + b.mean()) / 2)) / unit for a, b in far]
     weights = np.array([len(ink.yours) for ink in inks])
@@ -124,6 +127,13 @@ def _linear(mine: Array, yours: Array, scale: float) -> Array:
         return scale * np.eye(2)
     firm = STIFF * np.trace(spread_of) * np.eye(2)
     return np.linalg.solve(spread_of + firm, (together + scale * firm).T).T
+
+
+def _is_crushed(linear: Array) -> bool:
+    """Whether it lays upright and level lines on each other, as for a slanted line where a round letter should be."""
+    long, short = np.linalg.svd(linear, compute_uv=False)
+    across, up = np.hypot(*linear[:, 0]), np.hypot(*linear[:, 1])
+    return bool(short < CRUSHED * long and min(across, up) > 2 * short)
 
 
 def _cost(found: _Found, scale: float, size: float) -> float:

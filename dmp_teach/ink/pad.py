@@ -25,7 +25,9 @@ BACK = 0.02  # events overtake each other by no more than this [s]
 LIFT = (0.15, 2.0)  # between two strokes the pen is in the air for at least, and at most [s]
 DOT = 0.0015  # a pen that goes no farther than this made a dot [m] ...
 DOWN = 0.1  # ... and was down for at least this long [s]
-FEWEST = 6  # fewer points show no curve
+FEWEST = 6  # fewer points show no curve ...
+SMALL = 0.01  # ... unless it is as small as a comma [m]
+SPARSE = 30.0  # fewer points in a second do not show how fast the pen went, only where [Hz]
 LARGEST = 1.0  # no pad is larger [m]
 LONGEST = 60.0  # nor does a stroke take longer [s]
 MOST = 20_000  # nor has it more points
@@ -53,7 +55,12 @@ class PadStroke:
     @property
     def is_blurred(self) -> bool:
         """Whether the pen was too fast for the pad."""
-        return self.points < FEWEST and not self.is_dot
+        return self.points < FEWEST and bool(np.ptp(self.path.position, axis=0).max() > SMALL)
+
+    @property
+    def is_coarse(self) -> bool:
+        """Whether too few points were caught to tell how fast the pen went on its way."""
+        return not self.is_dot and self.points < SPARSE * self.path.duration
 
 
 def pad_stroke(points: ArrayLike, pressed: bool = False) -> PadStroke:

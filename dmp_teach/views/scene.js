@@ -119,7 +119,6 @@ function render({ model, el: host }) {
   let playing = false;
   let before = null;
   let frame = null;
-  let seenPlace = null;
 
   const set = (values, save = true) => {
     Object.entries(values).forEach(([name, value]) => model.set(name, value));
@@ -222,10 +221,7 @@ function render({ model, el: host }) {
       show(model.get("seen"));
     }
   };
-  // Another letter on the same page is seen by the same camera, as a hand may have turned it.
-  const place = () => JSON.stringify([facts().page, facts().duration > 0]);
   const aim = () => {
-    seenPlace = place();
     const name = model.get("camera");
     cameraBar.show(name);
     cameraList.show(name);
@@ -248,7 +244,7 @@ function render({ model, el: host }) {
   const fresh = async () => {
     load();
     await picture.change(run());
-    if (place() !== seenPlace) aim();
+    if (!picture.isTurned()) aim(); // each letter from where its own arm hides it least, but a hand's choice stays
     show(model.get("playing") ? 0 : model.get("time"));
     if (model.get("playing") && picture.seen) start();
   };

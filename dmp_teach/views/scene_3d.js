@@ -183,6 +183,11 @@ class Picture {
     if (this.viewer) through(this.viewer.scene_tree.find(["meshcat", "robot"]).object, Boolean(this.camera?.see_through));
   }
 
+  /** Whether a hand has turned the picture since. */
+  isTurned() {
+    return this.turn.yaw !== 0 || this.turn.pitch !== 0 || this.turn.zoom !== 1;
+  }
+
   /** Put the camera where it belongs: turned by hand about the middle of the picture, never under the floor. */
   look() {
     if (!this.viewer || !this.camera) return;

@@ -205,3 +205,12 @@ def test_what_is_no_writing_has_no_score(written, words):
         score(written, strokes("a"))
     with pytest.raises(LetterError, match=words.replace("written", "model")):
         score(strokes("a"), written)
+
+
+@pytest.mark.parametrize("end", [(0.06, 0.06), (0.06, 0.0), (-0.03, 0.08)])
+def test_a_line_where_a_round_letter_should_be_is_another_shape_and_no_small_letter(end):
+    t = np.linspace(0, 2, 120)
+    found = score((Trajectory(t, np.outer(t / 2, end)),), strokes("a"))
+    assert found.sentence.startswith("The shape is quite different")
+    assert found.parts[0].word == "far"
+    assert 0.4 < found.size < 1.5
