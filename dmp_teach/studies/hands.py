@@ -8,7 +8,7 @@ import numpy as np
 
 from dmp_teach.ink.distances import letter_distances
 from dmp_teach.ink.movement import measured
-from dmp_teach.ink.points import spread
+from dmp_teach.ink.points import spread, strokes_of
 from dmp_teach.studies.answers import Answers, Attributions, luck_of
 from dmp_teach.studies.material import Written, letters_of
 from dmp_teach.studies.work import Progress, run
@@ -39,6 +39,9 @@ def told_apart(
         recordings: Recordings, files or strokes; None takes our own alphabets.
         executor: Any `concurrent.futures.Executor`; a piece of work is one letter with all its takes.
         progress: Called as `progress(done, total)`.
+
+    Raises:
+        LetterError: A letter that is not flat, or all in one place.
     """
     letters = letters_of(recordings)
     groups = [[each for each in letters if each.character == c] for c in dict.fromkeys(x.character for x in letters)]
@@ -68,7 +71,13 @@ def signature(strokes: Sequence[Trajectory]) -> Array:
 
 
 def fresh(takes: Sequence[Written]) -> list[Written]:
-    """One writer's takes of one letter, without those that are in it twice, such as one take exported in two ways."""
+    """One writer's takes of one letter, without those that are in it twice, such as one take exported in two ways.
+
+    Raises:
+        LetterError: A letter that is not flat, or all in one place.
+    """
+    for each in takes:
+        strokes_of(each.strokes, each.name)
     far = (
         letter_distances(*[[each.strokes for each in takes]] * 2, upright=False) if len(takes) > 1 else np.ones((1, 1))
     )

@@ -91,6 +91,10 @@ def attribution(
         variations: How often starts and goals are moved, by a tenth of the stroke's size (normal, in each direction).
         executor: Any `concurrent.futures.Executor`; a piece of work is one take by one writer.
         progress: Called as `progress(done, total)`.
+
+    Raises:
+        LetterError: A letter that is not flat, or all in one place.
+        SettingError: No number of variations.
     """
     if isinstance(variations, bool) or not isinstance(variations, int) or variations < 1:
         raise SettingError(f"variations is {variations!r}, but must be a whole number of at least 1.")

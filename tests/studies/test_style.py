@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from dmp_teach.errors import SettingError
+from dmp_teach.errors import LetterError, SettingError
 from dmp_teach.ink.alphabet import recording_of
 from dmp_teach.studies.answers import Answers, luck_of
 from dmp_teach.studies.hands import HAND, SHAPE, TAKES, fresh, hand, signature, told_apart
@@ -209,6 +209,16 @@ def test_luck_is_the_share_of_shuffles_that_do_as_well():
     assert luck == pytest.approx(1 / 6, abs=0.04)
     assert luck_of(lambda order: 1, [0, 1, 2]) == 1.0
     assert luck_of(lambda order: 0, []) == 1.0
+
+
+@pytest.mark.parametrize("study", [told_apart, attribution])
+def test_ink_that_is_not_flat_or_a_dot_is_refused_by_its_name(study):
+    flat = Pupil(0).writes("D")
+    high = tuple(Trajectory(s.t, np.column_stack([s.position, 0 * s.t])) for s in flat.strokes)
+    with pytest.raises(LetterError, match="Stroke 0 of D w1 has 3 dimensions, but ink has 2"):
+        study([flat, Written("D", "w1", high)])
+    with pytest.raises(LetterError, match="i w1 is a dot"):
+        study([flat, Written("i", "w1", (Trajectory([0, 0.1, 0.2], np.zeros((3, 2))),))])
 
 
 @needs_recordings
