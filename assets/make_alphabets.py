@@ -13,6 +13,7 @@ from letter_hand import Hand, write
 from shapes_digits import DIGITS
 from shapes_marks import accented
 from shapes_round import ROUND
+from shapes_signs import SIGNS
 from shapes_slanted import SLANTED
 
 HERE = Path(__file__).resolve().parent
@@ -25,11 +26,11 @@ from dmp_teach.ink.recording import Recording  # noqa: E402
 ALPHABETS = {
     "round": (
         Hand("writer-1", 0.072, 0.98, slant=0.03, pace=0.112, haste=1.1, softness=0.035, wobble=0.0006, lift=0.022),
-        ROUND | DIGITS | accented(ROUND, 0),
+        ROUND | DIGITS | accented(ROUND, 0) | SIGNS,
     ),
     "slanted": (
         Hand("writer-2", 0.062, 0.76, slant=0.26, pace=0.132, haste=1.4, softness=0.032, wobble=0.0005, lift=0.026),
-        SLANTED | DIGITS | accented(SLANTED, 1),
+        SLANTED | DIGITS | accented(SLANTED, 1) | SIGNS,
     ),
 }
 

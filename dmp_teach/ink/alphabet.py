@@ -1,7 +1,7 @@
-"""Our own alphabets: a recording a letter, `assets/alphabets/<alphabet>/<kind>_<letter>.json`."""
+"""Our own alphabets: a recording a letter or sign, `assets/alphabets/<alphabet>/<kind>_<letter>.json`."""
 
 import re
-from unicodedata import normalize
+from unicodedata import name, normalize
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.ink.our_json import read_json
@@ -11,6 +11,7 @@ from dmp_teach.paths import ASSETS
 FOLDER = ASSETS / "alphabets"
 DEFAULT = "round"
 KINDS = ("small", "capital", "digit")
+SIGNS = ".,;:!?'\"-()"
 
 
 def alphabets() -> tuple[str, ...]:
@@ -34,49 +35,73 @@ def characters(alphabet: str | None = None) -> tuple[str, ...]:
     Raises:
         RecordingError: No alphabet of that name; names those that there are.
     """
-    names = [file.name for file in (FOLDER / _known(alphabet)).glob("*.json")]
-    found = sorted((not letter.isascii(), KINDS.index(kind), letter) for kind, letter in map(_read_name, names) if kind)
-    return tuple(letter for _, _, letter in found)
+    found = [(kind, letter) for kind, letter in _files(alphabet) if kind in KINDS]
+    return tuple(letter for _, letter in sorted(found, key=lambda f: (not f[1].isascii(), KINDS.index(f[0]), f[1])))
+
+
+def signs(alphabet: str | None = None) -> tuple[str, ...]:
+    """The punctuation of an alphabet, from the full stop to the brackets: `recording_of` and `word` know it, too.
+
+    Args:
+        alphabet: One of `alphabets()`; None is the first.
+
+    Raises:
+        RecordingError: No alphabet of that name; names those that there are.
+    """
+    found = {sign for kind, sign in _files(alphabet) if kind == "sign"}
+    return tuple(sign for sign in SIGNS if sign in found)
 
 
 def recording_of(character: str, alphabet: str | None = None) -> Recording:
     """A letter of one of our alphabets, as it was written.
 
     Args:
-        character: One of `characters(alphabet)`; an accent may also be a sign of its own ("a" and U+0308 for "ä").
+        character: One of `characters(alphabet)` or `signs(alphabet)`; an accent may also be a sign of its own ("a" and
+            U+0308 for "ä").
         alphabet: One of `alphabets()`; None is the first.
 
     Raises:
         RecordingError: No such alphabet, or no such letter in it; names those that there are.
     """
-    name = _known(alphabet)
-    known = characters(name)
+    folder = _known(alphabet)
+    known = characters(folder) + signs(folder)
     if not isinstance(character, str) or normalize("NFC", character) not in known:
-        raise RecordingError(f"The alphabet {name!r} has no {character!r}; it has: {' '.join(known)}.")
-    return read_json(FOLDER / name / file_name(character))
+        raise RecordingError(f"The alphabet {folder!r} has no {character!r}; it has: {' '.join(known)}.")
+    return read_json(FOLDER / folder / file_name(character))
 
 
 def file_name(character: str) -> str:
     """Where a letter stands in its alphabet: `small_a.json`, `capital_A.json`, `small_u00e4.json` ("ä", by its number).
 
-    In plain ASCII, and different even where file names ignore capitals.
+    Signs go by their names in Unicode: `sign_full_stop.json`. All in plain ASCII, and different even where file names
+    ignore capitals.
 
     Raises:
-        RecordingError: Not a letter or digit.
+        RecordingError: Not a letter, a digit or one of our signs.
     """
     letter = normalize("NFC", character) if isinstance(character, str) else ""
+    if len(letter) == 1 and letter in SIGNS:
+        return f"sign_{name(letter).lower().replace(' ', '_')}.json"
     if len(letter) != 1 or not letter.isalnum():
-        raise RecordingError(f"character is {character!r}, but must be one letter or digit, such as 'a'.")
+        raise RecordingError(f"character is {character!r}, but must be one letter or digit, such as 'a', or of {SIGNS}")
     kind = "digit" if letter.isdigit() else "capital" if letter.isupper() else "small"
     return f"{kind}_{letter if letter.isascii() else f'u{ord(letter):04x}'}.json"
 
 
-def _read_name(name: str) -> tuple[str, str]:
+def _files(alphabet: str | None) -> list[tuple[str, str]]:
+    """The kind and the letter of every file of an alphabet that has them."""
+    found = (_read_name(file.name) for file in (FOLDER / _known(alphabet)).glob("*.json"))
+    return [(kind, letter) for kind, letter in found if kind]
+
+
+def _read_name(file: str) -> tuple[str, str]:
     """The kind and the letter of a file's name, both empty where `file_name` gives no such name."""
-    kind, _, letter = name.removesuffix(".json").partition("_")
-    if re.fullmatch("u[0-9a-f]{4,5}", letter):
+    kind, _, letter = file.removesuffix(".json").partition("_")
+    if kind == "sign":
+        letter = next((sign for sign in SIGNS if file_name(sign) == file), "")
+    elif re.fullmatch("u[0-9a-f]{4,5}", letter):
         letter = chr(int(letter[1:], 16))
-    if len(letter) == 1 and letter.isalnum() and file_name(letter) == name:
+    if len(letter) == 1 and (letter.isalnum() or letter in SIGNS) and file_name(letter) == file:
         return kind, letter
     return "", ""
 

@@ -6,6 +6,6 @@ Read in this order:
     shelf       letters taken apart: every stroke under its name, a `piece` that can be led, moved, turned and cut
     recipes     the table of new letters, a line each (`roles`: which stroke is the bar; `outline`: how that is seen)
     styles      one letter by several writers: blends, principal styles, chance (`alike`: so that weights add up)
-    words       text in a person's letters: `spacing` sets them, `linking` joins them where they meet (`meeting`),
-                `lines` fills a sheet
+    words       text on one clock: a `hand` gives its letters, `spacing` sets them, `linking` joins them where they meet
+                (`meeting`), `lines` fills a sheet
 """

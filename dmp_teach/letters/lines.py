@@ -9,8 +9,9 @@ import numpy as np
 
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import LetterError
-from dmp_teach.letters.spacing import distance
-from dmp_teach.letters.words import TEMPO, Hand, Strokes, Text, placed
+from dmp_teach.letters.hand import Hand
+from dmp_teach.letters.spacing import Strokes, distance
+from dmp_teach.letters.words import TEMPO, Text, placed
 from dmp_teach.trajectory import Array
 
 SPACE = 0.6  # between two words, in x-heights: what they stand farther apart than two letters

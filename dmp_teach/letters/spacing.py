@@ -20,6 +20,8 @@ WHITE = 0.33  # the mean distance of two letters, in x-heights
 DEEP = 0.50  # white counts to this depth
 CLEAR = 0.12  # ink is never nearer to ink than this
 LINKED = 0.28  # the mean distance of two letters that are joined, without the way between them
+SIGN = 0.24  # what stands at the height of a sign (a full stop, a hyphen) keeps this distance from it, in x-heights
+BESIDE = 0.30  # so far above and below it counts as its height
 BANDS = 25  # in an x-height
 LOWEST, HIGHEST = -2.0, 4.0  # in x-heights, from the writing line
 
@@ -67,6 +69,26 @@ def linked_distance(glyphs: Sequence[Strokes], bodies: Sequence[Strokes], x_heig
         cut = slice(0 if met.back else met.sample, None)
         right = [_part(start, cut) if stroke is start else stroke for stroke in glyphs[1]]
     return step
+
+
+def distance_to_sign(
+    left: Sequence[Trajectory], right: Sequence[Trajectory], x_height: float, sign_first: bool
+) -> float:
+    """The same where one of them is a sign: beside what is at its height, else right after all of it.
+
+    Args:
+        left: As in `distance`.
+        right: As in `distance`.
+        x_height: As in `distance`.
+        sign_first: Whether the sign is the left one.
+    """
+    height = np.concatenate([stroke.position[:, 1] for stroke in (left if sign_first else right)]) / x_height
+    low, high = (np.array([height.min() - BESIDE, height.max() + BESIDE]) - LOWEST) * BANDS
+    zone = slice(int(low), int(high) + 1)
+    right_edge, left_edge = _edge(left, x_height, 1), -_edge(right, x_height, -1)
+    if np.isfinite(right_edge[zone]).any() and np.isfinite(left_edge[zone]).any():
+        return x_height * (SIGN + float(right_edge[zone].max() - left_edge[zone].min()))
+    return x_height * float(right_edge.max() - left_edge.min())
 
 
 def _part(stroke: Trajectory, part: slice) -> Trajectory:

@@ -13,17 +13,19 @@ import pytest
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.ink import alphabet
-from dmp_teach.ink.alphabet import alphabets, characters, file_name, recording_of
+from dmp_teach.ink.alphabet import SIGNS, alphabets, characters, file_name, recording_of, signs
 from dmp_teach.letters.letter import Letter
 from dmp_teach.paths import ASSETS
 
 EVERY = [(name, letter) for name in alphabets() for letter in characters(name)]
+PUNCTUATION = [(name, sign) for name in alphabets() for sign in signs(name)]
 STROKES = (  # how many strokes a letter has in the round hand, and in the slanted one; one where nothing is said
     dict.fromkeys("fijtx457BDKMNPQRTXYkœ", 2) | dict.fromkeys("AFHI", 3) | {"E": 4},
     dict.fromkeys("fijtx457ABDGKPQRTXYœ", 2) | dict.fromkeys("EFHI", 3),
 )
 DIAERESIS, CEDILLA = "\u0308", "\u0327"
 GERMAN, FRENCH, SPANISH = "äöüÄÖÜß", "éèêëàâçîïôûùœÉÈÊÀÇ", "áéíñóúüÁÉÍÑÓÚÜ"
+every_sign = pytest.mark.parametrize(("name", "sign"), PUNCTUATION)
 every_letter = pytest.mark.parametrize(("name", "letter"), EVERY, ids=["-".join(pair) for pair in EVERY])
 
 
@@ -205,6 +207,40 @@ def test_every_stem_of_a_hand_leans_alike():
             assert abs(lean - hand.slant - 0.01) < 0.06, letter
 
 
+def test_signs_stand_beside_the_letters_and_not_among_them():
+    for name in alphabets():
+        assert "".join(signs(name)) == SIGNS == ".,;:!?'\"-()"
+        assert not set(SIGNS) & set(characters(name))
+
+
+@every_sign
+def test_every_sign_is_a_recording_that_is_found_stroke_by_stroke_and_learned(name, sign):
+    recording, (_, spans) = recording_of(sign, name), written(name, sign)
+    assert recording.character == sign
+    assert recording.baseline == 0.0
+    np.testing.assert_allclose(np.diff(recording.t), 1 / 120, atol=2e-6)
+    strokes = recording.strokes()
+    assert len(strokes) == len(spans) == (2 if sign in ';:!?"' else 1)
+    for stroke, (begin, end) in zip(strokes, spans, strict=True):
+        assert abs(stroke.t[0] - begin) < 0.05
+        assert abs(stroke.t[-1] - end) < 0.05
+    assert Letter.learn(recording).error < 0.9e-3
+    np.testing.assert_allclose(recording.position, script().recording(name, sign).position, atol=2e-6)
+
+
+@every_sign
+def test_a_sign_is_at_its_height(name, sign):
+    """Dots and commas at the line, a hyphen in the middle, apostrophes at the top of stems, brackets over all."""
+    ink = ink_of(recording_of(sign, name))[:, 1] / script().ALPHABETS[name][0].size
+    low, high = {
+        **dict.fromkeys(".", (0, 0.1)), **dict.fromkeys(",", (-0.25, 0.1)), **dict.fromkeys(";", (-0.25, 0.7)),
+        **dict.fromkeys(":", (0, 0.7)), **dict.fromkeys("!?", (0, 1.85)), **dict.fromkeys("'\"", (1.55, 1.9)),
+        "-": (0.5, 0.5), **dict.fromkeys("()", (-0.25, 1.95)),
+    }[sign]  # fmt: skip
+    assert ink.min() == pytest.approx(low, abs=0.06)
+    assert ink.max() == pytest.approx(high, abs=0.06)
+
+
 @every_letter
 def test_every_letter_is_learned(name, letter):
     assert Letter.learn(recording_of(letter, name)).error < 0.9e-3
@@ -274,18 +310,19 @@ def test_where_there_is_no_alphabet_the_script_is_named(tmp_path, monkeypatch):
 def test_files_of_another_kind_in_an_alphabet_are_no_letters(tmp_path, monkeypatch):
     monkeypatch.setattr(alphabet, "FOLDER", tmp_path)
     (tmp_path / "mine").mkdir()
-    odd = ("small_u0062.json", "small_u00E4.json", "capital_a.json", "small_u0308.json", "small_.json")
+    odd = ("small_u0062.json", "small_u00E4.json", "capital_a.json", "small_u0308.json", "small_.json", "sign_dot.json")
     for file in ("small_a.json", "small_u00e4.json", "notes_b.json", "small_ab.json", "readme.json", *odd):
         (tmp_path / "mine" / file).write_text("{}")
     assert characters("mine") == ("a", "ä")
 
 
 def test_file_names_differ_even_where_capitals_do_not_count():
-    every = {letter for _, letter in EVERY}
+    every = {letter for _, letter in EVERY + PUNCTUATION}
     names = [file_name(letter) for letter in every]
     assert len({name.lower() for name in names}) == len(names)
     assert all(map(str.isascii, names))
     assert (file_name("a"), file_name("Ä")) == ("small_a.json", "capital_u00c4.json")
-    for letter in ("ab", "", "/", ".", "\u0308", 3, None):
+    assert file_name(".") == "sign_full_stop.json"
+    for letter in ("ab", "", "/", "..", "\u2019", "\u0308", 3, None):
         with pytest.raises(RecordingError, match="must be one letter or digit"):
             file_name(letter)

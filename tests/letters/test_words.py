@@ -1,7 +1,7 @@
 """Words and lines: letters that stand evenly, never on each other, and one pen that never jumps."""
 
 from functools import cache
-from itertools import pairwise, product
+from itertools import combinations, pairwise, product
 from string import ascii_lowercase
 
 import numpy as np
@@ -11,13 +11,14 @@ from hypothesis import strategies as st
 from scipy.spatial import cKDTree
 
 from dmp_teach.errors import LetterError, RecordingError
-from dmp_teach.ink.alphabet import alphabets, characters, recording_of
+from dmp_teach.ink.alphabet import SIGNS, alphabets, characters, recording_of
+from dmp_teach.letters.hand import Hand
 from dmp_teach.letters.letter import Letter
 from dmp_teach.letters.lines import lines
 from dmp_teach.letters.linking import linked
 from dmp_teach.letters.meeting import body_and_marks, can_arrive, can_leave, leaving, meeting
 from dmp_teach.letters.spacing import distance, linked_distance
-from dmp_teach.letters.words import Hand, word
+from dmp_teach.letters.words import word
 from dmp_teach.robot.fetch import Fetch
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.place import place
@@ -54,6 +55,56 @@ def test_neighbours_do_not_touch(name, one, other):
     left, right = hand.glyph(one), hand.glyph(other)
     apart, _ = cKDTree(dense(left)).query(dense(right) + np.array([distance(left, right, hand.x_height), 0]))
     assert apart.min() > 0.1 * hand.x_height
+
+
+@settings(max_examples=40, deadline=None)
+@given(HAND, st.text(alphabet=ALL + SIGNS * 3, min_size=2, max_size=4))
+def test_nothing_in_a_word_touches_its_neighbours_nor_theirs(name, text):
+    strokes, glyphs = list(word(text, name)), []
+    for character in text:
+        count = len(HANDS[name].glyph(character))
+        glyphs.append(cKDTree(dense(strokes[:count])))
+        strokes = strokes[count:]
+    assert not strokes
+    for one, other in combinations(glyphs, 2):
+        assert one.query(other.data)[0].min() > 0.09 * HANDS[name].x_height
+
+
+@pytest.mark.parametrize("name", alphabets())
+def test_punctuation_stands_where_it_should(name):
+    size = HANDS[name].x_height
+
+    def sign(text):
+        return dense(word(text, name)[-len(HANDS[name].glyph(text[-1])) :]) / size
+
+    for letters in ("o", "y", "T", "B"):
+        rest = dense(word(letters, name)) / size
+        for mark, low, high in ((".", 0, 0.15), (",", -0.3, 0.15), ("-", 0.4, 0.6), ("'", 1.5, 1.95), ("?", 0, 1.9)):
+            ink = sign(letters + mark)
+            assert low - 0.05 < ink[:, 1].min() < ink[:, 1].max() < high + 0.05
+            at = rest[np.abs(rest[:, 1] - ink[:, 1].mean()) < 0.5 * np.ptp(ink[:, 1]) + 0.2]
+            if len(at):
+                assert 0.15 < ink[:, 0].min() - at[:, 0].max() < 0.5, (letters, mark)
+    t = dense(word("T", name)) / size
+    assert sign("T.")[:, 0].max() < t[:, 0].max()
+
+
+def test_dots_and_crosses_come_before_the_sign_that_follows():
+    for text in ("it!", "tit?", "i."):
+        ink = word(text, "slanted", joined=True)
+        end = HANDS["slanted"].glyph(text[-1])
+        for drawn, shown in zip(ink[-len(end) :], end, strict=True):
+            np.testing.assert_allclose(np.diff(drawn.position, axis=0), np.diff(shown.position, axis=0), atol=1e-12)
+    assert len(word("it-it", "slanted", joined=True)) == 2 * len(word("it", "slanted", joined=True)) + 1
+
+
+@pytest.mark.parametrize(
+    ("printed", "plain"),
+    [("don\u2019t", "don't"), ("\u201cja\u201d", '"ja"'), ("a\u2013b", "a-b"), ("scho\u0308n", "sch\u00f6n")],
+)
+def test_print_and_parted_accents_are_written_plainly(printed, plain):
+    for one, other in zip(word(printed), word(plain), strict=True):
+        np.testing.assert_array_equal(one.position, other.position)
 
 
 @cache
