@@ -19,6 +19,17 @@ def locked(values: ArrayLike, dtype: Any = float) -> NDArray[Any]:
     return array
 
 
+def ways(path: Array) -> Array:
+    """How far along a path (T, D) each of its points is, shape (T,) [m]."""
+    step = np.diff(path, axis=0)
+    return np.concatenate([[0.0], np.cumsum(np.sqrt(np.einsum("td,td->t", step, step)))])
+
+
+def length(path: Array) -> float:
+    """How long a path (T, D) is, from point to point [m]."""
+    return float(ways(path)[-1])
+
+
 @dataclass(frozen=True, eq=False)
 class Trajectory:
     """A movement, sampled at increasing times.

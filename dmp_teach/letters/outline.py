@@ -5,16 +5,12 @@ from itertools import pairwise
 
 import numpy as np
 
-from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.trajectory import Array, Trajectory, ways
+from dmp_teach.trajectory import length as long
 
 REACH = 0.07  # a corner is seen over this way before and behind it, in parts of the stroke's size
 SHARP = np.radians(62)  # a turn by more than this within that way is a corner
 SHORT = 0.12  # nothing shorter than this part of the stroke is cut off
-
-
-def long(path: Array) -> float:
-    """How long a path (T, 2) is [m]."""
-    return float(np.linalg.norm(np.diff(path, axis=0), axis=1).sum())
 
 
 def straightness(path: Array) -> float:
@@ -30,7 +26,7 @@ def is_upright(path: Array) -> bool:
 
 def evenly(path: Array, points: int) -> tuple[Array, Array]:
     """So many points at equal ways along a path (T, 2), and the (uneven) row of `path` where each of them is."""
-    way = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(path, axis=0), axis=1))])
+    way = ways(path)
     even = np.linspace(0, way[-1], points)
     return np.column_stack([np.interp(even, way, axis) for axis in path.T]), np.interp(even, way, np.arange(len(way)))
 

@@ -15,7 +15,7 @@ from dmp_teach.dmp.asked import point
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.errors import LetterError
 from dmp_teach.letters.outline import crossings, cut, nearest
-from dmp_teach.trajectory import Array, Trajectory, locked
+from dmp_teach.trajectory import Array, Trajectory, locked, ways
 
 PLACES = ("start", "goal", "upper", "lower", "top", "bottom", "left", "right", "middle")
 ENDS = PLACES[:4]
@@ -72,7 +72,7 @@ class Piece:
             return path[self._row(place)].copy()
         if isinstance(place, bool) or not isinstance(place, int | float) or not 0 <= place <= 1:
             raise LetterError(f"There is no place {place!r} on a stroke; give a part from 0 to 1, or {_list(PLACES)}.")
-        way = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(path, axis=0), axis=1))])
+        way = ways(path)
         return np.array([np.interp(place * way[-1], way, axis) for axis in path.T])
 
     def height(self, part: float) -> Array:

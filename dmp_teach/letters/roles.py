@@ -5,8 +5,9 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from dmp_teach.errors import LetterError
-from dmp_teach.letters.outline import bar_and_bowl, is_upright, long, straightness
+from dmp_teach.letters.outline import bar_and_bowl, is_upright, straightness
 from dmp_teach.letters.piece import Piece
+from dmp_teach.trajectory import length
 
 STRAIGHT = 0.9
 """A stroke is a bar or an arm if its ends are as far apart as this part of its length."""
@@ -108,7 +109,7 @@ def strokes_in_role(role: str, strokes: Sequence[Piece]) -> Pieces:
 
 
 def _length(piece: Piece) -> float:
-    return long(piece.drawn.position)
+    return length(piece.drawn.position)
 
 
 def _parts(strokes: Pieces) -> Pieces:

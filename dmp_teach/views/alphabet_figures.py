@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 from dmp_teach.errors import RecordingError
 from dmp_teach.ink.alphabet import characters, recording_of
 from dmp_teach.ink.recording import Recording
-from dmp_teach.trajectory import Array
+from dmp_teach.trajectory import Array, ways
 from dmp_teach.views.figure_style import COLOURS, GRID, INK, QUIET, sheet
 
 COLUMNS = 13  # half of a to z
@@ -110,7 +110,7 @@ def _beside(path: Array, taken: Array) -> Array:
 
 def _arrows(panel: Axes, path: Array, colour: str) -> None:
     """Heads of arrows along a stroke (T, 2) [inch], where it runs straight."""
-    way = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(path, axis=0), axis=1))])
+    way = ways(path)
     if way[-1] < DOT:
         return
     even = np.column_stack([np.interp(np.linspace(0, way[-1], 201), way, axis) for axis in path.T])

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 from dmp_teach.studies.goals import GoalPaths
 from dmp_teach.studies.new_letters import MadeLetter, MadeLetters
 from dmp_teach.studies.redraw import Redrawings, Redrawn
-from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.trajectory import Array, Trajectory, ways
 from dmp_teach.views.figure_style import CHILD, INK, OTHER, QUIET, ROBOT, explained_below, paper, same_view, sheet
 
 SHOWN = {"color": CHILD, "linestyle": "", "marker": ".", "markersize": 4.5, "zorder": 3}
@@ -142,7 +142,7 @@ def _redrawn(panel: Axes, item: Redrawn) -> None:
 
 def _dots(path: Array) -> Array:
     """Points of a path [mm] at equal ways, as far apart as a twentieth of its size or so: beads on a thread."""
-    way = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(path, axis=0), axis=1))])
+    way = ways(path)
     number = max(2, round(way[-1] / max(np.ptp(path, axis=0).max() * 0.03, 1e-9)))
     return np.column_stack([np.interp(np.linspace(0, way[-1], number), way, axis) for axis in path.T])
 

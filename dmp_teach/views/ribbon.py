@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from dmp_teach.robot.motion import Motion
-from dmp_teach.trajectory import Array, Trajectory, locked
+from dmp_teach.trajectory import Array, Trajectory, length, locked
 
 CORNERS = 8
 """A dot of ink is a polygon of so many corners."""
@@ -67,8 +67,7 @@ def ribbon(
     Returns:
         A `Ribbon`; without strokes an empty one.
     """
-    length = sum(np.linalg.norm(np.diff(s.position, axis=0), axis=1).sum() for s in strokes)
-    spacing = max(spacing, float(length) / most)
+    spacing = max(spacing, sum(length(stroke.position) for stroke in strokes) / most)
     walks = [_walk(stroke, spacing) for stroke in strokes]
     t = np.concatenate([np.empty(0), *(walk[0] for walk in walks)])
     dots = np.concatenate([np.empty((0, 2)), *(walk[1] for walk in walks)])
