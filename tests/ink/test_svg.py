@@ -53,7 +53,7 @@ SAME = {
     "a share of the window": svg(L, 'width="100%" height="80mm" viewBox="0 0 100 80"'),
     "letterboxed": svg(L, 'width="200mm" height="80mm" viewBox="0 0 100 80"'),
     "stretched": svg(
-        '<path d="M5 10 V30 H20"/>', 'width="100mm" height="80mm" viewBox="0 0 50 40" preserveAspectRatio="none"'
+        '<path d="M5 20 V60 H20"/>', 'width="100mm" height="80mm" viewBox="0 0 50 80" preserveAspectRatio="none"'
     ),
     "a view elsewhere": svg(L, 'width="100mm" height="80mm" viewBox="-50, -60, 100, 80"'),
     "pixels": svg(f'<g transform="scale({96 / 25.4})">{L}</g>', ""),
