@@ -20,7 +20,7 @@ function render({ model, el, host, signal }) {
   redraw();
   redrawWork();
   drawOlder(model, parts);
-  showRobot(host, model.get("scene"), parts.robotHost, signal);
+  showRobot(model, host, parts.robotHost, signal);
   return stopWatching;
 }
 

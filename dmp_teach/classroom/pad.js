@@ -21,7 +21,7 @@ function render({ model, el, host, signal }) {
   const redrawScene = async () => {
     if (!model.get("scene")) return;
     parts.robotHost.replaceChildren();
-    await showRobot(host, model.get("scene"), parts.robotHost, signal);
+    await showRobot(model, host, parts.robotHost, signal);
   };
   const stopWatching = watch(model, root, parts);
   model.on("change:drawing", redraw);

@@ -217,7 +217,7 @@ class Pad(RobotPanel):
             else:
                 super()._hear(_, message, buffers)
         except Exception as error:  # nobody else hears it: the browser waits for a sentence
-            self.caught = str(error) or type(error).__name__
+            setattr(self, "kept" if kind == "save" else "caught", str(error) or type(error).__name__)
         self.answered = max(self.answered, number if type(number) is int else 0)
 
     def _stroke_came(self, message: dict[str, Any], buffers: list[memoryview]) -> None:

@@ -57,6 +57,7 @@ function watch(model, root, parts) {
   model.on("change:asked", asked);
   model.on("change:answered change:work", answered);
   parts.waits = asked;
+  keepOutOfFiles(model, model.get("own_id"));
   const timer = setInterval(() => {
     const waiting = since === null ? 0 : performance.now() - since;
     root.classList.toggle("dt-late", waiting > LATE);
@@ -140,8 +141,20 @@ function workFooter(stop) {
   return make("footer", {}, make("span", { class: "dt-quiet" }, ""), button("Stop", { onClick: stop }));
 }
 
+/** JupyterLab can keep the state of panels in the notebook. Of these it keeps a sentence: no ink leaves the memory. */
+async function keepOutOfFiles(model, id) {
+  const kept = await model.widget_manager?.get_model?.(id);
+  if (!kept) return;
+  const state = kept.get_state.bind(kept);
+  kept.get_state = (...how) => ({ ...Object.fromEntries(Object.entries(state(...how)).filter(([name]) => name.startsWith("_"))), _esm: RESTING, _css: "" });
+}
+
+const RESTING = `export default { render: ({ el }) => { el.textContent = "This panel is resting. Run the cell above to wake it: Shift and Enter."; } };`;
+
 /** The 3-D view is a widget of its own; here it stands inside this card. */
-async function showRobot(host, scene, el, signal) {
+async function showRobot(model, host, el, signal) {
+  const scene = model.get("scene");
+  keepOutOfFiles(model, scene.split(":").pop());
   const child = await host.getWidget(scene);
   await child.render({ el, signal });
 }

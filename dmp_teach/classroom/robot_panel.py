@@ -38,6 +38,7 @@ class RobotPanel(anywidget.AnyWidget):
     work = traitlets.Dict(_IDLE).tag(sync=True)
     older = traitlets.Bool(False).tag(sync=True)
     scene = anywidget.WidgetTrait().tag(sync=True)
+    own_id = traitlets.Unicode().tag(sync=True)  # by it the panel keeps itself out of saved notebooks
 
     def __init__(self, page: Page | None = None, **traits: Any):
         self.page = Page.table() if page is None else page
@@ -47,6 +48,7 @@ class RobotPanel(anywidget.AnyWidget):
         self._size: float | None = None
         self._on_the_table = b""
         super().__init__(**traits)
+        self.own_id = self.model_id
         self.on_msg(self._hear)
 
     def load(self, recording: Recording | str | Path) -> None:

@@ -94,7 +94,7 @@ class Tries:
         """What is on the sheet, or the try before; a RecordingError while there is none."""
         newest = next((each for each in reversed(self._all) if each is not None), None)
         if newest is None:
-            raise RecordingError("Nothing is written on the pad yet: write a letter, then run this cell again.")
+            raise RecordingError("Nothing is written on the pad yet: write a letter first.")
         return newest
 
     @property
