@@ -15,6 +15,7 @@ from dmp_teach.letters.words import TEMPO, Text, placed
 from dmp_teach.trajectory import Array
 
 SPACE = 0.6  # between two words, in x-heights: what they stand farther apart than two letters
+APART = 0.35  # ... and at least this stands between the one and the other, as at a full stop before a quotation mark
 PITCH = 3.1  # from line to line, in x-heights: what hangs from a g and what stands up in an l do not meet
 FINEST = 0.0001  # in which steps a size that fits is looked for [m]
 
@@ -129,7 +130,7 @@ class _Sheet:
         """How far the next word begins to the right of where this one began, in x-heights."""
         if (before, after) not in self.steps:
             apart = distance(self.kept[before], self.kept[after], self.unit) / self.unit
-            self.steps[before, after] = apart + SPACE
+            self.steps[before, after] = max(apart + SPACE, self.widths[before] + APART)
         return self.steps[before, after]
 
     def rows(self, x_height: float) -> list[list[tuple[float, str]]] | None:

@@ -91,7 +91,7 @@ def leaving(stroke: Trajectory, x_height: float) -> int:
     if peaks(path, x_height):
         return len(path) - 1
     left = _left(path)
-    last = int(np.flatnonzero(left >= OFF * x_height)[-1])
+    last = max(1, int((left >= OFF * x_height).sum()) - 1)
     while path[last, 1] > HOOK * x_height and path[-1, 1] < HIGH * x_height and left[last] < MOST_OFF * x_height:
         last -= 1
     return int(np.clip(last, 1, len(path) - 2))
@@ -140,7 +140,7 @@ def needed(here: Array, there: Array, x_height: float) -> float:
 
 def peaks(path: Array, x_height: float) -> bool:
     """Whether a stroke ends high, and upwards."""
-    k = int(np.flatnonzero(_left(path) >= 0.2 * x_height)[-1])
+    k = max(0, int((_left(path) >= 0.2 * x_height).sum()) - 1)
     right, up = path[-1] - path[k]
     return bool(path[-1, 1] > HIGH * x_height and PEAK < np.arctan2(up, right) < np.pi - PEAK)
 

@@ -21,6 +21,7 @@ DEEP = 0.50  # white counts to this depth
 CLEAR = 0.12  # ink is never nearer to ink than this
 LINKED = 0.28  # the mean distance of two letters that are joined, without the way between them
 SIGN = 0.24  # what stands at the height of a sign (a full stop, a hyphen) keeps this distance from it, in x-heights
+PAST = 0.12  # a sign that nothing stands beside, as an apostrophe after an o, is so far past the letter
 BESIDE = 0.30  # so far above and below it counts as its height
 BANDS = 25  # in an x-height
 LOWEST, HIGHEST = -2.0, 4.0  # in x-heights, from the writing line
@@ -88,7 +89,7 @@ def distance_to_sign(
     right_edge, left_edge = _edge(left, x_height, 1), -_edge(right, x_height, -1)
     if np.isfinite(right_edge[zone]).any() and np.isfinite(left_edge[zone]).any():
         return x_height * (SIGN + float(right_edge[zone].max() - left_edge[zone].min()))
-    return x_height * float(right_edge.max() - left_edge.min())
+    return x_height * (PAST + float(right_edge.max() - left_edge.min()))
 
 
 def _part(stroke: Trajectory, part: slice) -> Trajectory:

@@ -321,6 +321,21 @@ def test_a_connection_keeps_both_strokes_and_their_speeds():
     np.testing.assert_array_equal(both.position[-1], other.position[-1])
 
 
+@settings(max_examples=30, deadline=None)
+@given(
+    HAND, st.lists(st.tuples(st.floats(-1, 2), st.floats(-1, 2)), min_size=2, max_size=5, unique=True), st.booleans()
+)
+def test_whatever_ones_own_letter_looks_like_it_is_joined_or_the_pen_lifts(name, corners, back):
+    way = np.linspace(0, len(corners) - 1, 120)
+    path = np.column_stack([np.interp(way, range(len(corners)), axis) for axis in np.transpose(corners)])
+    if np.ptp(path[:, 1]) < 0.3 or np.linalg.norm(np.diff(path, axis=0), axis=1).min() < 1e-4:
+        return
+    own = Letter.learn(Trajectory(np.linspace(0, 1, 120), path))
+    ink = word("nana" if back else "vaoa", name, joined=True, letters={"a": own})
+    assert all((np.diff(stroke.t) > 0).all() and np.isfinite(stroke.position).all() for stroke in ink)
+    assert all(before.t[-1] < after.t[0] for before, after in pairwise(ink))
+
+
 def test_what_comes_back_to_the_left_is_a_mark():
     for character, marks in (("x", 1), ("t", 1), ("i", 1), ("o", 0), ("k", 0), ("H", 0), ("A", 0), ("5", 0)):
         assert len(body_and_marks(character, HANDS["round"].glyph(character))[1]) == marks, character
@@ -386,6 +401,18 @@ def test_lines_stay_inside_their_margins(x_height, joined):
     assert np.abs(ink[:, 1]).max() <= 0.08 + 1e-9
     assert ink[:, 0].min() == pytest.approx(-0.055)
     assert ink[:, 1].max() == pytest.approx(0.08, abs=3e-4)
+
+
+@pytest.mark.parametrize("name", alphabets())
+@pytest.mark.parametrize("text", ['dog. "Who', "T. T", "a, j", "AV AV", "hello world"])
+def test_words_stand_clearly_apart(name, text):
+    size = HANDS[name].x_height
+    one, other = text.split()
+    whole = lines(text, x_height=size, width=9, height=4, alphabet=name)
+    count = len(word(one, name))
+    gap = points(whole[count:])[:, 0].min() - points(whole[:count])[:, 0].max()
+    assert 0.3 * size < gap < 1.3 * size
+    assert len(whole) == count + len(word(other, name))
 
 
 def test_a_new_line_begins_at_the_left_margin_one_pitch_lower():
