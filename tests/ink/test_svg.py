@@ -77,6 +77,12 @@ SAME = {
 }
 
 
+def test_a_view_within_a_drawing_lies_where_its_corner_is(tmp_path):
+    view = '<svg x="10" y="20" width="50" height="40" viewBox="-7 -9 50 40"><path d="M-7 -9 V31"/></svg>'
+    stem, foot = read(tmp_path, svg(view + '<path d="M10 60 H40"/>')).strokes()
+    assert np.allclose(stem.position[-1], foot.position[0], atol=1e-6)
+
+
 @pytest.mark.parametrize("how", SAME)
 def test_the_same_drawing_is_the_same_letter(tmp_path, how):
     check_hook(read(tmp_path, SAME[how]))
