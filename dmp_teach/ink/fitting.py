@@ -13,7 +13,7 @@ POINTS = 96  # over all the ink of a letter
 STIFF = 0.005  # how firmly ink that tells nothing of width or lean, as an l, is taken for unchanged
 ROUNDS = 6  # of asking which point is the nearest
 FLAT = 0.01  # ink that is flattened more than this is a line, and no number says how flat
-CRUSHED = 0.2  # a letter of which less is left across its slanted length is no letter that leans, but another shape
+CRUSHED = 0.2  # a letter of which less is left across its length is not narrow, and does not lean: it is another shape
 PLAIN = 0.0003  # of two fits that are as near, the one that changes the model less
 
 SIDES = ("points", "others")
@@ -130,10 +130,9 @@ def _linear(mine: Array, yours: Array, scale: float) -> Array:
 
 
 def _is_crushed(linear: Array) -> bool:
-    """Whether it lays upright and level lines on each other, as for a slanted line where a round letter should be."""
+    """Whether it makes a line of a letter, as for a line where a round letter should be."""
     long, short = np.linalg.svd(linear, compute_uv=False)
-    across, up = np.hypot(*linear[:, 0]), np.hypot(*linear[:, 1])
-    return bool(short < CRUSHED * long and min(across, up) > 2 * short)
+    return bool(short < CRUSHED * long)
 
 
 def _cost(found: _Found, scale: float, size: float) -> float:

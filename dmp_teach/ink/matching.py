@@ -17,7 +17,7 @@ import numpy as np
 from scipy.optimize import linear_sum_assignment
 
 from dmp_teach.ink.laying import Laid, laid
-from dmp_teach.ink.points import Ink, ink_of, strokes_of
+from dmp_teach.ink.points import Ink, features, ink_of, strokes_of
 from dmp_teach.trajectory import Array
 
 POINTS = 64  # over all the ink of a letter
@@ -27,10 +27,12 @@ DOT = 0.3  # a shorter stroke is a dot, and nobody sees which way it went [radii
 SPLIT = 0.5  # strokes that do the work of others: each of them lies this near to those [radii] ...
 LONGER = 1.5  # ... and neither side is so many times as long: a line drawn twice is not a line in two pieces
 PARTED = 0.25  # two pairs are one, cut at other places, if that leaves less than this of what they cost
-SEEN = 0.5  # a letter is mirrored or turned if that brings it nearer than this much of the distance ...
-SURELY = 0.1  # ... and by this much [radii], and leaning or being wide does not do as well:
-LEANS = np.linspace(-0.75, 0.75, 7)
-WIDTHS = (0.5, 0.7, 1.0, 1.4, 2.0)
+COARSE = 2  # every second point is enough to see how a letter leans
+SLANTS = np.array([[[width, 0], [lean, 1]] for width in (0.5, 0.7, 1, 1.4, 2) for lean in np.linspace(-1, 1, 9)])
+VIEWS = ((True, 0), (False, 2), (True, 2), (False, 1), (False, 3), (True, 1), (True, 3))  # mirrored, quarter turns
+UPRIGHT = 0.15  # a letter that is as near as this in some lean and width is neither mirrored nor turned [radii]
+SEEN = 0.6  # another letter is mirrored or turned if that leaves less than this much of its distance upright ...
+SURELY = 0.1  # ... and is nearer by this much [radii], and twice as much if it has all strokes backwards
 MOST = 6  # strokes of which every number may be missing
 
 
@@ -125,35 +127,39 @@ def undone(mirrored: bool, turn: int) -> Array:
 
 def _seen(ink: Ink, other: Ink) -> tuple[bool, int, list[Group]]:
     """How the letter is mirrored and turned, and the cheapest groups of its strokes then."""
-    cost, groups = _cheapest(ink, other)
-    view = _view(ink, other)
-    if any(view):
-        turned_cost, turned_groups = _cheapest(ink.turned(undone(*view)), other)
-        if turned_cost < SEEN**2 * cost:
-            return *view, turned_groups
+    slanted, plain = _slanted(ink, other)
+    cost, groups = _cheapest((ink, slanted), other)
+    if plain > UPRIGHT:
+        view, near, slanted = min((_viewed(ink, other, view) for view in VIEWS), key=lambda found: found[1])
+        if near < min(SEEN * plain, plain - SURELY):
+            turned_cost, turned_groups = _cheapest((ink.turned(undone(*view)), slanted), other)
+            if turned_cost < SEEN**2 * cost:
+                return *view, turned_groups
     return False, 0, groups
 
 
-def _cheapest(ink: Ink, other: Ink) -> tuple[float, list[Group]]:
+def _viewed(ink: Ink, other: Ink, view: tuple[bool, int]) -> tuple[tuple[bool, int], float, Ink]:
+    """How near the letter is in one view, farther where that has its strokes run backwards; and the letter there."""
+    slanted, near = _slanted(ink.turned(undone(*view)), other)
+    nearest = squared(slanted.features(), other.features()).argmin(axis=1)
+    backwards = float(((slanted.along * other.along[nearest]).sum(axis=1) < 0).mean())
+    return view, near + SURELY * backwards, slanted
+
+
+def _cheapest(inks: Sequence[Ink], other: Ink) -> tuple[float, list[Group]]:
     """The cheapest groups of strokes over all ways to lay the letters over each other, and what they cost."""
-    return min((_grouped(*pair) for pair in _overlays(ink, other)), key=lambda found: found[0])
+    return min((_grouped(*pair) for ink in inks for pair in _overlays(ink, other)), key=lambda found: found[0])
 
 
-def _view(ink: Ink, other: Ink) -> tuple[bool, int]:
-    """Whether the whole letter is mirrored, and by how many quarters it is turned: only where that is plain to see."""
-    views = [(mirrored, turn) for mirrored in (False, True) for turn in range(4)]
-    near = _near(ink, other, [undone(*view) for view in views])
+def _slanted(ink: Ink, other: Ink) -> tuple[Ink, float]:
+    """The letter in that lean and width in which it is nearest to the other as a whole, and how near [radii]."""
+    place, along = ink.place[::COARSE] @ SLANTS, ink.along[::COARSE] @ SLANTS
+    place /= np.sqrt((place**2).sum(axis=2).mean(axis=1))[:, None, None]
+    along /= np.maximum(np.sqrt((along**2).sum(axis=2, keepdims=True)), 1e-12)
+    apart = squared(features(place, along), other.features()[::COARSE])
+    near = np.sqrt((apart.min(axis=2).mean(axis=1) + apart.min(axis=1).mean(axis=1)) / 2)
     best = int(np.argmin(near))
-    if near[best] >= min(SEEN * near[0], near[0] - SURELY):
-        return views[0]
-    plain = _near(ink, other, [np.array([[width, lean], [0.0, 1.0]]) for width in WIDTHS for lean in LEANS]).min()
-    return views[best] if near[best] < min(SEEN * plain, plain - SURELY) else views[0]
-
-
-def _near(ink: Ink, other: Ink, changes: Sequence[Array]) -> Array:
-    """How near the whole letter is after each of these linear changes (2, 2), shape (len(changes),) [radii]."""
-    apart = squared(np.stack([ink.turned(change).features() for change in changes]), other.features())
-    return np.sqrt((apart.min(axis=2).mean(axis=1) + apart.min(axis=1).mean(axis=1)) / 2)
+    return ink.turned(SLANTS[best].T), float(near[best])
 
 
 def squared(a: Array, b: Array) -> Array:

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from dmp_teach.errors import LetterError
-from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.trajectory import Array, Trajectory, length, ways
 
 DIRECTION = 0.3  # a quarter of a turn in direction counts as much as twice this much in place [radii]
 FEWEST = 3  # points of even the shortest stroke
@@ -35,7 +35,9 @@ class Ink:
 
     def of(self, strokes: Sequence[int]) -> np.ndarray:
         """Which points belong to these strokes, shape (P,) of bool."""
-        return np.isin(self.stroke, strokes)
+        asked = np.zeros(len(self.lengths), dtype=bool)
+        asked[list(strokes)] = True
+        return asked[self.stroke]
 
     def without(self, strokes: Sequence[int]) -> "Ink":
         """The same points, moved and scaled as if these strokes were not there."""
@@ -87,17 +89,6 @@ def features(place: Array, along: Array) -> Array:
     """Points (..., 2) and their directions (..., 2) as points in four dimensions, (..., 4)."""
     x, y = along[..., 0], along[..., 1]
     return np.concatenate([place, np.stack([DIRECTION * (x * x - y * y), DIRECTION * 2 * x * y], axis=-1)], axis=-1)
-
-
-def ways(path: Array) -> Array:
-    """How far along the path each of its samples (T, D) is, shape (T,) [m]."""
-    step = np.diff(path, axis=0)
-    return np.concatenate([[0.0], np.cumsum(np.sqrt(np.einsum("td,td->t", step, step)))])
-
-
-def length(path: Array) -> float:
-    """How long the ink of a path (T, D) is [m]."""
-    return float(ways(path)[-1])
 
 
 def rms_radius(centred: Array) -> float:

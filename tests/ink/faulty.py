@@ -46,6 +46,16 @@ def bent(strokes, amount):
     return [Trajectory(s.t, s.position + amount * size * wave) for s, wave in zip(strokes, waves, strict=True)]
 
 
+def loose(strokes, amount, rng):
+    """As another day: every stroke a little elsewhere and a little bent."""
+    size, found = size_of(strokes), []
+    for stroke in strokes:
+        along, bend = np.linspace(0, np.pi, len(stroke.position))[:, None], rng.normal(size=(4, 2))
+        waves = sum(np.sin(k * along + rng.uniform(0, 6)) * bend[k] / k for k in (1, 2, 3))
+        found.append(Trajectory(stroke.t, stroke.position + amount * size * (0.6 * waves + 0.5 * bend[0])))
+    return found
+
+
 def shaken(strokes, amount):
     size = size_of(strokes)
     waves = [np.column_stack([np.sin(37 * s.t), np.cos(34 * s.t)]) for s in strokes]

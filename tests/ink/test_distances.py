@@ -56,7 +56,7 @@ def test_order_direction_and_number_of_strokes_do_not_count(character):
     other = [
         Trajectory(s.t[a:b], s.position[a:b]) for s in other for a, b in ((0, len(s) // 3), (len(s) // 3 - 1, None))
     ]
-    assert letter_distance(other, given_letter) < 0.07
+    assert letter_distance(other, given_letter) < 0.1  # other points of the same ink: up to half their spacing
 
 
 def test_the_distance_is_the_same_from_both_sides_and_nothing_from_itself():

@@ -2,13 +2,25 @@
 
 import numpy as np
 import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
 
 from dmp_teach.errors import LetterError
-from dmp_teach.ink.alphabet import alphabets, recording_of
+from dmp_teach.ink.alphabet import alphabets, characters, recording_of
 from dmp_teach.ink.matching import matched, undone
 from dmp_teach.ink.reader import read_recording
 from dmp_teach.trajectory import Trajectory
+from tests.ink import faulty
 from tests.recordings import RECORDINGS, needs_recordings
+
+LETTERS = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
+MIRROR, HEAD, LEFT = (True, 0), (False, 2), (False, 1)
+ALIKE = {  # letters that look the same, or nearly, after it
+    MIRROR: "AHIMOTUVWXYilovwx08",
+    HEAD: "HINOSXZlosxz08",
+    LEFT: "OXox",
+}
+LEAN = {"round": 0.0, "slanted": 0.28}  # of the alphabets' own verticals, as a shear
 
 
 def strokes(character, alphabet=None):
@@ -85,6 +97,66 @@ def test_a_mirrored_or_turned_letter_is_seen_as_one(character, mirrored, turn):
     found = matched(spoiled, given)
     if character not in "BD" or (mirrored, turn) != (True, 2):  # these look the same upside down
         assert (found.mirrored, found.turn) == (mirrored, turn)
+    assert found.extra == found.missing == ()
+
+
+@settings(max_examples=150, deadline=None)
+@given(
+    letter=st.sampled_from([(each, hand) for hand in alphabets() for each in characters(hand) if each.isalnum()]),
+    shear=st.floats(-0.25, 0.7),
+    width=st.floats(0.8, 1.25),
+    turn=st.floats(-15, 15),
+    seed=st.integers(0, 2**32 - 1),
+)
+def test_no_ordinary_lean_is_read_as_a_mirror_image(letter, shear, width, turn, seed):
+    model, rng = strokes(*letter), np.random.default_rng(seed)
+    leaned = faulty.linear(model, [[width, shear - LEAN[letter[1]]], [0, 1]])
+    written = faulty.loose(faulty.scaled(faulty.turned(leaned, turn), rng.uniform(0.1, 10)), 0.03, rng)
+    found = matched(written, model)
+    assert (found.mirrored, found.turn) == (False, 0)
+    assert as_pairs(found) == [((k,), (k,)) for k in range(len(model))]
+    assert found.reversed == ()
+
+
+@pytest.mark.parametrize("character", list("DEBCK3OHIX"))
+@pytest.mark.parametrize("hands", [("round", "round"), ("round", "slanted"), ("slanted", "round")])
+def test_two_writers_who_lean_apart_write_the_same_letter(character, hands):
+    written, model = (strokes(character, hand) for hand in hands)
+    for mine, yours in ((-0.2, 0.3), (0.3, -0.2), (-0.25, 0.6), (0.6, -0.25)):
+        given_apart = (faulty.linear(each, [[1, lean], [0, 1]]) for each, lean in ((written, mine), (model, yours)))
+        found = matched(*given_apart)
+        assert (found.mirrored, found.turn) == (False, 0)
+        assert found.extra == found.missing == ()
+
+
+@pytest.mark.parametrize("alphabet", alphabets())
+@pytest.mark.parametrize("view", [MIRROR, HEAD, LEFT])
+def test_nearly_every_letter_that_can_be_mirrored_or_turned_is_seen_as_that(view, alphabet):
+    """Leaning and written loosely, with its strokes in order and direction."""
+    rng = np.random.default_rng(0)
+    seen, asked = 0, sorted(set(LETTERS) - set(ALIKE[view]))
+    for character in asked:
+        model = strokes(character, alphabet)
+        leaned = faulty.loose(faulty.linear(model, [[1, 0.15], [0, 1]]), 0.02, rng)
+        found = matched([Trajectory(s.t, s.position @ undone(*view)) for s in leaned], model)
+        seen += (found.mirrored, found.turn) == view and not found.reversed
+    assert seen >= 0.9 * len(asked)
+
+
+@pytest.mark.parametrize("character", list("VUOMY08"))
+def test_a_letter_that_is_its_own_mirror_image_is_not_called_one(character):
+    model = strokes(character)
+    assert not matched(faulty.mirrored(model), model).mirrored
+
+
+@pytest.mark.parametrize("character", list("AÀÁÄÅ"))
+def test_an_a_whose_sides_are_one_stroke_is_joined_whatever_its_lean(character):
+    slanted, upright = strokes(character, "slanted"), strokes(character, "round")
+    found = matched(slanted, upright)
+    assert as_pairs(found)[:2] == [((0,), (0, 1)), ((1,), (2,))]
+    assert found.extra == found.missing == ()
+    found = matched(upright, slanted)
+    assert as_pairs(found)[:2] == [((0, 1), (0,)), ((2,), (1,))]
     assert found.extra == found.missing == ()
 
 

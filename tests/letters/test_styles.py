@@ -14,7 +14,7 @@ from dmp_teach.letters.styles import Style
 from dmp_teach.trajectory import Trajectory
 from tests.recordings import RECORDINGS, needs_recordings
 
-SHEARS = (-0.1, 0.0, 0.1, 0.2, 0.3)
+SHEARS = (-0.3, -0.1, 0.0, 0.25, 0.5)
 
 
 def slanted(strokes, shear, size=1.0, tempo=1.0):
@@ -97,8 +97,9 @@ def test_a_morph_leads_evenly_from_one_writer_to_another(style):
 
 
 def test_writers_who_differ_only_in_slant_have_one_principal_style(style):
-    # slant, and a little for the boxes' diagonals by which sizes are made equal
-    assert style.shares[0] > 0.95
+    # slant, and a little because the middle of the box, by which letters are put together, does not grow evenly with it
+    assert style.shares[0] > 0.93
+    assert style.shares[:2].sum() > 0.999
     ends = [lean(style.letter([z])) for z in (-1.5, 0, 1.5)]
     assert (np.diff(ends) > 0.05).all() or (np.diff(ends) < -0.05).all()
 
