@@ -27,12 +27,12 @@ VERSION = 1
 UNITS = {"t": "s", "x": "m", "y": "m"}
 FIELDS = ("format", "version", "units", "strokes", "primitives", "led_to", "made_of", "check")
 PRIMITIVE = ("settings", "weights", "biases", "start", "goal", "duration", "start_velocity", "times", "steps", "notes")
-DAY = 86_400.0  # a clock that has run for longer than this is one of the world [s]
+HOUR = 3600.0  # a clock that has run for longer than this may be one of the world: since midnight, or since 1970 [s]
 ENDLESS = "inf"  # JSON has no infinity
 
 
 def to_json(letter: Any) -> str:
-    """A `Letter` as JSON; its clock is kept, unless it has run for more than a day: then it begins at 0.
+    """A `Letter` as JSON; its clock is kept, unless it has run for more than an hour: then it begins at 0.
 
     Raises:
         LetterError: A stroke that is not 2-D.
@@ -40,7 +40,7 @@ def to_json(letter: Any) -> str:
     if any(stroke.dimensions != 2 for stroke in letter.strokes):
         raise LetterError("A letter that is saved has strokes in 2-D: right and up [m].")
     begin = letter.strokes[0].t[0]
-    begin = begin if abs(begin) > DAY else 0.0
+    begin = begin if abs(begin) > HOUR else 0.0
     content = {
         "format": FORMAT,
         "version": VERSION,

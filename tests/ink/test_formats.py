@@ -1,10 +1,12 @@
 """Laws of every format: what is written is read again, what is in a file decides, and files are ordinary ones."""
 
 import os
+import re
 import signal
 import subprocess
 import sys
 import time
+from dataclasses import replace
 from pathlib import Path
 from xml.etree import ElementTree
 
@@ -83,6 +85,18 @@ def test_what_is_written_is_well_formed_and_says_nothing_of_people(tmp_path, suf
     ElementTree.fromstring(text)
     assert "17000" not in text, "no clock is kept"
     assert read_recording(tmp_path / f"a{suffix}").writer == "w01"
+
+
+@pytest.mark.parametrize("suffix", [".json", ".inkml", ".svg"])
+@pytest.mark.parametrize("began", [41_000.25, 1.7e9])  # seconds since midnight, and since 1970
+def test_no_time_of_day_is_written(tmp_path, suffix, began):
+    D = recording_of("D")
+    late = replace(D, t=D.t + began)
+    path = write_recording(late, tmp_path / f"d{suffix}")
+    same = write_recording(D, tmp_path / f"same{suffix}")
+    assert max(map(float, re.findall(r"\d+\.?\d*(?!\w)", path.read_text()))) < 1e4
+    if suffix == ".svg":
+        assert path.read_bytes() == same.read_bytes()
 
 
 def test_what_is_in_a_file_decides_and_not_its_name(tmp_path):
