@@ -67,7 +67,7 @@ class Near:
         """A sentence for those who must change something."""
         if self.distance < 0:
             return f"{self._when} would go into {self._what}, {-1000 * self.distance:.0f} mm deep."
-        least = f"; {1000 * LEAST:.0f} mm must stay between them"
+        least = f"; {1000 * LEAST:.0f} mm must stay between them" if self.distance < LEAST else ""
         return f"{self._when} would come within {1000 * self.distance:.0f} mm of {self._what}{least}."
 
     @property

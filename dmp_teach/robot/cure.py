@@ -19,6 +19,7 @@ Area = tuple[Array, Array]
 
 _EASE = 0.8 * STRAINED
 _STEP = 0.01  # pages are moved by whole centimetres [m]
+_BESIDE = (0.05, -0.05)  # moves of a page that lies as well as can be [m]
 _FLAT, _UPRIGHT = Page.table().X_world_page[:3, 3], Page.board().X_world_page[:3, 3]
 
 
@@ -63,6 +64,19 @@ def cure_for(solver: Solver, page: Page, area: Area) -> Cure:
     middle = getattr(Page, page.kind)(width=page.width, height=page.height)
     spot = (np.array([-0.05, -0.05]), np.array([0.05, 0.05]))
     return Cure(middle if with_ease(solver, middle, spot) else getattr(Page, page.kind)(), False)
+
+
+def elsewhere(page: Page, area: Area) -> Iterator[Page]:
+    """Other pages for the same ink, the likest first: all of each, or else the ink, is as easy to reach as can be.
+
+    Args:
+        page: The one that was asked for.
+        area: Where its ink is.
+    """
+    best = [_at_best(other, part) for other in _faces(page) for part in (whole(other), area)]
+    for good in (*best, *(best[0].moved((far, 0.0, 0.0)) for far in _BESIDE)):
+        if repr(good) != repr(page):
+            yield good
 
 
 def whole(page: Page) -> Area:

@@ -2,6 +2,7 @@
 
 import warnings
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from typing import Any
 
@@ -10,14 +11,15 @@ from numpy.typing import ArrayLike
 
 from dmp_teach.errors import ReachError, ReachWarning
 from dmp_teach.robot.arm import JOINTS, Solver, solver_here
-from dmp_teach.robot.clearance import nearest
+from dmp_teach.robot.clearance import LEAST, Near, nearest
+from dmp_teach.robot.cure import elsewhere
 from dmp_teach.robot.motion import Motion
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.place import place
 from dmp_teach.robot.plan import PenPlan, way_over
 from dmp_teach.robot.reach import stance_for
 from dmp_teach.robot.speed import Clock
-from dmp_teach.robot.stance import STRAINED, TILT, TIP, TOUCHING, Stance, examined
+from dmp_teach.robot.stance import STRAINED, THROUGH, TILT, TIP, TOUCHING, Stance, examined
 from dmp_teach.robot.torque import too_heavy
 from dmp_teach.trajectory import Array, Trajectory
 
@@ -25,7 +27,13 @@ _ROUNDS = 12  # the clock is slowed so often; mostly twice is enough
 _SOLVES = 3  # at most so many solutions a sample; one does, unless that leaves the tip so far off [m]:
 _NEAR = 3e-5
 
+_FORESEEN = 0.03  # nearer than this to something, a stance may have been refused for it [m]
+
 Progress = Callable[[str, float], Any]
+
+
+def _silent(step: str, fraction: float) -> None:
+    """Tell nobody."""
 
 
 class Fetch:
@@ -69,7 +77,7 @@ class Fetch:
 
         Where the arm is nearly stretched out a `ReachWarning`, and a note, say how far to move the page.
         """
-        report = progress or (lambda step, fraction: None)
+        report = progress or _silent
         placed = place(strokes, page, at, size)
         solver = solver_here()
         report("reach", 0.0)
@@ -81,20 +89,40 @@ class Fetch:
         if stance.effort >= STRAINED:
             warnings.warn(next(note for note in stance.notes if "stretched" in note), ReachWarning, stacklevel=2)
         report("reach", 1.0)
-        plan, q, poses, slowed = _joints_for(solver, stance, page, placed, report)
-        _check_tip(poses["pen_tip"], plan, page)
-        close = _checked_clear(poses, page)
-        motion = Motion(
-            t=plan.t,
-            q=q,
-            joint_names=JOINTS,
-            tip=poses["pen_tip"][:, :3, 3],
-            target=page.to_world(plan.position),
-            pen_down=plan.pen_down,
-            page=page,
-            strokes=placed,
-        )
-        return replace(motion, notes=(*slowed, *too_heavy(motion, solver.model), *close, *stance.notes))
+        try:
+            return _planned(solver, stance, page, placed, report)
+        except ReachError as error:
+            raise _cured(solver, page, placed, error) from None
+
+
+def _planned(
+    solver: Solver, stance: Stance, page: Page, placed: tuple[Trajectory, ...], report: Progress = _silent
+) -> Motion:
+    """The motion from a stance; a ReachError says what is wrong with it, but not what to do."""
+    plan, q, poses, slowed = _joints_for(solver, stance, page, placed, report)
+    _check_tip(poses["pen_tip"], plan, page)
+    close = _checked_clear(poses, page)
+    motion = Motion(
+        t=plan.t,
+        q=q,
+        joint_names=JOINTS,
+        tip=poses["pen_tip"][:, :3, 3],
+        target=page.to_world(plan.position),
+        pen_down=plan.pen_down,
+        page=page,
+        strokes=placed,
+    )
+    return replace(motion, notes=(*slowed, *too_heavy(motion, solver.model), *close, *stance.notes))
+
+
+def _cured(solver: Solver, page: Page, placed: tuple[Trajectory, ...], error: ReachError) -> ReachError:
+    """An error of `_planned` with a page for which the same ink has been planned without one, if there is any."""
+    ink = np.concatenate([stroke.position for stroke in placed])
+    for other in elsewhere(page, (ink.min(axis=0), ink.max(axis=0))):
+        with suppress(ReachError):
+            _planned(solver, stance_for(solver, other, ink), other, placed)
+            return ReachError(f"{error} Try {other!r}.", cure=other)
+    return ReachError(f"{error} Write smaller, or move the page.")
 
 
 def _joints_for(
@@ -122,7 +150,7 @@ def _joints_for(
         solves += 1
     raise ReachError(
         f"However slowly the pen goes, {JOINTS[int(solver.speeds(q).max(axis=0).argmax())]} would have to hurry: here "
-        "the arm must change its posture. Write smaller, or move the page."
+        "the arm must change its posture."
     )
 
 
@@ -136,8 +164,7 @@ def _check_tip(X_world_tip: Array, plan: PenPlan, page: Page) -> None:
         x, y, _ = 1000 * plan.position[row]
         raise ReachError(
             f"The arm loses the pen's path after {plan.t[row]:.2f} s, {x:.0f} mm right and {y:.0f} mm up from the "
-            f"page's centre: {1000 * miss[row]:.1f} mm beside it, {np.degrees(tilt[row]):.1f} degrees off the upright. "
-            "Write smaller, or move the page."
+            f"page's centre: {1000 * miss[row]:.1f} mm beside it, {np.degrees(tilt[row]):.1f} degrees off the upright."
         )
 
 
@@ -145,19 +172,29 @@ def _checked_clear(poses: Mapping[str, Array], page: Page) -> tuple[str, ...]:
     """A note where the arm comes near to the robot or to what the page lies on; an error where it comes too near."""
     first, closest = nearest(poses, page)
     if first is not None:
-        raise ReachError(f"{first} Write smaller, or move the page away from the robot.")
+        raise ReachError(_told(first))
     return () if closest is None else (closest.note,)
 
 
 def _in_time(solver: Solver, page: Page, placed: tuple[Trajectory, ...], error: ReachError) -> ReachError:
-    """An error of `stance_for` with the moment and the depth, where its reason is that the arm touches the robot."""
+    """An error of `stance_for` with the moment and the depth, where its reason is that the arm touches something."""
     ink = np.concatenate([stroke.position for stroke in placed])
     stance = examined(solver, page, ink.min(axis=0), ink.max(axis=0))
-    if not stance.trouble.startswith(TOUCHING) or stance.trouble not in str(error):
+    trouble = stance.trouble
+    if not (trouble.startswith(TOUCHING) or trouble.endswith(THROUGH)) or trouble not in str(error):
         return error
     plan = way_over(placed).plan()
-    q = solver.follow(stance.q, page.normal, page.to_world(plan.position), lambda step, fraction: None)
-    first, _ = nearest(solver.model.link_poses(q, JOINTS), page)
-    if first is None:
+    q = solver.follow(stance.q, page.normal, page.to_world(plan.position), _silent)
+    first, closest = nearest(solver.model.link_poses(q, JOINTS), page, _FORESEEN)
+    near = first or closest
+    if near is None:
         return error
-    return ReachError(str(error).replace(stance.trouble, f"{TOUCHING} a{str(first)[1:]}"), cure=error.cure)
+    return ReachError(str(error).replace(trouble, _told(near)), cure=error.cure)
+
+
+def _told(near: Near) -> str:
+    """What comes too near to what, and when."""
+    if near.other == "page":
+        return str(near)
+    touching = TOUCHING if near.distance < LEAST else "The arm would come too near to the robot:"
+    return f"{touching} a{str(near)[1:]}"

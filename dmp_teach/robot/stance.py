@@ -39,6 +39,9 @@ STRAINED = 2.5
 TOUCHING = "The arm would touch the robot:"
 """How the trouble begins where the arm comes against the robot."""
 
+THROUGH = "would go through what the page lies on."
+"""How it ends where the arm comes against the table or the board."""
+
 _COMFORTABLE = 1.6  # of a joint's limit, at SWIFT in the worst place: good enough to stop looking
 _STOP = 0.02  # this near to its stop a joint is at it [rad], and then ...
 _JAMMED = STRAINED - 0.01  # ... the effort is at least this
@@ -182,7 +185,7 @@ def _trouble(solver: Solver, page: Page, spot: Array) -> str:
         return "The arm cannot get from one end of the ink to the other without changing its posture."
     for link in _FOREARM:
         if page.to_page(solver.place_of(link))[2] < _CLEAR:
-            return f"The arm's {plain(link)} would go through what the page lies on."
+            return f"The arm's {plain(link)} {THROUGH}"
     for pair in sorted(solver.touching()):
         if not _neighbours(*(link.removesuffix("_link") for link in pair)):
             return f"{TOUCHING} its {plain(pair[0])} and its {plain(pair[1])}."

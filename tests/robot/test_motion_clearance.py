@@ -13,7 +13,7 @@ from dmp_teach.robot.page import Page
 from dmp_teach.robot.solids import Clearances
 from tests.robot import ink
 from tests.robot.ink import LETTER, law
-from tests.robot.sound import LIMITS, MODEL
+from tests.robot.sound import LIMITS, MODEL, assert_sound
 
 pytest.importorskip("placo", reason="PlaCo is not on this platform")
 
@@ -77,13 +77,52 @@ def test_a_page_in_the_robots_lap_is_refused_with_a_page_that_works(x):
     assert Fetch().write(LETTER, error.cure).page is error.cure
 
 
-def test_what_the_stance_did_not_foresee_is_refused_too(monkeypatch):
-    monkeypatch.setattr(fetch, "nearest", lambda poses, page: 2 * (Near(240, -0.004, "forearm_roll_link", "page"),))
+WRONG = {
+    "nearest": lambda poses, page, *rest: 2 * (Near(240, -0.004, "forearm_roll_link", "page"),),
+    "_check_tip": lambda X, plan, page: raised("The arm loses the pen's path."),
+    "_joints_for": lambda *rest: raised("However slowly the pen goes, the arm would have to hurry."),
+}
+
+
+def raised(words):
+    raise ReachError(words)
+
+
+@pytest.mark.parametrize(
+    "page", [Page.table(), Page.board(x=0.8, y=0.1), Page.table(tilt=0.4, yaw=0.3, x=0.6)], ids=repr
+)
+@pytest.mark.parametrize("what", WRONG)
+def test_what_the_stance_did_not_foresee_is_refused_with_a_page_for_which_the_same_ink_was_planned(
+    monkeypatch, what, page
+):
+    right = getattr(fetch, what)
+    monkeypatch.setattr(
+        fetch, what, lambda *given: (WRONG[what] if any(each is page for each in given) else right)(*given)
+    )
     with pytest.raises(
-        ReachError,
-        match=r"After 1\.00 s the arm's forearm would go into what the page lies on, 4 mm deep\. Write smaller, or",
-    ):
+        ReachError, match=r"^(After 1\.00 s the arm's forearm would go into what|The arm lo|How)"
+    ) as caught:
+        Fetch().write(LETTER, page)
+    cure = caught.value.cure
+    assert str(caught.value).endswith(f". Try {cure!r}.")
+    assert repr(cure) != repr(page)
+    assert_sound(Fetch().write(LETTER, eval(repr(cure))))
+
+
+def test_an_arm_that_would_go_into_the_table_on_its_way_is_told_when_and_where_to_move_the_page():
+    page = Page.table(x=0.46, y=0.14, z=1.03, tilt=-0.08)
+    with pytest.raises(
+        ReachError, match=r"After \d\.\d\d s .* into what the page lies on, \d+ mm deep\. Try"
+    ) as caught:
+        Fetch().write(LETTER, page, size=0.05)
+    assert_sound(Fetch().write(LETTER, caught.value.cure, size=0.05))
+
+
+def test_where_no_page_helps_one_is_told_to_write_smaller(monkeypatch):
+    monkeypatch.setattr(fetch, "nearest", WRONG["nearest"])
+    with pytest.raises(ReachError, match=r"4 mm deep\. Write smaller, or move the page\.$") as caught:
         Fetch().write(LETTER, Page.table())
+    assert caught.value.cure is None
 
 
 def test_a_thin_margin_is_noted(monkeypatch):
