@@ -172,13 +172,13 @@ class Piece:
         return self.moved((spot[0] - _across(self, spot[1]), 0))
 
     def scaled(self, factor: float) -> Self:
-        """The stroke larger or smaller, its lowest point where it was."""
+        """The stroke larger or smaller, its lowest point where it was; refused beyond 0.001 to 1000 times."""
         if isinstance(factor, bool) or not isinstance(factor, int | float) or not 1e-3 <= factor <= 1e3:
             raise LetterError(f"factor is {factor!r}, but a stroke can be scaled by 0.001 to 1000.")
         return self._by(factor * np.eye(2)).put("bottom", self.at("bottom"))
 
     def turned(self, degrees: float) -> Self:
-        """The stroke turned to the left round the middle of its box; its pen now moves in other directions."""
+        """The stroke turned to the left round the middle of its box; refused beyond a whole turn either way."""
         if isinstance(degrees, bool) or not isinstance(degrees, int | float) or not abs(degrees) <= 360:
             raise LetterError(f"degrees is {degrees!r}, but a stroke can be turned by -360 to 360.")
         c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))

@@ -99,7 +99,7 @@ def makeable(shelf: Shelf) -> tuple[str, ...]:
 
 
 def made(character: str, shelf: Shelf, transform: str | None = None, recipe: str | None = None) -> Letter:
-    """A letter by its recipe; see `Letter.make`."""
+    """A letter by its recipe; arguments and errors as `Letter.make`."""
     if not isinstance(shelf, Shelf):
         raise LetterError(f"A letter is made from a Shelf, but got a {type(shelf).__name__}; use Shelf.of(recordings).")
     if not isinstance(recipe, str | None):
