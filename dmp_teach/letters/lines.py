@@ -9,13 +9,14 @@ import numpy as np
 
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import LetterError
+from dmp_teach.ink.alphabet import SIGNS
 from dmp_teach.letters.hand import Hand
 from dmp_teach.letters.spacing import Strokes, distance
 from dmp_teach.letters.words import TEMPO, Text, placed
 from dmp_teach.trajectory import Array
 
 SPACE = 0.6  # between two words, in x-heights: what they stand farther apart than two letters
-APART = 0.35  # ... and at least this stands between the one and the other, as at a full stop before a quotation mark
+APART = 0.35  # ... and at least this stands between the one and the other; a whole space beside a full stop
 PITCH = 3.1  # from line to line, in x-heights: what hangs from a g and what stands up in an l do not meet
 FINEST = 0.0001  # in which steps a size that fits is looked for [m]
 
@@ -130,7 +131,8 @@ class _Sheet:
         """How far the next word begins to the right of where this one began, in x-heights."""
         if (before, after) not in self.steps:
             apart = distance(self.kept[before], self.kept[after], self.unit) / self.unit
-            self.steps[before, after] = max(apart + SPACE, self.widths[before] + APART)
+            least = SPACE if before[-1] in SIGNS or after[0] in SIGNS else APART
+            self.steps[before, after] = max(apart + SPACE, self.widths[before] + least)
         return self.steps[before, after]
 
     def rows(self, x_height: float) -> list[list[tuple[float, str]]] | None:
