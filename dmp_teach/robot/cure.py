@@ -121,7 +121,7 @@ def _faces(page: Page) -> Iterator[Page]:
 
 def _at_best(page: Page, area: Area) -> Page:
     """The page where the middle of an area is as easy to reach as can be, for one that leans so."""
-    lean = np.clip(np.arccos(page.normal[2]) / (np.pi / 2), 0, 1)
+    lean = np.arccos(np.clip(page.normal[2], 0, 1)) / (np.pi / 2)
     spot = Rotation.from_euler("Z", page.angles[2]).apply(_FLAT + lean * (_UPRIGHT - _FLAT))
     shift = spot - page.to_world((area[0] + area[1]) / 2)
     return page.moved(np.round(page.X_world_page[:3, 3] + shift, 2) - page.X_world_page[:3, 3])

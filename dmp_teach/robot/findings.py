@@ -9,6 +9,9 @@ from dmp_teach.trajectory import Array
 if TYPE_CHECKING:
     from dmp_teach.robot.run import Run
 
+BAND = (0.2, 1.2)
+"""Good pressing: between these two forces [N]."""
+
 BREAKS = 10.0
 """A pen does not survive more than this [N]."""
 
@@ -53,8 +56,6 @@ def _ink(run: "Run") -> str:
 
 def _pressed(run: "Run") -> str:
     """Too hard: how many newtons, and whether the pen survives."""
-    from dmp_teach.robot.run import BAND  # noqa: PLC0415
-
     down = run.motion.pen_down
     hard = run.force[down] > BAND[1]
     most = run.greatest_force

@@ -11,9 +11,6 @@ from dmp_teach.robot.motion import Motion
 from dmp_teach.robot.page import Page
 from dmp_teach.trajectory import Array, Trajectory, locked
 
-BAND = (0.2, 1.2)
-"""Good pressing: between these two forces [N]."""
-
 INKED = 0.002
 """Ink this near to a place of the letter covers it [m]."""
 

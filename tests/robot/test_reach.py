@@ -209,6 +209,15 @@ def test_however_a_page_lies_the_letter_is_written_well_or_refused(turn, x, z):
         assert_sound(Fetch().write(LETTER, Page(X)))
 
 
+def test_a_page_that_is_cured_by_turning_it_over_lies_flat_to_the_last_bit():
+    X = np.eye(4)
+    X[:3, :3] = Rotation.from_rotvec((2.6256845734003837, -0.21752319001220455, 0.0)).as_matrix()
+    X[:3, 3] = 0.625, 0.0, 0.5
+    with pytest.raises(ReachError, match=r"what the page lies on.* Try Page\.") as caught:
+        Fetch().write(LETTER, Page(X))
+    assert_sound(Fetch().write(LETTER, caught.value.cure))
+
+
 def test_a_page_too_large_for_any_arm_can_still_be_written_in_its_middle():
     motion = Fetch().write(LETTER, Page.board(width=2.0, height=1.5))
     assert "the arm reaches this ink, but not all of the page" in motion.notes

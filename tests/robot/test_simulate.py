@@ -13,9 +13,9 @@ import dmp_teach as teach
 from dmp_teach.errors import MissingPartError, SettingError
 from dmp_teach.robot import physics
 from dmp_teach.robot.bench import NIB, PENS, SLIDE
-from dmp_teach.robot.findings import part
+from dmp_teach.robot.findings import BAND, part
 from dmp_teach.robot.model import Model
-from dmp_teach.robot.run import BAND, distances
+from dmp_teach.robot.run import distances
 from dmp_teach.robot.simulate import simulate
 from tests.recordings import RECORDINGS, needs_recordings
 from tests.robot import ink
