@@ -91,9 +91,12 @@ def _check_size(take: Take, position: Array) -> None:
     """Raise where the whole way of the marker is far larger or smaller than a hand's."""
     size = float(np.ptp(position, axis=0).max())
     if not SMALLEST < size < LARGEST:
+        away = np.abs(take.position - np.nanmedian(take.position, axis=0)).max(axis=1)
+        astray = np.nanmax(away) > LARGEST / 2 > np.nanmedian(away)
+        far = f" It is {np.nanmax(away):.4g} m off at {take.at(int(np.nanargmax(away)))}." if astray else ""
         raise RecordingError(
             f"{take.name}: marker {take.marker!r} moves within {size:.4g} m, but a writing hand within {SMALLEST} to "
-            f"{LARGEST} m. Is 'Length Units' in row 1 right, and is this marker the pen? {take.choice}"
+            f"{LARGEST} m.{far} Is 'Length Units' in row 1 right, and is this marker the pen? {take.choice}"
         )
 
 

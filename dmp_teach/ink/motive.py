@@ -147,7 +147,13 @@ def _markers(top: Rows, axes: list[str], name: str) -> dict[tuple[str, int], dic
         while axis.strip().upper() in found.get((label.strip(), twin), {}):
             twin += 1
         found.setdefault((label.strip(), twin), {})[axis.strip().upper()] = j
-    return {key: columns for key, columns in found.items() if len(columns) == 3}
+    whole = {key: columns for key, columns in found.items() if len(columns) == 3}
+    if not whole:
+        raise RecordingError(
+            f"{name}, rows {kinds + 1} to {len(top) + 1}: no marker has the columns X, Y and Z of its Position. Export "
+            "the positions of the markers."
+        )
+    return whole
 
 
 def _chosen(
@@ -171,7 +177,7 @@ def _worth(body: list, axes: dict[str, int], scale: float) -> tuple[bool, int]:
     rows = [row for _, row in body if len(row) > max(axes.values()) and row[axes["X"]].strip()]
     points = [[_finite(row[j]) * scale for j in axes.values()] for row in rows]
     moves = bool(points) and bool((np.ptp(np.array(points), axis=0) > PEN).any())
-    return moves or len(rows) == 0, len(rows)
+    return moves, len(rows)
 
 
 def _finite(cell: str) -> float:

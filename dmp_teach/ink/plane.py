@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.ink.strokes import find_strokes, smoothed
+from dmp_teach.ink.strokes import find_strokes, runs, smoothed
 from dmp_teach.trajectory import Array
 
 AXES = {sign + axis: s * np.eye(3)[k] for sign, s in (("+", 1.0), ("-", -1.0)) for k, axis in enumerate("xyz")}
@@ -78,10 +78,14 @@ def find_page(t: Array, points: Array, up: str = "+y", right: str = "-x") -> Pag
 
 
 def _check_side(t: Array, z: Array, up: str) -> None:
-    """Raise if the pen dives under the paper: a wandering marker sinks slowly, a lift seen upside down does not."""
+    """Raise if the pen dives under the paper, from the paper.
+
+    A wandering marker sinks slowly, and one that sinks fast from the air lands; a lift seen upside down does neither.
+    """
     dt = float(np.median(np.diff(t)))
     rise = np.gradient(smoothed(z, dt, 12.0), t)
-    dives = (rise[z < 0] < -DIVE).any()
+    falls = [(a, b) for a, b in runs(rise < 0) if rise[a:b][z[a:b] < 0].min(initial=0.0) < -DIVE]
+    dives = any(z[a] < UNDER / 2 for a, _ in falls)
     if dives and np.mean(z < -UNDER) > 0.05 and np.mean(z > UNDER) < 0.01:
         other = {"+": "-", "-": "+"}[up[0]] + up[1]
         raise RecordingError(f"With up={up!r} the pen goes {-z.min():.3f} m under the paper; try up={other!r}.")

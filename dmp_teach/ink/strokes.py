@@ -41,10 +41,10 @@ STEP = 0.0005  # a hand that sinks or rises by more than this beside its writing
 SETTLE = 0.15  # a fall that begins so soon after the last one belongs to the same landing [s]
 BRISK = 0.15  # writing is faster than this share of the letter's pace
 TAP = (0.05, 1.5)  # a pen that is down this long between two lifts, and hardly moves, made a dot [s]
-TINY = 0.001  # a move that is shorter than a line is wide draws none [m]
+TINY = 0.001  # a move that is shorter than a line is wide draws none, however often it is made [m]
 TWITCH = 0.01  # a move at either end that is shorter than this share of the stroke is no writing
 SWING = 0.05  # the same for one that runs into the lift: a hand takes a swing after a rest
-STEEP = 0.15  # nor is one that goes up or down by more than this share of its length
+STEEP = 0.2  # nor is one that goes up or down by more than this share of its length
 
 
 @dataclass(frozen=True)
@@ -75,9 +75,9 @@ def find_strokes(t: Array, position: Array, theta: float = 0.10, sigma: float = 
         RecordingError: Nothing was written.
     """
     check_thresholds(theta, sigma)
-    motion, clock = _evenly(t, position)
+    motion = _evenly(t, position)
     spans = _written(motion, _touching(motion, theta, sigma))
-    edges = [(int(np.searchsorted(t, clock[a])), int(np.searchsorted(t, clock[b - 1], side="right"))) for a, b in spans]
+    edges = np.searchsorted(t, t[0] + motion.dt * (np.array(spans).reshape(-1, 2) - 0.5)).tolist()
     strokes = tuple((a, b) for a, b in edges if b - a >= 2)
     if not strokes:
         raise RecordingError("There is no writing here: the pen never moves along the page while it is down.")
@@ -99,8 +99,8 @@ def smoothed(values: Array, dt: float, cutoff: float) -> Array:
     return filtfilt(b, a, values, axis=0, padlen=min(9, len(values) - 1))
 
 
-def _evenly(t: Array, position: Array) -> tuple[_Motion, Array]:
-    """The motion on an even clock (K,), whatever the jitter of the recording's own."""
+def _evenly(t: Array, position: Array) -> _Motion:
+    """The motion on an even clock from `t[0]` on, whatever the jitter of the recording's own."""
     dt = float(np.median(np.diff(t)))
     samples = round((t[-1] - t[0]) / dt) + 1
     if samples > UNEVEN * len(t):
@@ -113,31 +113,34 @@ def _evenly(t: Array, position: Array) -> tuple[_Motion, Array]:
     even = np.column_stack([np.interp(clock, t, axis) for axis in position.T])
     z, path = smoothed(even[:, 2], dt, 12.0), smoothed(even[:, :2], dt, 10.0)
     speed = np.linalg.norm(np.gradient(path, dt, axis=0), axis=1)
-    return _Motion(dt, z, np.gradient(z, dt), speed, path), clock
+    return _Motion(dt, z, np.gradient(z, dt), speed, path)
 
 
 def _touching(motion: _Motion, theta: float, sigma: float) -> list[tuple[int, int]]:
     """Spans between lifts, cut at the feet: the pen is on the paper, resting or writing.
 
-    A second look runs backwards in time: a landing is a lift seen backwards, and may be the only fast part of it.
+    A second look runs backwards in time: a landing is a lift seen backwards, and may be the only fast part of it. It
+    takes nothing away where the first look saw the pen land.
     """
     spans = []
     hold = round(STANDS / motion.dt)
     for a, b in _between_lifts(motion.z, motion.rise, theta, sigma, hold):
-        back = _between_lifts(motion.z[a:b][::-1], -motion.rise[a:b][::-1], theta, sigma, hold)
+        back = _between_lifts(motion.z[a:b][::-1], -motion.rise[a:b][::-1], theta, sigma, hold, down=a > 0)
         spans += [(b - end, b - start) for start, end in reversed(back)]
     return spans
 
 
-def _between_lifts(z: Array, rise: Array, theta: float, sigma: float, hold: int) -> list[tuple[int, int]]:
-    """Spans of height (K,) between the rises that are lifts."""
+def _between_lifts(
+    z: Array, rise: Array, theta: float, sigma: float, hold: int, *, down: bool = False
+) -> list[tuple[int, int]]:
+    """Spans of height (K,) between the rises that are lifts; `down`: the pen is known to be down at the end."""
     spans, landed = [], 0
     for start, end in runs(rise > theta):
         if start < landed:
             continue
         foot = _foot(z, rise, start, landed)
         peak, landing = _landing(z, rise, foot, end, hold)
-        if z[peak] - z[foot] > sigma:
+        if z[peak] - z[foot] > sigma and not (down and landing == len(z)):
             spans.append((landed, foot + 1))
             landed = landing
     return [*spans, (landed, len(z))] if landed < len(z) else spans
@@ -178,7 +181,8 @@ def _written(motion: _Motion, spans: list[tuple[int, int]]) -> list[tuple[int, i
     pace = max((_pace(motion.speed[a:b]) for a, b in landed), default=0.0)
     kept = []
     for (a, b), (_, lift) in zip(landed, spans, strict=True):
-        if pace > 0 and _pace(motion.speed[a:b]) > BRISK * pace:
+        trembles = np.ptp(motion.path[a:b], axis=0).max() < TINY
+        if _pace(motion.speed[a:b]) > BRISK * pace and not trembles:
             kept.append(_cropped(motion, a, b))
         elif kept and lift < len(motion.z) and TAP[0] < (b - a) * motion.dt < TAP[1]:
             kept.append((a, b))

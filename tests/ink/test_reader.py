@@ -119,6 +119,14 @@ def test_a_marker_that_sinks_slowly_is_not_seen_from_below(tmp_path):
     assert len(read_recording(motive(tmp_path / "a_w07.csv", t, lab(page))).strokes()) == 1
 
 
+@pytest.mark.parametrize("drop", [0.008, 0.012, 0.016])
+def test_a_hand_that_comes_to_rest_beside_a_thick_pad_is_not_seen_from_below(tmp_path, drop):
+    """It hardly rose over the paper, and fell from the air to the table."""
+    pen = Pen().rest(1.0).draw(letter_a()).fly((0.12, -0.1), 0.008, 0.12).fly((0.14, -0.11), -drop, 0.15).rest(1.0)
+    t, page = pen.sampled()
+    assert len(read_recording(motive(tmp_path / "a_w07.csv", t, lab(page))).strokes()) == 1
+
+
 @pytest.mark.parametrize("lift", [0.02, 0.03])
 def test_a_page_from_below_never_gives_a_letter_of_a_few_samples(tmp_path, lift):
     pen = Pen(speed=0.4).rest(1.0).draw(bar()).hop((0.0, 0.0), lift=lift).draw(bowl()).rest(1.0)
@@ -303,6 +311,30 @@ def test_wrong_axes_are_answered_with_the_right_ones(tmp_path, axes, sentence):
 def test_millimetres_called_metres_are_refused(tmp_path, scale):
     with pytest.raises(RecordingError, match=r"D_w07.csv: marker .* 'Length Units' in row 1 right"):
         read_recording(d_file(tmp_path / "D_w07.csv", scale=scale))
+
+
+@pytest.mark.parametrize(("cell", "off"), [("350.1", "3[45][0-9]"), ("-2e6", "2e[+]06"), ("1e99", "1e[+]99")])
+def test_one_number_that_cannot_be_is_answered_with_its_row(tmp_path, cell, off):
+    """A point that was lost, as where 0.3501 became 3501."""
+    path = d_file(tmp_path / "D_w07.csv")
+    lines = path.read_text().splitlines()
+    lines[206] = ",".join([*lines[206].split(",")[:-1], cell])
+    path.write_text("\n".join(lines))
+    with pytest.raises(RecordingError, match=rf"It is {off}.* m off at frame \d+ .row 207.*\. Is 'Length Units'"):
+        read_recording(path)
+
+
+def test_a_marker_that_was_never_seen_is_not_preferred_to_one_that_rests(tmp_path):
+    t = np.arange(300) / 120
+    unseen = ("Unlabeled:6000", np.full((300, 3), np.nan))
+    with pytest.raises(RecordingError, match=r"marker 'Unlabeled:5000' moves within .*named .*: 'Unlabeled:6000'"):
+        read_recording(motive(tmp_path / "a_w07.csv", t, lab(np.full((300, 3), 0.02)), ghosts=[unseen]))
+
+
+def test_markers_without_positions_are_answered_with_their_rows(tmp_path):
+    path = edited(d_file(tmp_path / "D_w07.csv"), lambda lines: [line.replace("Position", "Error") for line in lines])
+    with pytest.raises(RecordingError, match=r"D_w07.csv, rows 3 to 7: no marker has the columns X, Y and Z of its Po"):
+        read_recording(path)
 
 
 def test_a_pen_that_only_rests_wrote_nothing(tmp_path):

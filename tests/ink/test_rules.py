@@ -37,8 +37,9 @@ def test_to_the_letter_a_stroke_ends_only_while_it_rises_near_the_mean_and_begin
 
 
 def test_a_page_that_leans_breaks_the_mean_height_and_not_the_foot():
-    recording, pen = written(slope=(0.0, 0.3))
-    assert len(recording.strokes()) == len(pen.touches)
+    recording, pen = written(slope=(0.0, 0.1))
+    ends = [(s.t[0], s.t[-1]) for s in recording.strokes()]
+    assert np.abs(np.array(ends) - pen.touches).max() < 0.05
     ends = [(s.t[0], s.t[-1]) for s in recording.strokes(rule="authors")]
     assert len(ends) != 2 or np.abs(np.array(ends) - pen.touches).max() > 0.05
 

@@ -138,6 +138,41 @@ def test_a_hand_that_trembles_along_while_it_sinks_is_still_landing(seed):
     check_ends(pen, t, find_strokes(t, page), within=0.1)
 
 
+def test_a_marker_that_sinks_along_with_the_writing_is_not_landing():
+    """By 8 mm on the first 45 mm of ink; a hand that lands sinks by more than a quarter of its way."""
+    pen = Pen(speed=0.12).rest(0.5).draw(letter_a(1.2)).rest(0.5)
+    t, page = pen.sampled()
+    way = np.cumsum(np.linalg.norm(np.diff(page[:, :2], axis=0, prepend=page[:1, :2]), axis=1))
+    page[:, 2] += np.interp(way, [0.0, 0.045], [0.008, 0.0])
+    check_ends(pen, t, find_strokes(t, page))
+
+
+@pytest.mark.parametrize("drop", [0.0, 0.006, 0.012, 0.016])
+@pytest.mark.parametrize("lift", [0.004, 0.02])
+def test_a_hand_that_comes_to_rest_beside_a_thick_pad_takes_no_stroke_with_it(drop, lift):
+    pen = two_stroke_d().fly((0.12, -0.1), lift, 0.12).fly((0.14, -0.11), -drop, 0.15).rest(0.6)
+    t, page = pen.sampled()
+    for theta, sigma in GRID:
+        found = find_strokes(t, page, theta, sigma)
+        assert len(found) == 2
+        assert abs(t[found[1][0]] - pen.touches[1][0]) < 0.05
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_a_hand_that_trembles_beside_a_slow_letter_writes_nothing(seed):
+    pen = Pen(speed=0.04).rest(0.5).draw(bar(0.5)).hop((0.0, 0.0)).draw(bowl(0.5)).hop((0.06, -0.03)).rest(0.6)
+    t, page = pen.sampled(noise=0.0003, seed=seed)
+    assert len(find_strokes(t, page)) == 2
+
+
+@pytest.mark.parametrize("hand", HANDS)
+def test_a_clock_that_begins_at_0_gives_the_same_strokes_to_the_sample(hand):
+    t, page = HANDS[hand]().sampled()
+    for later in (0.31, 1.31, 2.31, 100 / 3):
+        kept = np.round(t + later, 6)
+        assert find_strokes(kept - kept[0], page) == find_strokes(kept, page)
+
+
 def test_a_low_lift_counts_only_over_sigma():
     pen = Pen().rest(0.3).draw(bar()).hop((0.0, 0.0), lift=0.014, seconds=0.35).draw(bowl()).rest(0.3)
     assert len(strokes_of(pen, sigma=0.006)[1]) == 2
