@@ -3,7 +3,8 @@
 import numpy as np
 from numpy.typing import NDArray
 
-from dmp_teach.robot.run import BAND, Run
+from dmp_teach.robot.findings import BAND
+from dmp_teach.robot.run import Run
 from dmp_teach.views import pressing
 
 INK, QUIET, PAPER, TRACK = "#1B2430", "#5B6470", "#FFFDF7", "#B9BEC4"

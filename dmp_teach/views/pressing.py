@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from dmp_teach.robot.run import BAND, Run
+from dmp_teach.robot.findings import BAND
+from dmp_teach.robot.run import Run
 from dmp_teach.trajectory import Array
 
 SHADES = ("#6FB1DA", "#4097CB", "#0072B2", "#00598F", "#0B4068", "#0D2840")

@@ -13,7 +13,8 @@ from PIL import Image
 
 from dmp_teach.errors import ViewError
 from dmp_teach.robot.bench import SLIDE
-from dmp_teach.robot.run import BAND, Run
+from dmp_teach.robot.findings import BAND
+from dmp_teach.robot.run import Run
 from dmp_teach.views import pressing
 from dmp_teach.views.commands import run_commands
 from dmp_teach.views.packing import unbundle
