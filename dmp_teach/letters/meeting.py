@@ -21,6 +21,7 @@ OFF = 0.10  # this much is taken off a stroke's end, where the pen would come to
 HOOK = 0.20  # more is taken off a low end that rises above this ...
 MOST_OFF = 0.35  # ... but not more than this
 STEM = 0.90  # a pen from below meets a stem or a bow no higher than this
+DIPPED = 0.80  # from above it meets a bow no higher than this, so that the connection dips
 CLIMB = 0.35  # from above it meets a long stem this much higher than it comes from
 UP_STROKE = np.radians((-35.0, 72.0))  # letters whose first heading is between these begin with an up stroke
 LONG_FROM = 0.85  # from above it meets a long up stroke at this height, in x-heights
@@ -123,7 +124,7 @@ def _on_the_way_back(here: Array, stroke: Trajectory, x_height: float) -> Meetin
     high, short = here[1] > HIGH * x_height, path[0, 1] < SHORT * x_height
     if abs(first + np.pi / 2) < UPRIGHT and (first + np.pi > LEANING or (high and short)):
         return Meeting(0, rests=True)
-    top = here[1] + CLIMB * x_height if high and not short else STEM * x_height
+    top = STEM * x_height if not high else DIPPED * x_height if short else here[1] + CLIMB * x_height
     falls = np.flatnonzero((way_along(path) > 0.05 * x_height) & (path[:, 1] < 0.4 * x_height))
     some = np.arange(1, max(2, int(falls[0])) if len(falls) else len(path) // 2)
     below = some[path[some, 1] <= top]
