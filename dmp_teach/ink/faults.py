@@ -115,11 +115,14 @@ def _of_strokes(matching: Matching, model: Movement) -> Iterator[Fault]:
 
 
 def _of_order(matching: Matching, written: Movement, model: Movement) -> Iterator[Fault]:
-    """Strokes that are joined, split, in another order, or begun elsewhere."""
+    """Strokes that are joined, split, divided or begun elsewhere, or in another order."""
     for pairs, name in ((matching.joined, "joined"), (matching.split, "split")):
         if pairs:
             takes = f"the model takes {_count(model.strokes)}"
             yield Fault(name, PLAIN["pieces"], f"It is written in {_count(written.strokes, True)}; {takes}.", name)
+    if matching.divided:
+        words = "its strokes begin and end at other places than the model's"
+        yield Fault("divided", PLAIN["pieces"], _sentence(words), "other strokes")
     for number in matching.reversed[:1]:
         loop = next(pair.laid.loop for pair in matching.pairs if pair.others[0] == number)
         words = f"{_the(number, model.strokes)} {'goes round the other way' if loop else 'starts at the wrong end'}"

@@ -89,6 +89,11 @@ class Matching:
         return tuple(pair for pair in self.pairs if len(pair.strokes) > len(pair.others))
 
     @property
+    def divided(self) -> tuple[Pair, ...]:
+        """Where as many strokes do the same work, and are divided from each other at other places."""
+        return tuple(pair for pair in self.pairs if len(pair.strokes) == len(pair.others) > 1)
+
+    @property
     def order(self) -> tuple[int, ...]:
         """The other writing's numbers of the strokes, in the order in which they were written here."""
         return tuple(pair.others[0] for pair in sorted(self.pairs, key=lambda pair: min(pair.strokes)))
@@ -231,6 +236,8 @@ class _Costs:
                 continue
             before, after = self.of(groups[a]) + self.of(groups[b]), self.of(both)
             alone = not all(groups[a] + groups[b])
+            if alone and self._has_dot(groups[a] if not all(groups[a]) else groups[b]):
+                continue
             if after < before * (1 if alone else PARTED) and self._near(both) and before - after > gain:
                 best, gain = (a, b, both), before - after
         if best is None:
@@ -248,6 +255,10 @@ class _Costs:
         mine, yours = map(list, group)
         there = self.near[0][:, yours].min(axis=1), self.near[1][mine].min(axis=0)
         return all(there[side][self.inks[side].of([k])].mean() < SPLIT**2 for side in (0, 1) for k in group[side])
+
+    def _has_dot(self, group: Group) -> bool:
+        """Whether a stroke of a group is a dot: no line does the work of a line and a dot."""
+        return any(self.inks[side].lengths[list(group[side])].min(initial=np.inf) < DOT for side in (0, 1))
 
     def _as_long(self, group: Group) -> bool:
         """Whether both sides of a group have about the same length of ink."""

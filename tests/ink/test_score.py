@@ -18,14 +18,14 @@ from tests.recordings import RECORDINGS, needs_recordings
 
 HANDS = pytest.mark.parametrize("alphabet", alphabets()[:2])
 GROWING = {
-    "shape": (faulty.bent, (0.0, 0.02, 0.04, 0.07, 0.1), lambda found: found.shape, "aBegkmnsz238EK"),
-    "larger": (faulty.scaled, (1.0, 1.25, 1.6, 2.0, 3.0), lambda found: found.size, "aDgixlkM08"),
-    "smaller": (faulty.scaled, (1.0, 0.8, 0.6, 0.4, 0.2), lambda found: -found.size, "aDgixlkM08"),
-    "right": (faulty.leaned, (0.0, 6.0, 12.0, 20.0, 30.0), lambda found: found.lean, "aDgbhkmtM48"),
-    "left": (faulty.leaned, (0.0, -6.0, -12.0, -20.0, -30.0), lambda found: -found.lean, "aDgbhkmtM48"),
-    "turned": (faulty.turned, (0.0, 8.0, 16.0, 25.0, 35.0), lambda found: found.turn - found.lean, "aDbhkmtEKM4"),
-    "wider": (faulty.widened, (1.0, 1.3, 1.6, 2.0, 2.5), lambda found: found.width, "aDgbhkmxM08"),
-    "shaky": (faulty.shaken, (0.0, 0.005, 0.01, 0.02, 0.03), lambda found: -found.written.smoothness, "aDgbhkmM08"),
+    "shape": (faulty.bent, (0.0, 0.02, 0.04, 0.07, 0.1), lambda found: found.shape, "aBgkz28"),
+    "larger": (faulty.scaled, (1.0, 1.25, 1.6, 2.0, 3.0), lambda found: found.size, "aDgil0"),
+    "smaller": (faulty.scaled, (1.0, 0.8, 0.6, 0.4, 0.2), lambda found: -found.size, "aDgil0"),
+    "right": (faulty.leaned, (0.0, 6.0, 12.0, 20.0, 30.0), lambda found: found.lean, "aDbktM4"),
+    "left": (faulty.leaned, (0.0, -6.0, -12.0, -20.0, -30.0), lambda found: -found.lean, "aDbktM4"),
+    "turned": (faulty.turned, (0.0, 8.0, 16.0, 25.0, 35.0), lambda found: found.turn - found.lean, "aDbktEM"),
+    "wider": (faulty.widened, (1.0, 1.3, 1.6, 2.0, 2.5), lambda found: found.width, "aDbkxM8"),
+    "shaky": (faulty.shaken, (0.0, 0.005, 0.01, 0.02, 0.03), lambda found: -found.written.smoothness, "aDbkM8"),
 }
 WORDS = {
     "shape": r"^The shape.* is (a little |quite )?different, most of all (at|in|on) ",
@@ -94,6 +94,22 @@ def test_a_letter_that_is_nearly_its_own_mirror_image_is_told_by_its_movement():
         assert score(faulty.mirrored(model), model).faults[0].name == "reversed"
 
 
+@HANDS
+@pytest.mark.parametrize("character", list("ij"))
+def test_a_dot_that_was_forgotten_is_missing_and_a_line_does_not_do_its_work(character, alphabet):
+    model = strokes(character, alphabet)
+    assert score(faulty.without(model, 1), model).sentence == "The second stroke is missing."
+    assert score(faulty.without(model, 0), model).sentence == "The first stroke is missing."
+    assert score(model, faulty.without(model, 1)).sentence == "There is one stroke too many."
+
+
+def test_strokes_that_are_divided_at_another_corner_are_told():
+    model = strokes("M")  # a stem, then all the rest: mirrored, the stem is the other one
+    found = score(faulty.mirrored(model), model)
+    assert found.sentence == "Its strokes begin and end at other places than the model's."
+    assert found.parts[0].word == "the same"
+
+
 def test_strokes_in_one_are_told_and_the_shape_is_still_the_same():
     model = strokes("D")
     found = score(faulty.in_one(model), model)
@@ -151,7 +167,7 @@ def test_no_sentence_shouts_and_no_fault_is_without_words():
     found = score(faulty.leaned(faulty.bent(faulty.without(model, 1), 0.05), 20), model)
     assert len({fault.name for fault in found.faults}) == len(found.faults)
     for fault in found.faults:
-        assert fault.name in {*STEPS, *PLAIN, "joined", "split", "begins"}
+        assert fault.name in {*STEPS, *PLAIN, "joined", "split", "divided", "begins"}
         assert re.fullmatch(r"[A-Z][^!]*\.", fault.sentence)
         assert fault.reason
 
@@ -166,7 +182,7 @@ def coarse(numbers):
     return st.lists(st.tuples(numbers, numbers), min_size=2, max_size=9)
 
 
-@settings(max_examples=40, deadline=None)
+@settings(max_examples=25, deadline=None)
 @given(written=st.lists(coarse(st.integers(-9, 9)), min_size=1, max_size=5), character=st.sampled_from("aDiE8"))
 def test_any_scribble_gets_a_score(written, character):
     scribble = [Trajectory(np.arange(len(each)) * 0.01, np.array(each) * 0.01) for each in written]
@@ -186,7 +202,7 @@ def test_the_hands_of_other_writers_are_close_in_shape():
     for letter in "aD":
         writings = [read_recording(path) for path in RECORDINGS if path.stem.startswith(f"{letter}_")]
         for written in writings:
-            found = [score(written, model) for model in writings]
+            found = [score(written, model) for model in writings[::2]]
             assert all(each.parts[0].level >= 1 for each in found), written
             assert not any(each.matching.mirrored or each.matching.turn for each in found)
 
