@@ -1,5 +1,6 @@
 """What every panel with a robot shares: its job and its progress, *Stop*, cures, older letters, files of one's own."""
 
+import warnings
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -9,7 +10,7 @@ import numpy as np
 import traitlets
 
 from dmp_teach.classroom.writing import Job, StopPressed
-from dmp_teach.errors import TeachError
+from dmp_teach.errors import ReachWarning, TeachError
 from dmp_teach.ink.recording import Recording
 from dmp_teach.robot.motion import Motion
 from dmp_teach.robot.page import Page
@@ -143,4 +144,6 @@ def _plan(strokes: tuple[Trajectory, ...], page: Page, size: float | None, repor
     from dmp_teach.robot.fetch import Fetch  # noqa: PLC0415 (PlaCo loads when a robot is wanted)
 
     report("wake", 0.5)
+    # only what this module's call warns of: it is among the motion's notes, which are seen beside the robot
+    warnings.filterwarnings("ignore", category=ReachWarning, module=__name__)
     return Fetch().write(strokes, page, size=size, progress=report)

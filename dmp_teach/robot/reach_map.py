@@ -87,7 +87,7 @@ def reach_map(
     """Page distance against pen angle: from a table to a whiteboard, straight ahead of the robot.
 
     The page's height over the floor goes with its tilt, from that of `Page.table()` to that of `Page.board()`; it
-    hardly matters. 210 pages on the default grid, 5 cm by 10 degrees, 25 ms each.
+    hardly matters. 210 pages on the default grid, 5 cm by 10 degrees, 25 to 40 ms each.
 
     Args:
         x: Distances of the page's centre, shape (C,) [m].
@@ -120,7 +120,7 @@ def reach_around(
 ) -> ReachMap:
     """Seen from above: where the centre of a page can be that lies as this one does, at its height.
 
-    441 pages on the default grid, 5 cm by 10 cm, 25 ms each.
+    441 pages on the default grid, 5 cm by 10 cm, 25 to 40 ms each.
 
     Args:
         page: `Page.table()` unless given.

@@ -71,7 +71,7 @@ def _from_above(panel: Axes, each: ReachMap) -> None:
     panel.plot(-outline[:, 1], outline[:, 0], color=INK, linewidth=1.3, zorder=5)
     size = " x ".join(f"{1000 * side:.0f}" for side in page.size)
     _named(
-        panel, f"a sheet of {size} mm\nwhere it usually lies", (-outline[:, 1].min(), outline[:, 0].max()), (0.5, 1.15)
+        panel, f"a sheet of {size} mm\nwhere it usually lies", (-outline[:, 1].min(), outline[:, 0].max()), (0.36, 1.17)
     )
 
 
