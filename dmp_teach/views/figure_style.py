@@ -109,7 +109,7 @@ def same_view(panels: np.ndarray, points: np.ndarray) -> None:
         panel.set_ylim(low[1] - margin, high[1] + margin)
 
 
-def explained_below(figure: Figure, panel: Axes) -> None:
+def explained_below(figure: Figure, panel: Axes, columns: int = 6) -> None:
     """One legend for all panels, under them."""
     handles, labels = panel.get_legend_handles_labels()
-    figure.legend(handles, labels, loc="outside lower center", ncols=6, frameon=False, fontsize=9, labelcolor=INK)
+    figure.legend(handles, labels, loc="outside lower center", ncols=columns, frameon=False, fontsize=9, labelcolor=INK)

@@ -49,7 +49,7 @@ def reach_drawn(*maps: ReachMap) -> Figure:
     figure, panels = sheet(1, len(maps), 6.0 * len(maps), 5.9)
     for panel, each in zip(panels[0], maps, strict=True):
         (_from_above if each.across_name == "y" else _by_tilt)(panel, each)
-    explained_below(figure, panels[0, 0])
+    explained_below(figure, panels[0, 0], columns=2 if len(maps) == 1 else 4)
     return figure
 
 

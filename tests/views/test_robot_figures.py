@@ -47,6 +47,18 @@ def test_without_colour_the_marks_stay_apart(figure):
     assert len(set(forms)) == len(forms) == 4
 
 
+@pytest.mark.parametrize("maps", [MAPS[:1], MAPS[1:], MAPS], ids=("from above", "by tilt", "both"))
+def test_every_mark_is_explained_within_the_figure_and_every_word_stands_within_it(maps):
+    drawn = reach_drawn(*maps)
+    drawn.draw_without_rendering()
+    (legend,) = drawn.legends
+    assert {text.get_text() for text in legend.texts} == set(marks(drawn.axes[0]))
+    for text in (*legend.texts, *(text for panel in drawn.axes for text in panel.texts)):
+        box = text.get_window_extent()
+        assert drawn.bbox.x0 <= box.x0
+        assert box.x1 <= drawn.bbox.x1
+
+
 def test_the_robot_is_seen_from_above_in_its_place(figure):
     above = figure.axes[0]
     corners = np.concatenate([patch.get_xy() for patch in above.patches])
