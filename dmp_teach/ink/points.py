@@ -96,19 +96,23 @@ def rms_radius(centred: Array) -> float:
     return float(np.sqrt(np.einsum("pd,pd->", centred, centred) / len(centred)))
 
 
+def listed(letter: Any) -> tuple[Any, ...]:
+    """The strokes of a recording, or of what a learned letter writes, or what was given, as a tuple, unchecked."""
+    if isinstance(letter, Trajectory):
+        return (letter,)
+    if callable(getattr(letter, "write", None)):
+        return tuple(letter.write())
+    given = letter.strokes() if callable(getattr(letter, "strokes", None)) else letter
+    return tuple(given) if isinstance(given, Iterable) else (given,)
+
+
 def strokes_of(letter: Any, name: str = "letter") -> tuple[Trajectory, ...]:
     """The strokes of a recording, of what a learned letter writes, or of strokes, in the order of writing.
 
     Raises:
         LetterError: Something else, nothing, strokes that are not flat, or a letter that is all in one place.
     """
-    if isinstance(letter, Trajectory):
-        given: Any = (letter,)
-    elif callable(getattr(letter, "write", None)):
-        given = letter.write()
-    else:
-        given = letter.strokes() if callable(getattr(letter, "strokes", None)) else letter
-    strokes = tuple(given) if isinstance(given, Iterable) else (given,)
+    strokes = listed(letter)
     wrong = [each for each in strokes if not isinstance(each, Trajectory)]
     if wrong or not strokes:
         what = f"a {type(wrong[0]).__name__}" if wrong else "nothing"

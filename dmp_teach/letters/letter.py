@@ -15,6 +15,7 @@ from dmp_teach.dmp.joining import joined
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import LetterError
+from dmp_teach.ink.points import listed
 from dmp_teach.letters.piece import Piece
 from dmp_teach.letters.saved import parts_of, to_json
 from dmp_teach.paths import write_whole
@@ -269,10 +270,7 @@ def _clock(pieces: tuple[Piece, ...]) -> list[float]:
 
 def _strokes_of(recording: Any) -> tuple[Trajectory, ...]:
     """The strokes of whatever was given."""
-    if isinstance(recording, Trajectory):
-        return (recording,)
-    given = recording.strokes() if callable(getattr(recording, "strokes", None)) else recording
-    strokes = tuple(given) if isinstance(given, Iterable) else (given,)
+    strokes = listed(recording)
     wrong = [each for each in strokes if not isinstance(each, Trajectory)]
     if wrong or not strokes:
         what = f"a {type(wrong[0]).__name__}" if wrong else "nothing"
