@@ -118,6 +118,14 @@ def test_a_recipe_that_cannot_be_is_said_in_a_sentence(ask, answer):
         Letter.make(ask[0], shelf, recipe=ask[1])
 
 
+def test_where_a_letter_cannot_be_taken_apart_the_next_recipe_is_tried():
+    ring = Letter.learn(recording_of("o"))
+    shelf = Shelf.of({"D": ring, "B": recording_of("B")})
+    assert {name[0] for name in Letter.make("P", shelf).made_of} == {"B"}
+    with pytest.raises(LetterError, match=r"This D, .* has no 'bar'"):
+        Letter.make("P", Shelf.of({"D": ring}))
+
+
 def test_a_letter_is_made_from_a_shelf():
     with pytest.raises(
         LetterError, match=r"A letter is made from a Shelf, but got a dict; use Shelf\.of\(recordings\)"

@@ -143,6 +143,7 @@ def test_a_style_that_is_led_through_a_point_passes_it(hands):
         there = [np.interp(0.4, clock, axis) for axis in letter.strokes[0].position.T]
         assert np.linalg.norm(np.subtract(there, point)) < 0.002
     assert np.trace(led.covariance) < np.trace(hands.covariance)
+    assert np.allclose(led.through(0, 0.4, point).centre, led.centre, atol=0.02), "it is led there already"
 
 
 def test_order_and_direction_of_strokes_are_found_by_shape(writers):
