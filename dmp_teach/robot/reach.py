@@ -36,7 +36,11 @@ def stance_for(solver: Solver, page: Page, ink: Array) -> Stance:
     if stance is not everything:
         notes += ("the arm reaches this ink, but not all of the page",)
     if stance.effort >= STRAINED:
-        notes += (_stretched(cure_for(solver, page, area)),)
+        cure = cure_for(solver, page, area)
+        if cure.moved == 0:  # it is only the rest of the page for which the arm must stand so
+            stance = examined(solver, page, *area, quick=True)
+        else:
+            notes += (_stretched(cure),)
     if odd := _astray(page):
         notes += (f"the page {odd}; was it meant so?",)
     return replace(stance, notes=notes)

@@ -116,6 +116,13 @@ def test_a_stretched_arm_is_warned_of():
     assert float(away) == pytest.approx(1000 * (0.88 - float(x)), abs=0.5)
 
 
+def test_an_arm_stretches_for_the_ink_only_not_for_the_rest_of_the_page():
+    page = Page.board(x=0.385543, y=0.92, z=0.59, tilt=-0.29441, turn=2.011493, yaw=1.30895)
+    motion = Fetch().write(LETTER, page, size=0.08)
+    assert_sound(motion)
+    assert not [note for note in motion.notes if "stretched" in note]
+
+
 @pytest.mark.parametrize(
     ("page", "part", "deep"),
     [
