@@ -177,6 +177,9 @@ function drawPad(model, parts) {
   if (!parts.playing) drawRobot(model, parts, { box, lines, written });
 }
 
+/** Words that are read aloud are put there once. */
+const put = (node, words) => node.textContent === words || (node.textContent = words);
+
 /** "an a", "a b": the name of the letter is what is heard. */
 const anA = (character) => `${"aefhilmnorsxAEFHILMNORSX8".includes(character) ? "an" : "a"} ${character}`;
 
@@ -185,7 +188,7 @@ function drawRobot(model, parts, { box, lines, written }) {
   const [strokes, learned] = [robotStrokes(model, own ? "model" : "robot"), model.get("counts").length > 0];
   const line = own || learned ? strokes : [];
   const dots = own ? [] : strokesOf(model, "ink");
-  parts.robotCaption.textContent = own || !learned ? "" : "learned from your dots";
+  put(parts.robotCaption, own || !learned ? "" : "learned from your dots");
   parts.robotHint.textContent = line.length ? "" : own ? "Choose a letter, and the robot shows it" : "The robot learns from what you write";
   const name = own ? `The robot’s own ${model.get("character")}` : "What the robot learned from you";
   parts.robotPaper.draw({ box, lines, dots, line, numbered: line, title: line.length ? `${name}, ${line.length} stroke${line.length > 1 ? "s" : ""}.` : "The robot’s sheet is empty." });

@@ -76,7 +76,7 @@ def chromium():
         browser.close()
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="session")
 def lab(tmp_path_factory):
     """The launcher's own server on a copy of the notebooks: .url, .folder (of the copy), .process, .log()."""
     home = tmp_path_factory.mktemp("lab")

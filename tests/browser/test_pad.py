@@ -25,6 +25,7 @@ GROWING = """() => {
     };
     look();
 }"""
+KEEP_STATE = "() => jupyterapp.commands.execute('@jupyter-widgets/jupyterlab-manager:saveWidgetState')"
 DOTS = ".dt-stage > div:first-child .dt-child-dots"
 LINE = ".dt-stage > div:last-child .dt-robot-line"
 
@@ -159,6 +160,16 @@ def test_the_robot_shows_its_letter_and_writes_it_and_only_save_writes_a_file(pa
     page.wait_for_function("Number(document.querySelector('.dt-scene').dataset.dtInk) > 0")
     assert ask(page, "pad.motion is pad.scene.motion") == "True"
     shot(page, "pad_written")
+
+    page.evaluate(KEEP_STATE)  # a setting of JupyterLab: widgets go into the notebook
+    page.wait_for_timeout(800)
+    page.evaluate("() => jupyterapp.commands.execute('docmanager:save')")
+    page.evaluate(KEEP_STATE)
+    whole = json.loads((lab.folder / "pad.ipynb").read_text())["metadata"]["widgets"]
+    widgets = [each for kind in whole.values() for each in kind["state"].values()]
+    assert any(each["model_name"] == "AnyModel" for each in widgets)
+    assert not any(name in each["state"] for each in widgets for name in ("ink", "tried", "robot", "run", "facts"))
+    assert not any(each.get("buffers") for each in widgets)
 
     assert files(lab) == []
     press(page, "Save")
