@@ -76,7 +76,8 @@ def find_strokes(t: Array, position: Array, theta: float = 0.10, sigma: float = 
     """
     check_thresholds(theta, sigma)
     motion = _evenly(t, position)
-    spans = _written(motion, _touching(motion, theta, sigma))
+    lifted = _between_lifts(motion.z, motion.rise, theta, sigma, round(STANDS / motion.dt))
+    spans = _written(motion, _landings_out(motion, lifted, theta, sigma)) or _written(motion, lifted)
     edges = np.searchsorted(t, t[0] + motion.dt * (np.array(spans).reshape(-1, 2) - 0.5)).tolist()
     strokes = tuple((a, b) for a, b in edges if b - a >= 2)
     if not strokes:
@@ -116,18 +117,18 @@ def _evenly(t: Array, position: Array) -> _Motion:
     return _Motion(dt, z, np.gradient(z, dt), speed, path)
 
 
-def _touching(motion: _Motion, theta: float, sigma: float) -> list[tuple[int, int]]:
-    """Spans between lifts, cut at the feet: the pen is on the paper, resting or writing.
+def _landings_out(motion: _Motion, spans: list[tuple[int, int]], theta: float, sigma: float) -> list[tuple[int, int]]:
+    """The spans between lifts without landings: a second look runs backwards in time.
 
-    A second look runs backwards in time: a landing is a lift seen backwards, and may be the only fast part of it. It
-    takes nothing away where the first look saw the pen land.
+    A landing is a lift seen backwards, and may be the only fast part of it. Where the first look saw the pen land, the
+    second takes no beginning away.
     """
-    spans = []
+    touching = []
     hold = round(STANDS / motion.dt)
-    for a, b in _between_lifts(motion.z, motion.rise, theta, sigma, hold):
+    for a, b in spans:
         back = _between_lifts(motion.z[a:b][::-1], -motion.rise[a:b][::-1], theta, sigma, hold, down=a > 0)
-        spans += [(b - end, b - start) for start, end in reversed(back)]
-    return spans
+        touching += [(b - end, b - start) for start, end in reversed(back)]
+    return touching
 
 
 def _between_lifts(
@@ -181,8 +182,8 @@ def _written(motion: _Motion, spans: list[tuple[int, int]]) -> list[tuple[int, i
     pace = max((_pace(motion.speed[a:b]) for a, b in landed), default=0.0)
     kept = []
     for (a, b), (_, lift) in zip(landed, spans, strict=True):
-        trembles = np.ptp(motion.path[a:b], axis=0).max() < TINY
-        if _pace(motion.speed[a:b]) > BRISK * pace and not trembles:
+        brisk = _pace(motion.speed[a:b]) > BRISK * pace
+        if brisk and np.ptp(motion.path[a:b], axis=0).max() > TINY:
             kept.append(_cropped(motion, a, b))
         elif kept and lift < len(motion.z) and TAP[0] < (b - a) * motion.dt < TAP[1]:
             kept.append((a, b))

@@ -6,6 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from dmp_teach.errors import RecordingError, SettingError
+from dmp_teach.ink import strokes
 from dmp_teach.ink.recording import Recording
 from dmp_teach.ink.strokes import find_strokes
 from tests.ink.motive_csv import Pen, bar, bowl, letter_a
@@ -156,6 +157,25 @@ def test_a_hand_that_comes_to_rest_beside_a_thick_pad_takes_no_stroke_with_it(dr
         found = find_strokes(t, page, theta, sigma)
         assert len(found) == 2
         assert abs(t[found[1][0]] - pen.touches[1][0]) < 0.05
+
+
+@pytest.mark.parametrize("drop", [0.008, 0.012, 0.016])
+@pytest.mark.parametrize("hand", [one_stroke_d, flies_in_and_away])
+def test_a_hand_that_slips_off_a_thick_pad_leaves_the_only_stroke(hand, drop):
+    """It falls faster than theta, and rises less than sigma before."""
+    pen = hand()
+    if hand is flies_in_and_away:
+        pen = Pen(path=[(0.0, np.array([0.1, -0.1, 0.06]))]).rest(0.1).fly((0.0, 0.0), 0.0, 0.6).draw(letter_a())
+    t, page = pen.fly((0.12, -0.1), 0.002, 0.12).fly((0.13, -0.1), -drop, 0.13).rest(0.5).sampled()
+    assert len(find_strokes(t, page)) == 1
+    assert abs(t[find_strokes(t, page)[0][0]] - pen.touches[0][0]) < 0.05
+
+
+def test_a_span_of_which_the_landing_leaves_nothing_is_no_stroke(monkeypatch):
+    landed = strokes._landed
+    monkeypatch.setattr(strokes, "_landed", lambda motion, a, b: (b, b) if a else landed(motion, a, b))
+    t, page = two_stroke_d().sampled()
+    assert len(find_strokes(t, page)) == 1
 
 
 @pytest.mark.parametrize("seed", range(5))
