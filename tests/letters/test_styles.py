@@ -113,6 +113,13 @@ def test_size_is_taken_away_or_kept(writers):
     assert heights(False)[-1] / heights(False)[0] == pytest.approx(1.3 / 0.8, rel=1e-3)
 
 
+def test_a_letter_that_lies_flat_is_measured_by_its_width():
+    t = np.linspace(0, 1, 60)
+    dashes = [(Trajectory(t, np.column_stack([0.04 * t, rise * t])),) for rise in (0.0005, 0.002)]
+    widths = [np.ptp(letter.strokes[0].position[:, 0]) for letter in Style.of(dashes).letters]
+    assert widths == pytest.approx([0.04, 0.04], rel=0.01)
+
+
 def test_coordinates_are_standard_deviations_and_lead_back_to_the_letters(style):
     z = style.coordinates
     assert np.allclose(z.mean(axis=0), 0, atol=1e-9)
