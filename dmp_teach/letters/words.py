@@ -13,6 +13,7 @@ from dmp_teach.letters.spacing import Strokes
 from dmp_teach.trajectory import Array, Trajectory
 
 TEMPO = 0.4  # between the two: isochrony is strong, but not perfect
+X_HEIGHT = 0.014  # a word of eleven letters still fits on a sheet of A4 [m]
 FLYING = 0.5  # a pen in the air is on average no faster than this [m/s]
 
 
@@ -46,7 +47,7 @@ def word(
     *,
     joined: bool = False,
     letters: Mapping[str, Any] | None = None,
-    x_height: float | None = None,
+    x_height: float | None = X_HEIGHT,
     tempo: float = TEMPO,
     settings: Settings | None = None,
 ) -> Text:
@@ -64,7 +65,7 @@ def word(
             dots, crosses and accents then follow after the word, from left to right, as in school.
         letters: One's own, by character: `Letter`s or recordings. Each is made as tall as the alphabet's, and stands
             where that stands; those that are missing are the alphabet's.
-        x_height: How tall a small letter without a stem is [m]; None: as in the alphabet.
+        x_height: How tall a small letter without a stem is [m]; None: as in the alphabet, several centimetres.
         tempo: 0: the same time in every size; 1: the same speed in every size.
         settings: How the alphabet's letters are learned; `Settings.star()` unless given.
 

@@ -12,17 +12,23 @@ from scipy.spatial import cKDTree
 
 from dmp_teach.errors import LetterError, RecordingError
 from dmp_teach.ink.alphabet import SIGNS, alphabets, characters, recording_of
+from dmp_teach.letters import words
 from dmp_teach.letters.hand import Hand
 from dmp_teach.letters.letter import Letter
 from dmp_teach.letters.lines import lines
 from dmp_teach.letters.linking import linked
 from dmp_teach.letters.meeting import body_and_marks, can_arrive, can_leave, leaving, meeting
 from dmp_teach.letters.spacing import distance, linked_distance
-from dmp_teach.letters.words import word
 from dmp_teach.robot.fetch import Fetch
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.place import place
 from dmp_teach.trajectory import Trajectory
+
+
+def word(text, alphabet=None, **about):
+    """A word in the alphabet's own size, unless another is asked for."""
+    return words.word(text, alphabet, **({"x_height": None} | about))
+
 
 ALL = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
 HANDS = {name: Hand.of(name, None, None) for name in alphabets()}
@@ -449,3 +455,10 @@ def test_text_is_written_on_the_page_where_it_stands():
     for placed, own in zip(place(text, Page.table(), at=text.middle), text, strict=True):
         np.testing.assert_allclose(placed.position, own.position, atol=1e-12)
     assert repr(text).startswith("Text(")
+
+
+@pytest.mark.parametrize("name", alphabets())
+@pytest.mark.parametrize("joined", [False, True])
+def test_a_long_word_fits_a_sheet_of_a4_unless_another_size_is_asked_for(name, joined):
+    placed_there = place(words.word("programming", name, joined=joined), Page.table())
+    assert np.ptp(np.concatenate([s.position for s in placed_there])[:, 0]) > 0.1
