@@ -85,7 +85,7 @@ class Fetch:
         try:
             stance = stance_for(solver, page, ink)
         except ReachError as error:
-            raise _in_time(solver, page, placed, error) from None
+            raise _proven(solver, page, placed, _in_time(solver, page, placed, error)) from None
         if stance.effort >= STRAINED:
             warnings.warn(next(note for note in stance.notes if "stretched" in note), ReachWarning, stacklevel=2)
         report("reach", 1.0)
@@ -113,6 +113,18 @@ def _planned(
         strokes=placed,
     )
     return replace(motion, notes=(*slowed, *too_heavy(motion, solver.model), *close, *stance.notes))
+
+
+def _proven(solver: Solver, page: Page, placed: tuple[Trajectory, ...], error: ReachError) -> ReachError:
+    """A refusal whose page has been written on, in a plan: a stance sees only places, not the way between them."""
+    if error.cure is None:
+        return error
+    ink = np.concatenate([stroke.position for stroke in placed])
+    try:
+        _planned(solver, stance_for(solver, error.cure, ink), error.cure, placed)
+    except ReachError:
+        return _cured(solver, page, placed, ReachError(str(error).removesuffix(f" Try {error.cure!r}.")))
+    return error
 
 
 def _cured(solver: Solver, page: Page, placed: tuple[Trajectory, ...], error: ReachError) -> ReachError:

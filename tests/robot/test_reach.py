@@ -189,6 +189,15 @@ def test_whatever_is_asked_for_is_written_well_or_answered_with_a_page_that_work
         assert_sound(Fetch().write(LETTER, eval(repr(refused.cure)), **small))
 
 
+@pytest.mark.parametrize("tilt", [0.0, 0.0625])
+def test_the_page_that_is_proposed_has_been_planned(tilt):
+    page = Page.table(0.0, 0.0, 1.25, 0.148, 0.21, tilt=tilt)
+    with pytest.raises(ReachError) as refused:
+        Fetch().write(LETTER, page, size=0.08)
+    assert str(refused.value).endswith(f" Try {refused.value.cure!r}.")
+    assert_sound(Fetch().write(LETTER, eval(repr(refused.value.cure)), size=0.08))
+
+
 def test_on_a_page_that_faces_the_floor_one_is_asked_whether_it_is_meant():
     motion = Fetch().write(LETTER, Page.table(tilt=np.pi))
     assert "the page lies with its face to the floor; was it meant so?" in motion.notes
