@@ -105,7 +105,10 @@ class DMP:
             drawn, velocity = drawn + np.multiply.outer(faster, kick).T, velocity + faster
         notes += asleep(kernels, settings, T)
         measures = trajectory.t, equation.steps, notes
-        return cls(weights, biases, path[0], path[-1], T, settings, velocity / T, *measures).showing(drawn)
+        learned = cls(weights, biases, path[0], path[-1], T, settings, velocity / T, *measures)
+        drawn.setflags(write=False)
+        learned.__dict__["shown"] = drawn  # what `shown` would draw again
+        return learned
 
     def showing(self, path: Array) -> Self:
         """The same, with `path` for `shown`: it costs no second drawing, and keeps the last bits of the first."""
