@@ -1,6 +1,7 @@
 """Every figure of ours, each a function that returns a matplotlib `Figure`; here are the paper's, of a study's data."""
 
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from dmp_teach.dmp.kernels import Kernels
@@ -92,20 +93,12 @@ def error_over_width(curves: ErrorCurves, variant: str | None = None) -> Figure:
         curves: From `error_against_width`.
         variant: Which of `curves.variants`; the first unless given; "all" draws a line for each variant instead.
     """
-    figure, panels = sheet(1, 1, 7.2, 4.6)
-    panel = panels[0][0]
     x = np.where(np.isinf(curves.x), FULL, curves.x)
+    figure, panel = _errors(curves, variant, x, "kernel width [1/N]")
     panel.axvspan(1, 4, color=SHADE, linewidth=0, zorder=0)
-    lines = _lines(curves, variant)
-    for (name, error), look in zip(lines.items(), looks(), strict=False):
-        panel.plot(x, 1e3 * error, label=name, **look)
-    dressed(panel, "kernel width [1/N]", "error, root mean square [mm]", _title(curves, variant))
-    panel.set_xscale("log")
     words = WIDTH_TICKS | ({FULL: "no ends"} if np.isinf(curves.x).any() else {})
     plain_log(panel.xaxis, list(words), words)
-    decades(panel, 1e3 * np.concatenate(list(lines.values())))
     panel.text(2, 0.985, "1/N to 4/N", transform=panel.get_xaxis_transform(), ha="center", va="top", color=QUIET)
-    explained(panel, loc="center left", bbox_to_anchor=(1.01, 0.5))
     return figure
 
 
@@ -116,20 +109,26 @@ def error_over_number(curves: ErrorCurves, variant: str | None = None) -> Figure
         curves: From `error_against_number`.
         variant: Which of `curves.variants`; the first unless given; "all" draws a line for each variant instead.
     """
+    figure, panel = _errors(curves, variant, curves.x, "kernels per sample, N / Num")
+    panel.axvline(0.1, color=INK, linewidth=1, linestyle=(0, (2, 2)))
+    panel.text(0.104, 0.985, "N = Num/10", transform=panel.get_xaxis_transform(), va="top", color=INK, fontsize=9)
+    ticks = [t for t in (0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5) if curves.x[0] * 0.9 <= t <= curves.x[-1] * 1.1]
+    plain_log(panel.xaxis, ticks)
+    return figure
+
+
+def _errors(curves: ErrorCurves, variant: str | None, x: Array, name: str) -> tuple[Figure, Axes]:
+    """A figure with the error over x (K,), whose name it is, a line for each letter or variant; and its panel."""
     figure, panels = sheet(1, 1, 7.2, 4.6)
     panel = panels[0][0]
     lines = _lines(curves, variant)
-    for (name, error), look in zip(lines.items(), looks(), strict=False):
-        panel.plot(curves.x, 1e3 * error, label=name, **look)
-    panel.axvline(0.1, color=INK, linewidth=1, linestyle=(0, (2, 2)))
-    panel.text(0.104, 0.985, "N = Num/10", transform=panel.get_xaxis_transform(), va="top", color=INK, fontsize=9)
-    dressed(panel, "kernels per sample, N / Num", "error, root mean square [mm]", _title(curves, variant))
+    for (label, error), look in zip(lines.items(), looks(), strict=False):
+        panel.plot(x, 1e3 * error, label=label, **look)
+    dressed(panel, name, "error, root mean square [mm]", _title(curves, variant))
     panel.set_xscale("log")
-    ticks = [t for t in (0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5) if curves.x[0] * 0.9 <= t <= curves.x[-1] * 1.1]
-    plain_log(panel.xaxis, ticks)
     decades(panel, 1e3 * np.concatenate(list(lines.values())))
     explained(panel, loc="center left", bbox_to_anchor=(1.01, 0.5))
-    return figure
+    return figure, panel
 
 
 def goal_change_over_time(traces: Traces) -> Figure:
