@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from dmp_teach.letters.meeting import Meeting, headings, leaving, meeting, peaks, way_along
+from dmp_teach.letters.meeting import Meeting, headings, leaving, meeting, peaks
 from dmp_teach.letters.outline import long
-from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.trajectory import Array, Trajectory, ways
 
 DIP = np.radians(-38.0)  # the heading in which a pen leaves the peak of a v or w
 LOOP = 0.09  # the radius of the small loop of an o that ends leftwards, in x-heights
@@ -79,9 +79,9 @@ def _timed(way: Array, ends: tuple[Array, Array], pace: float, x_height: float, 
 
     so that the speed follows the two-thirds power law and has the `ends` of both letters, (2,) each [m/s].
     """
-    bend = np.abs(np.gradient(np.unwrap(headings(way)))) / np.maximum(np.gradient(way_along(way)), 1e-12)
+    bend = np.abs(np.gradient(np.unwrap(headings(way)))) / np.maximum(np.gradient(ways(way)), 1e-12)
     ease = (bend + 0.25 / x_height) ** (1 / 3)
-    q = np.concatenate([[0.0], np.cumsum(np.diff(way_along(way)) * (ease[1:] + ease[:-1]) / 2)])
+    q = np.concatenate([[0.0], np.cumsum(np.diff(ways(way)) * (ease[1:] + ease[:-1]) / 2)])
     v, w = (float(np.linalg.norm(end)) * e for end, e in zip(ends, (ease[0], ease[-1]), strict=True))
     lasts = q[-1] / max(pace * (USUAL_BEND / x_height) ** (1 / 3), (v + w) / 2)
     s = np.linspace(0, 1, max(4, int(np.ceil(lasts / step))) + 1)

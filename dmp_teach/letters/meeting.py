@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from dmp_teach.letters.outline import long
-from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.trajectory import Array, Trajectory, ways
 
 INNER = 0.4  # a pen that ends farther left than this part of its letter lifts
 MARK = 0.6  # a stroke shorter than this part of the longest is a dot, a cross or an accent
@@ -107,7 +107,7 @@ def meeting(here: Array, stroke: Trajectory, x_height: float) -> Meeting:
 
 def _on_up_stroke(here: Array, path: Array, x_height: float) -> Meeting:
     """On the first, rising part of a stroke (T, 2); from above, as soon as can be, or well up a long one."""
-    heading, way = np.unwrap(headings(path)), way_along(path) / x_height
+    heading, way = np.unwrap(headings(path)), ways(path) / x_height
     near = max(1, int(np.searchsorted(way, OFF)))
     ends = near + np.flatnonzero((heading[near:] > UP_STROKE[1] + 0.1) | (way[near:] > 1.0))
     some = np.arange(near, max(near + 1, int(ends[0])) if len(ends) else len(path) - 1)
@@ -125,7 +125,7 @@ def _on_the_way_back(here: Array, stroke: Trajectory, x_height: float) -> Meetin
     if abs(first + np.pi / 2) < UPRIGHT and (first + np.pi > LEANING or (high and short)):
         return Meeting(0, rests=True)
     top = STEM * x_height if not high else DIPPED * x_height if short else here[1] + CLIMB * x_height
-    falls = np.flatnonzero((way_along(path) > 0.05 * x_height) & (path[:, 1] < 0.4 * x_height))
+    falls = np.flatnonzero((ways(path) > 0.05 * x_height) & (path[:, 1] < 0.4 * x_height))
     some = np.arange(1, max(2, int(falls[0])) if len(falls) else len(path) // 2)
     below = some[path[some, 1] <= top]
     return Meeting(_along(here, path, headings(-path), below if len(below) else some), back=True)
@@ -152,11 +152,6 @@ def headings(path: Array) -> Array:
     return np.arctan2(ahead[:, 1], ahead[:, 0])
 
 
-def way_along(path: Array) -> Array:
-    """How far along a path (T, 2) its points are, shape (T,) [m]."""
-    return np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(path, axis=0), axis=1))])
-
-
 def _along(here: Array, path: Array, heading: Array, some: Array) -> int:
     """Which of some samples is passed in its own heading by a pen that comes straight from `here` (2,)."""
     towards = path[some] - here
@@ -167,9 +162,9 @@ def _along(here: Array, path: Array, heading: Array, some: Array) -> int:
 def _first_heading(stroke: Trajectory, x_height: float) -> float:
     """The heading of a stroke's first fifth of an x-height [rad]."""
     path = stroke.position
-    k = int(np.clip(np.searchsorted(way_along(path), 0.2 * x_height), 1, len(path) - 1))
+    k = int(np.clip(np.searchsorted(ways(path), 0.2 * x_height), 1, len(path) - 1))
     return float(np.arctan2(*(path[k] - path[0])[::-1]))
 
 
 def _left(path: Array) -> Array:
-    return way_along(path[::-1])[::-1]
+    return ways(path[::-1])[::-1]
