@@ -81,7 +81,7 @@ class Fetch:
         placed = place(strokes, page, at, size)
         solver = solver_here()
         report("reach", 0.0)
-        ink = np.concatenate([stroke.position for stroke in placed])
+        ink = _ink(placed)
         try:
             stance = stance_for(solver, page, ink)
         except ReachError as error:
@@ -119,7 +119,7 @@ def _proven(solver: Solver, page: Page, placed: tuple[Trajectory, ...], error: R
     """A refusal whose page has been written on, in a plan: a stance sees only places, not the way between them."""
     if error.cure is None:
         return error
-    ink = np.concatenate([stroke.position for stroke in placed])
+    ink = _ink(placed)
     try:
         _planned(solver, stance_for(solver, error.cure, ink), error.cure, placed)
     except ReachError:
@@ -129,7 +129,7 @@ def _proven(solver: Solver, page: Page, placed: tuple[Trajectory, ...], error: R
 
 def _cured(solver: Solver, page: Page, placed: tuple[Trajectory, ...], error: ReachError) -> ReachError:
     """An error of `_planned` with a page for which the same ink has been planned without one, if there is any."""
-    ink = np.concatenate([stroke.position for stroke in placed])
+    ink = _ink(placed)
     for other in elsewhere(page, (ink.min(axis=0), ink.max(axis=0))):
         with suppress(ReachError):
             _planned(solver, stance_for(solver, other, ink), other, placed)
@@ -188,9 +188,14 @@ def _checked_clear(poses: Mapping[str, Array], page: Page) -> tuple[str, ...]:
     return () if closest is None else (closest.note,)
 
 
+def _ink(placed: tuple[Trajectory, ...]) -> Array:
+    """All points of the strokes on the page, shape (N, 2) [m]."""
+    return np.concatenate([stroke.position for stroke in placed])
+
+
 def _in_time(solver: Solver, page: Page, placed: tuple[Trajectory, ...], error: ReachError) -> ReachError:
     """An error of `stance_for` with the moment and the depth, where its reason is that the arm touches something."""
-    ink = np.concatenate([stroke.position for stroke in placed])
+    ink = _ink(placed)
     stance = examined(solver, page, ink.min(axis=0), ink.max(axis=0))
     trouble = stance.trouble
     if not (trouble.startswith(TOUCHING) or trouble.endswith(THROUGH)) or trouble not in str(error):
