@@ -31,6 +31,7 @@ SKIN = 0.0007  # a foot is walked up again while the pen is less than this above
 IDLE = 0.013  # slower than this a pen of ordinary speed rests [m/s] ...
 STOP = 0.028  # a hand begins slowly and stops at once: under this it has stopped [m/s]
 SLOW = 0.15  # ... and one that is slow, at this share of the stroke's pace
+FALTERS = 0.6  # ... but a hand that begins in fits and starts has not rested while it goes at this share of either
 HALT = 0.08  # a small move belongs to its stroke if it, with the rest between, is faster than this share of the pace
 REST = 0.02  # so much of a rest between the touch and the first move, or the last move and the lift, is kept [s]
 EDGE = 0.05  # so near to the edge of the recording a filter cannot tell a move from a rest [s]
@@ -239,11 +240,22 @@ def _cropped(motion: _Motion, a: int, b: int) -> tuple[int, int]:
     moves = _moves(motion.z[a:b], speed, motion.dt, lifts)
     last = np.arange(*moves[-1])
     moving = last[speed[last] > min(STOP, BRISK * _pace(speed))]
-    start, end = int(moves[0, 0]), int((moving if len(moving) else last)[-1]) + 1
+    start, end = _begun(motion, a, b, int(moves[0, 0])), int((moving if len(moving) else last)[-1]) + 1
     rests = [round((REST if lift else EDGE) / motion.dt) for lift in lifts]
     start = max(0, start - rests[0]) if lifts[0] or start < rests[0] else start
     end = min(b - a, end + rests[1]) if lifts[1] or end > b - a - rests[1] else end
     return a + start, a + end
+
+
+def _begun(motion: _Motion, a: int, b: int, start: int) -> int:
+    """The first move of a span (a, b), which begins at `start`, with those before it that it only faltered after."""
+    z, speed = motion.z[a:b], motion.speed[a:b]
+    idle = min(IDLE, SLOW * _pace(speed))
+    before = next(k for k, end in runs(speed > FALTERS * idle) if k <= start < end)
+    first = before + int(np.argmax(speed[before : start + 1] > idle))
+    way = speed[first:start].sum() * motion.dt
+    swing = a > 0 and before == 0
+    return start if swing or np.ptp(z[first : start + 1]) > max(STEP, STEEP * way) else first
 
 
 def _moves(z: Array, speed: Array, dt: float, lifts: tuple[bool, bool]) -> Array:

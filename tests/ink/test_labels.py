@@ -15,7 +15,7 @@ from tests.ink.writers import HABITS, take
 from tests.recordings import RECORDINGS, needs_recordings
 
 GRID = [(0.10, s) for s in (0.003, 0.006, 0.009, 0.012)] + [(0.08, s) for s in (0.003, 0.005, 0.008, 0.010)]
-NEAR = 0.05  # how near to the label an end must be, where the label itself is that sure [s]
+NEAR = 0.05  # how near to the label an end must be [s]
 
 
 def labels():
@@ -48,8 +48,8 @@ def test_a_recording_is_cut_where_a_person_would_cut_it(path):
         found = recording.strokes(theta, sigma)
         assert len(found) == len(strokes), (theta, sigma)
         for stroke, row in zip(found, strokes, strict=True):
-            assert abs(stroke.t[0] - number(row, "moves")) <= max(NEAR, number(row, "sure_moves")), (theta, sigma)
-            assert abs(stroke.t[-1] - number(row, "stops")) <= max(NEAR, number(row, "sure_stops")), (theta, sigma)
+            assert abs(stroke.t[0] - number(row, "moves")) <= NEAR, (theta, sigma)
+            assert abs(stroke.t[-1] - number(row, "stops")) <= NEAR, (theta, sigma)
 
 
 def ends(drawn):

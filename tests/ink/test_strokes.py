@@ -127,6 +127,27 @@ def test_a_marker_that_wanders_while_it_writes_keeps_the_whole_stroke(wander, tu
     check_ends(pen, t, find_strokes(t, page), within=0.12)
 
 
+def faltering(pen, slow):
+    """The first 2 mm down the bar: a small push, `slow` for 0.06 s, and on."""
+    for way, seconds in ((0.0009, 0.05), (0.06 * slow, 0.06), (0.0007, 0.05)):
+        x, y = pen.here()[:2]
+        pen._go([(s, (x, y - s * way, 0.0)) for s in np.linspace(0.05, 1, 20)], seconds)
+    return pen
+
+
+@pytest.mark.parametrize("rest", [0.0, 0.4])
+@pytest.mark.parametrize("lifted", [False, True])
+@pytest.mark.parametrize("slow", [0.008, 0.010, 0.012])
+def test_a_hand_that_falters_as_it_begins_has_begun(slow, lifted, rest):
+    """Its first millimetre is too short for a stroke, but it never came to rest again."""
+    pen = Pen().rest(0.8)
+    if lifted:
+        pen = pen.draw(bowl()[::-1]).hop((0.0, 0.0)).rest(0.1 + rest)
+    begun = pen.t
+    t, page = faltering(pen, slow).draw(bar()).rest(0.6).sampled()
+    assert abs(t[find_strokes(t, page)[-1][0]] - begun) < 0.05
+
+
 @pytest.mark.parametrize("seed", range(6))
 def test_a_hand_that_trembles_along_while_it_sinks_is_still_landing(seed):
     """Moves in fits and starts, each a little lower: together they sink too steeply for writing."""
