@@ -64,17 +64,28 @@ def refuse_no_way(trajectory: Trajectory, settings: Settings) -> None:
                 f"The original form cannot learn a movement that ends where it began: start and goal are equal in "
                 f"coordinate {axis} ({'xyz'[axis] if axis < 3 else axis}). Settings.star() can."
             )
-    if settings.transform == "similarity" and np.linalg.norm(way) <= NO_WAY * size:
-        raise SettingError(
-            "transform is 'similarity', but this stroke is closed: its goal is its start, and no turn or scale carries "
-            "one point elsewhere. DMP* can learn it: transform='star'."
-        )
+    if settings.transform == "similarity":
+        _refuse_closed(way, size)
 
 
-def refuse_to_shrink_to_a_point(way: Array, taught: Array) -> None:
-    """Raise a TrajectoryError where a similarity is asked to end where it begins."""
+def refuse_no_similarity(way: Array, taught: Array, shown: Array) -> None:
+    """Raise where no turn and scale carries the `taught` way (D,) of a path `shown` (T, D) onto `way` (D,).
+
+    Raises:
+        SettingError: The path was closed (a primitive learned with another transformation may be).
+        TrajectoryError: It is asked to end where it begins.
+    """
+    _refuse_closed(taught, float(np.ptp(shown)))
     if np.linalg.norm(way) <= NO_WAY * np.linalg.norm(taught):
         raise TrajectoryError(
             "The goal is the start, but transform 'similarity' would shrink the whole letter to that point: ask for "
             "another goal, or learn it as DMP*, transform='star'."
+        )
+
+
+def _refuse_closed(way: Array, size: float) -> None:
+    if np.linalg.norm(way) <= NO_WAY * size:
+        raise SettingError(
+            "transform is 'similarity', but this stroke is closed: its goal is its start, and no turn or scale carries "
+            "one point elsewhere. DMP* can learn it: transform='star'."
         )

@@ -7,7 +7,7 @@ from typing import Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from dmp_teach.dmp.asked import point, refuse_no_way, refuse_to_shrink_to_a_point, samples, seconds
+from dmp_teach.dmp.asked import point, refuse_no_similarity, refuse_no_way, samples, seconds
 from dmp_teach.dmp.demonstration import has_even_times, prepared, sharpened
 from dmp_teach.dmp.equation import Equation, kernels_of, turned_and_scaled
 from dmp_teach.dmp.fit import FITS
@@ -140,6 +140,7 @@ class DMP:
         Raises:
             TrajectoryError: A start or goal of another dimension or not finite, a duration or dt that is
                 not a time, a dt longer than the movement.
+            SettingError: A similarity is to lead a closed stroke elsewhere.
         """
         if start is duration is dt is None:
             if goal is None:
@@ -223,7 +224,7 @@ class DMP:
         if not change.any():
             return shown
         if self.settings.transform == "similarity":
-            refuse_to_shrink_to_a_point(way, taught)
+            refuse_no_similarity(way, taught, shown)
             return shown @ turned_and_scaled(way, taught).T
         return shown + (self._answer if kept else Equation(self.settings, steps).answer()) * change
 

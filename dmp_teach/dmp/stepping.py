@@ -8,7 +8,7 @@ from typing import Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from dmp_teach.dmp.asked import point, refuse_to_shrink_to_a_point, seconds
+from dmp_teach.dmp.asked import point, refuse_no_similarity, seconds
 from dmp_teach.dmp.equation import Equation, turned_and_scaled
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.spring import Spring, advanced
@@ -49,7 +49,7 @@ class Plan:
         """The plan of a primitive, as `DMP.rollout` would draw it.
 
         Raises:
-            TrajectoryError: As `DMP.rollout`.
+            TrajectoryError, SettingError: As `DMP.rollout`.
         """
         p, D = primitive, len(primitive.start)
         start = p.start if start is None else point("start", start, D)
@@ -59,7 +59,7 @@ class Plan:
         if p.settings.transform == "original":
             push, velocity = push * (way / taught), velocity * (way / taught)
         elif p.settings.transform == "similarity" and (way != taught).any():
-            refuse_to_shrink_to_a_point(way, taught)
+            refuse_no_similarity(way, taught, p.shown)
             turn = turned_and_scaled(way, taught).T
             push, velocity = push @ turn, velocity @ turn
         elif p.settings.transform == "star":

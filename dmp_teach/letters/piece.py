@@ -111,6 +111,7 @@ class Piece:
 
         Raises:
             LetterError: No such end, or one end twice.
+            SettingError: A similarity is to lead a closed stroke.
         """
         sent: dict[int, Array] = {}
         for name, where in ends.items():

@@ -10,6 +10,7 @@ _HOME = {
     "redraw": ("redrawn", "four_widths"),
     "new_letters": ("p_from_d",),
     "style": ("attribution",),
+    "among_real": ("made_among_real",),
     "hands": ("told_apart",),
     "answers": ("Answers", "Attributions"),
     "lifts": ("segmentation",),

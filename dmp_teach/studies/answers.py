@@ -140,3 +140,16 @@ def luck_of(hits: Callable[[np.ndarray], int], strata: Sequence[int], seed: int 
             order[place] = rng.permutation(place)
         reached += hits(order) >= found
     return reached / (SHUFFLES + 1)
+
+
+def luck_of_takes(asked: Sequence[tuple[int, str, str | None]]) -> float:
+    """How often it is as good with the takes' names shuffled; all that was made of one take keeps together."""
+    whose = {take: writer for take, writer, _ in asked}
+    names = sorted(set(whose.values()))
+    row = {take: number for number, take in enumerate(whose)}
+    counts = np.zeros((len(whose), len(names)), dtype=int)
+    for take, _, name in asked:
+        if name is not None:
+            counts[row[take], names.index(name)] += 1
+    code = np.array([names.index(writer) for writer in whose.values()])
+    return luck_of(lambda order: int(counts[np.arange(len(code)), code[order]].sum()), np.zeros(len(code)))

@@ -14,7 +14,7 @@ from dmp_teach.letters.piece import Piece
 from dmp_teach.letters.recipes import cooked, needed, recipes
 from dmp_teach.letters.roles import strokes_in_role
 from dmp_teach.letters.shelf import Shelf
-from dmp_teach.studies.answers import Answers, Attributions, luck_of
+from dmp_teach.studies.answers import Answers, Attributions, luck_of_takes
 from dmp_teach.studies.hands import fresh
 from dmp_teach.studies.material import OURS, Written, letters_of, own_recordings
 from dmp_teach.studies.work import Progress, run
@@ -120,7 +120,7 @@ def directions(path: Array) -> Array:
 
 def _bowls(letters: Sequence[Written], variations: int, executor: Executor | None, progress: Progress | None) -> list:
     """Every bowl that a recipe leads, as far as two writers or more have it."""
-    takes = _takes(letters)
+    takes = takes_of(letters)
     hows = dict.fromkeys(",".join(how.split(",")[: number + 1]) for _, how in recipes() for number in _led(how))
     made = run(_made, [(take, tuple(hows), variations) for _, take in takes], executor, progress)
     found = []
@@ -139,7 +139,7 @@ def _led(how: str) -> list[int]:
     return [number for number, (_, role, *words) in enumerate(items) if "lead" in words and role != "bar"]
 
 
-def _takes(letters: Sequence[Written]) -> list[tuple[str, Take]]:
+def takes_of(letters: Sequence[Written]) -> list[tuple[str, Take]]:
     """The first take of each of a writer's letters, then the second, as far as there are."""
     groups: dict[tuple[str, str], list[Written]] = {}
     for letter in letters:
@@ -204,17 +204,4 @@ def _asked(bowls: Sequence[_Bowl], way: str, varied: bool, less: bool) -> Answer
         same, allowed = np.array(bowl.writers)[:, None] == np.array(bowl.writers), bowl.neighbours()
         guess += list((same & allowed).sum(axis=1) / allowed.sum(axis=1))
     items = tuple((writer, name) for _, writer, name in asked)
-    return Answers(question(way, varied, less), items, float(np.mean(guess)), _luck(asked))
-
-
-def _luck(asked: Sequence[tuple[int, str, str | None]]) -> float:
-    """How often it is as good with the takes' names shuffled; all that was made of one take keeps together."""
-    whose = {take: writer for take, writer, _ in asked}
-    names = sorted(set(whose.values()))
-    row = {take: number for number, take in enumerate(whose)}
-    counts = np.zeros((len(whose), len(names)), dtype=int)
-    for take, _, name in asked:
-        if name is not None:
-            counts[row[take], names.index(name)] += 1
-    code = np.array([names.index(writer) for writer in whose.values()])
-    return luck_of(lambda order: int(counts[np.arange(len(code)), code[order]].sum()), np.zeros(len(code)))
+    return Answers(question(way, varied, less), items, float(np.mean(guess)), luck_of_takes(asked))

@@ -2,6 +2,7 @@
 
 import math
 import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -9,6 +10,7 @@ import pytest
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.dmp.spring import Spring, least_steps, most_alpha
+from dmp_teach.dmp.stepping import Rollout
 from dmp_teach.errors import SettingError, SettingWarning, TrajectoryError
 from dmp_teach.trajectory import Trajectory
 from tests.dmp.ink import letter
@@ -122,6 +124,16 @@ def test_a_similarity_refuses_a_closed_stroke_and_names_dmp_star(path):
     with pytest.raises(SettingError, match=f"^{re.escape(words)}$"):
         DMP.imitate(closed(path), Settings.star(transform="similarity"))
     assert np.isfinite(DMP.imitate(closed(path)).rollout().position).all()
+
+
+def test_a_closed_stroke_learned_as_dmp_star_is_not_led_by_a_similarity():
+    """Its weights are the same, so a stroke from a shelf changes its transformation without being learned again."""
+    star = DMP.imitate(closed(CLOSED))
+    turned = replace(star, settings=replace(star.settings, transform="similarity"))
+    np.testing.assert_allclose(turned.rollout().position, star.rollout().position, atol=1e-12)
+    for draw in (turned.rollout, lambda goal: Rollout.begin(turned, goal=goal)):
+        with pytest.raises(SettingError, match="this stroke is closed: its goal is its start"):
+            draw(goal=star.goal + 0.01)
 
 
 def test_a_similarity_refuses_to_end_at_its_start_and_names_dmp_star():
