@@ -14,6 +14,9 @@ from dmp_teach.trajectory import Array, Trajectory
 STEPS = {
     "shape": 0.0125,  # of the letter's size: the line of a pen, in a letter as large as a hand
     "place": 0.05,  # of the letter's size: a finger's breadth there; a smaller gap reads as touching
+    "piece": 0.05,  # the same
+    "open": 0.05,  # the same
+    "shaky": 0.0025,  # of the letter's size, see `movement.shake`: waves as high as the line of a pen is wide
     "size": math.log(1.15),  # a seventh: letters in one word differ by as much, and nobody minds
     "width": math.log(1.15),  # the same
     "lean": 5.0,  # degrees: less than one minute on the face of a clock
@@ -23,6 +26,9 @@ STEPS = {
     "tempo": math.log(3.0),  # people write one letter three times as fast as another day's, and it looks the same
 }
 """How much of each is one step. Below one step two letters are taken for the same."""
+
+UNSEEN = ("smooth", "tempo")
+"""Faults of the movement that leave no trace in the ink."""
 
 PLAIN = {"mirrored": 14.0, "turned": 14.0, "missing": 12.0, "extra": 12.0, "reversed": 5.0, "order": 4.0, "pieces": 4.0}
 """How many steps are what is or is not: what another reader would stumble over counts most."""
@@ -64,6 +70,7 @@ def faults(matching: Matching, fit: Fit, written: Movement, model: Movement, str
         *_of_strokes(matching, model),
         *_of_order(matching, written, model),
         *_of_shape(matching, fit, strokes),
+        *_of_loops(matching, fit, strokes),
         *_of_movement(written, model),
     ]
     return tuple(sorted(found, key=lambda fault: -fault.steps))
@@ -148,6 +155,8 @@ def _of_shape(matching: Matching, fit: Fit, strokes: Sequence[Trajectory]) -> It
     which = "" if len(matching.pairs) == 1 else f" of {_the(matching.pairs[worst].others[0], len(strokes))}"
     much = "a little different" if steps <= LITTLE else "different" if steps <= 2 * LITTLE else "quite different"
     yield Fault("shape", steps, f"The shape{which} is {much}, most of all {where}.", f"{much} {where}")
+    if fit.trim is not None:
+        yield _piece(matching, fit, strokes)
     far = np.linalg.norm(fit.places, axis=1)
     k = int(np.argmax(far))
     steps, (right, up) = float(far[k]) / STEPS["place"], fit.places[k]
@@ -158,14 +167,40 @@ def _of_shape(matching: Matching, fit: Fit, strokes: Sequence[Trajectory]) -> It
     yield Fault("place", steps, _sentence(f"{stroke} is {words}"), f"{stroke} is {words}")
 
 
+def _piece(matching: Matching, fit: Fit, strokes: Sequence[Trajectory]) -> Fault:
+    """A piece at the end of a stroke, missing or too much."""
+    steps, number = fit.gap / STEPS["piece"], matching.pairs[fit.trim.pair].others[0]
+    where = _where(strokes[number].position[0 if fit.trim.first else -1], strokes)
+    if fit.trim.missing:
+        of = f" of {_the(number, len(strokes))}" if len(strokes) > 1 else ""
+        piece = f"a {'small ' if steps <= LITTLE else ''}piece"
+        return Fault("piece", steps, _sentence(f"{piece}{of} is missing {where}"), f"{piece} is missing {where}")
+    words = f"{_little(steps)}too long {where}"
+    return Fault("piece", steps, _sentence(f"{_the(number, len(strokes))} is {words}"), words)
+
+
+def _of_loops(matching: Matching, fit: Fit, strokes: Sequence[Trajectory]) -> Iterator[Fault]:
+    """Rings that are not closed: two points one after the other are farther apart where their ends are."""
+    size = float(np.ptp(np.concatenate([stroke.position for stroke in strokes]), axis=0).max())
+    for pair in matching.pairs:
+        if pair.laid.loop:
+            mine, yours = (np.linalg.norm(line - np.roll(line, 1, axis=0), axis=1) for line in pair.laid.lines)
+            steps = max(0.0, float(mine.max() / fit.size - yours.max()) / size / STEPS["open"])
+            closed = "not quite closed" if steps <= LITTLE else "not closed"
+            where = _where(pair.laid.others[int(np.argmax(mine))], strokes)
+            words = f"{closed} {where}"
+            yield Fault("open", steps, _sentence(f"{_the(pair.others[0], len(strokes))} is {words}"), words)
+
+
 def _of_movement(written: Movement, model: Movement) -> Iterator[Fault]:
-    """Smoothness and tempo."""
+    """Smoothness, of the line and of the movement, and tempo."""
+    steps = max(0.0, written.shake - model.shake) / STEPS["shaky"]
+    yield Fault("shaky", steps, "The line is shakier than the model's.", f"{_little(steps)}shaky")
     steps = max(0.0, model.smoothness - written.smoothness) / STEPS["smooth"]
-    if written.peaks > model.peaks:
-        words = f"the pen speeds up and slows down {written.peaks} times; the model's {model.peaks} times"
-    else:
-        words = "the line is shakier than the model's"
-    yield Fault("smooth", steps, _sentence(words), "shaky")
+    words = f"the pen speeds up and slows down {written.peaks} times; the model's {model.peaks} times"
+    if written.peaks <= model.peaks:
+        words = "the pen moves less smoothly than the model's"
+    yield Fault("smooth", steps, _sentence(words), "not smooth")
     ratio = written.pace / model.pace * max(model.width, model.height) / max(written.width, written.height)
     steps = abs(math.log(ratio)) / STEPS["tempo"]
     words = _times(ratio, steps, "fast", "faster", "slower")
@@ -180,6 +215,10 @@ def _times(ratio: float, steps: float, much: str, more: str, less: str) -> tuple
     percent = abs(ratio - 1)
     if ratio > 4:
         return f"{ratio:.0f} times as {much} as", f"{ratio:.0f} times as {much}"
+    if not 0.5 < ratio < 2:
+        known = max(n for n in TIMES if n <= ratio) if ratio > 2 else min(n for n in TIMES if n >= ratio)
+        words = f"{'more' if ratio > 2 else 'less'} than {TIMES[known]} {much}"
+        return f"{words} as", words
     word = more if ratio > 1 else less
     if steps <= LITTLE:
         return f"a little {word} than", f"a little {word}"

@@ -1,12 +1,13 @@
 """How one writing lies over another: one size, width, lean and turn for all, a place for each stroke."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from dmp_teach.ink.matching import Matching, squared, undone
 from dmp_teach.ink.points import features, rms_radius, spread
+from dmp_teach.ink.trimming import Trim, ink_without, line_without, trims
 from dmp_teach.trajectory import Array, Trajectory
 
 POINTS = 96  # over all the ink of a letter
@@ -15,9 +16,12 @@ ROUNDS = 6  # of asking which point is the nearest
 FLAT = 0.01  # ink that is flattened more than this is a line, and no number says how flat
 CRUSHED = 0.2  # a letter of which less is left across its length is not narrow, and does not lean: it is another shape
 PLAIN = 0.0003  # of two fits that are as near, the one that changes the model less
+CLEARLY = 0.6  # a piece is missing or too much if the rest is nearer by this factor than the whole [of the squares] ...
+SEEN = 2e-5  # ... and by this much, a third of a pen's line [squared parts of the letter's size] ...
+ALIKE = 0.04**2  # ... and this near: of another shape no piece is missing [the same]
 
-SIDES = ("points", "others")
-_Found = tuple[Array, Array, list[tuple[Array, Array]]]
+_Line = tuple[Array, Array]
+"""The points of a pair, laid along each other: the writing's and the model's, each (P, 2)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -34,6 +38,8 @@ class Fit:
         shapes: How far its ink then is from the nearest of the model (rms, both ways), shape (N,) [the same].
         shape: The same over all ink.
         worst: Where that is most, a point of the model, and the number of its pair.
+        trim: A piece at an end of one stroke that only one side has, left out of all the other measures; or None.
+        gap: How far the end of that stroke is from where it should be, for it [parts of the letter's size].
     """
 
     size: float
@@ -45,6 +51,8 @@ class Fit:
     shapes: Array
     shape: float
     worst: tuple[Array, int]
+    trim: Trim | None = None
+    gap: float = 0.0
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,6 +65,39 @@ class _Ink:
     your_way: Array
 
 
+@dataclass(frozen=True, eq=False)
+class _Found:
+    """A fit: the linear part (2, 2), each pair's shift (N, 2), and the squared distances both ways [m^2]."""
+
+    inks: Sequence[_Ink]
+    lines: Sequence[_Line]
+    linear: Array
+    shifts: Array
+    far: Sequence[tuple[Array, Array]]
+    scale: float
+    trim: Trim | None = None
+
+    def cost(self, size: float) -> float:
+        """How far it is from the writing, and a little of how much it changes the model."""
+        unit = self.scale * size
+        changed = ((self.linear / self.scale - np.eye(2)) ** 2).sum() + (self.places() ** 2).sum() / unit**2
+        changed += 0.0 if self.trim is None else self.trim.part**2
+        return (_rms(self.far) / unit) ** 2 + PLAIN * float(changed)
+
+    def places(self) -> Array:
+        """How far each pair's ink is from its place, shape (N, 2) [m].
+
+        A stroke lies where it should if its middle, its beginning or its end does: one that is too short or too large
+        is not misplaced. Where it should is where most of the ink lies.
+        """
+        ends = [[a[e] - self.linear @ b[e] for e in (0, -1)] for a, b in self.lines]
+        some = np.concatenate([self.shifts[:, None], np.array(ends)], axis=1)
+        there = some.reshape(-1, 2)
+        far = np.linalg.norm(some[:, :, None] - there, axis=3).min(axis=1)
+        away = some - there[int(np.argmin(np.array([len(ink.yours) for ink in self.inks]) @ far))]
+        return np.array([each[int(np.argmin(np.linalg.norm(each, axis=1)))] for each in away])
+
+
 def fitted(matching: Matching, written: Sequence[Trajectory], model: Sequence[Trajectory]) -> Fit:
     """Fit the model's strokes to those of the writing that belong to them, by least squares.
 
@@ -67,22 +108,68 @@ def fitted(matching: Matching, written: Sequence[Trajectory], model: Sequence[Tr
     """
     inks = _inks(matching, written, model)
     size = float(np.ptp(np.concatenate([stroke.position for stroke in model]), axis=0).max())
-    mine, yours = (np.stack([_centred(getattr(pair.laid, side)) for pair in matching.pairs]) for side in SIDES)
-    scale = ratio(mine, yours)
-    flat = mine.reshape(-1, 2), yours.reshape(-1, 2)
-    along = _linear(*flat, scale)
-    starts = along, along, scale * np.eye(2)
-    found = [_refined(inks, start, scale, rounds) for start, rounds in zip(starts, (0, ROUNDS, ROUNDS), strict=True)]
-    linear, shifts, far = min(found, key=lambda each: _cost(each, scale, size))
-    if _is_crushed(linear):
-        linear, shifts, far = _refined(inks, scale * np.eye(2), scale, 0)
+    lines = [pair.laid.lines for pair in matching.pairs]
+    whole = _laid_over(inks, lines, size, (0, ROUNDS))
+    found = _trimmed(matching, inks, lines, size, whole)
+    linear, far, scale, trim = found.linear, found.far, found.scale, found.trim
     unit = scale * size
     shapes = [float(np.sqrt((a.mean() + b.mean()) / 2)) / unit for a, b in far]
-    weights = np.array([len(ink.yours) for ink in inks])
-    places = (shifts - [_median(axis, weights) for axis in shifts.T]) / unit
     worst = max(range(len(inks)), key=lambda k: far[k][1].max())
-    point = inks[worst].yours[int(np.argmax(far[worst][1]))]
-    return Fit(*_read(linear, scale), places, np.array(shapes), _rms(far) / unit, (point, worst))
+    point = found.inks[worst].yours[int(np.argmax(far[worst][1]))]
+    gap = 0.0 if trim is None else _gap(lines[trim.pair], trim, unit if not trim.missing else size)
+    return Fit(
+        *_read(linear, scale), found.places() / unit, np.array(shapes), _rms(far) / unit, (point, worst), trim, gap
+    )
+
+
+def _laid_over(inks: Sequence[_Ink], lines: Sequence[_Line], size: float, rounds: Sequence[int]) -> _Found:
+    """The best of the fits that begin with the order along the lines (P, 2) or an unchanged model."""
+    mine, yours = (np.stack([_centred(line[side]) for line in lines]) for side in (0, 1))
+    scale = ratio(mine, yours)
+    along, plain = _linear(mine.reshape(-1, 2), yours.reshape(-1, 2), scale), scale * np.eye(2)
+    starts = [(start, count) for count in rounds for start in ((along, plain) if count else (along,))]
+    tried = [_refined(inks, lines, start, scale, count) for start, count in starts]
+    best = min(tried, key=lambda found: found.cost(size))
+    return _refined(inks, lines, plain, scale, 0) if _is_crushed(best.linear) else best
+
+
+def _trimmed(matching: Matching, inks: Sequence[_Ink], lines: Sequence[_Line], size: float, whole: _Found) -> _Found:
+    """The fit without a piece that one side lacks, if that is clearly nearer than the fit of the `whole`."""
+
+    def nearest(tried: Iterable[Trim]) -> _Found | None:
+        found = [_without(matching, inks, lines, size, trim) for trim in tried]
+        return min(found, key=lambda each: each.cost(size), default=None)
+
+    if whole.cost(size) < SEEN:
+        return whole
+    best = nearest(trims(matching))
+    if best is None:
+        return whole
+    best = min(best, nearest(best.trim.beside()), key=lambda each: each.cost(size))
+    near, far = best.cost(size), whole.cost(size)
+    return best if near < min(CLEARLY * far, far - SEEN, ALIKE) else whole
+
+
+def _without(matching: Matching, inks: Sequence[_Ink], lines: Sequence[_Line], size: float, trim: Trim) -> _Found:
+    """The fit of what is left without a piece."""
+    inks, lines = list(inks), list(lines)
+    ink, (mine, yours) = inks[trim.pair], lines[trim.pair]
+    if trim.missing:
+        left = ink_without(len(ink.yours), trim, False)
+        inks[trim.pair] = replace(ink, yours=ink.yours[left], your_way=ink.your_way[left])
+        lines[trim.pair] = mine, line_without(yours, trim)
+    else:
+        left = ink_without(len(ink.mine), trim, matching.pairs[trim.pair].laid.backwards)
+        inks[trim.pair] = replace(ink, mine=ink.mine[left], my_way=ink.my_way[left])
+        lines[trim.pair] = line_without(mine, trim), yours
+    return replace(_laid_over(inks, lines, size, (0,)), trim=trim)
+
+
+def _gap(line: _Line, trim: Trim, size: float) -> float:
+    """How far the end without the piece is from the end with it [parts of the letter's size]."""
+    longer = line[1] if trim.missing else line[0]
+    end = 0 if trim.first else -1
+    return float(np.linalg.norm(longer[end] - line_without(longer, trim)[end])) / size
 
 
 def _inks(matching: Matching, written: Sequence[Trajectory], model: Sequence[Trajectory]) -> list[_Ink]:
@@ -93,8 +180,8 @@ def _inks(matching: Matching, written: Sequence[Trajectory], model: Sequence[Tra
     return [_Ink(mine[a] @ back.T, my_way[a] @ back.T, yours[b], your_way[b]) for a, b in masks]
 
 
-def _refined(inks: Sequence[_Ink], linear: Array, scale: float, rounds: int) -> _Found:
-    """The linear part (2, 2), each pair's shift (N, 2), and the squared distances both ways [m^2]."""
+def _refined(inks: Sequence[_Ink], lines: Sequence[_Line], linear: Array, scale: float, rounds: int) -> _Found:
+    """The fit from a linear part (2, 2) on, after so many rounds of asking which points belong together."""
     shifts = np.array([ink.mine.mean(axis=0) - linear @ ink.yours.mean(axis=0) for ink in inks])
     unit = scale * rms_radius(_centred(np.concatenate([ink.yours for ink in inks])))
     for _ in range(rounds):
@@ -105,11 +192,19 @@ def _refined(inks: Sequence[_Ink], linear: Array, scale: float, rounds: int) -> 
         ]
         linear = _linear(*(np.concatenate([_centred(pair[side]) for pair in pairs]) for side in (0, 1)), scale)
         shifts = np.array([a.mean(axis=0) - linear @ b.mean(axis=0) for a, b in pairs])
-    far = []
-    for ink, shift in zip(inks, shifts, strict=True):
-        apart = squared(ink.mine, ink.yours @ linear.T + shift)
-        far.append((apart.min(axis=1), apart.min(axis=0)))
-    return linear, shifts, far
+    there = [ink.yours @ linear.T + shift for ink, shift in zip(inks, shifts, strict=True)]
+    far = [(_off(ink.mine, line), _off(line, ink.mine)) for ink, line in zip(inks, there, strict=True)]
+    return _Found(inks, lines, linear, shifts, far, scale)
+
+
+def _off(points: Array, line: Array) -> Array:
+    """Squared distance of points (P, 2) from a line through points (Q, 2), shape (P,)."""
+    vertex = squared(points, line).argmin(axis=1)
+    pieces = np.clip(vertex + np.array([[-1], [0]]), 0, len(line) - 2)
+    begin, along = line[pieces], line[pieces + 1] - line[pieces]
+    away, long = points - begin, (along**2).sum(axis=2)
+    at = np.clip((away * along).sum(axis=2) / np.maximum(long, 1e-30), 0, 1)
+    return ((away - at[..., None] * along) ** 2).sum(axis=2).min(axis=0)
 
 
 def _nearest(ink: _Ink, linear: Array, shift: Array, unit: float) -> tuple[np.ndarray, np.ndarray]:
@@ -133,12 +228,6 @@ def _is_crushed(linear: Array) -> bool:
     """Whether it makes a line of a letter, as for a line where a round letter should be."""
     long, short = np.linalg.svd(linear, compute_uv=False)
     return bool(short < CRUSHED * long)
-
-
-def _cost(found: _Found, scale: float, size: float) -> float:
-    """How far a fit is from the writing, and a little of how much it changes the model."""
-    linear, _, far = found
-    return (_rms(far) / (scale * size)) ** 2 + PLAIN * float(((linear / scale - np.eye(2)) ** 2).sum())
 
 
 def _read(linear: Array, scale: float) -> tuple[float, float, float, float, float]:
@@ -172,10 +261,3 @@ def _rms(far: Sequence[tuple[Array, Array]]) -> float:
 def _centred(points: Array) -> Array:
     """Points (..., 2) about their mean."""
     return points - points.mean(axis=0)
-
-
-def _median(values: Array, weights: Array) -> float:
-    """The value (N,) that half of the weight lies on either side of."""
-    order = np.argsort(values)
-    sums = np.cumsum(weights[order])
-    return float(values[order][np.searchsorted(sums, 0.5 * sums[-1])])

@@ -38,6 +38,11 @@ class Laid:
         object.__setattr__(self, "points", locked(self.points))
         object.__setattr__(self, "others", locked(self.others))
 
+    @property
+    def lines(self) -> tuple[Array, Array]:
+        """The one line and the other."""
+        return self.points, self.others
+
 
 def laid(pieces: Sequence[Array], others: Sequence[Array]) -> Laid:
     """Lay a line in one or more pieces, each of shape (T, 2), along another, each centred and of one size.

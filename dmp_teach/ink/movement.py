@@ -5,7 +5,7 @@ from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
-from scipy.signal import butter, find_peaks, sosfiltfilt
+from scipy.signal import butter, find_peaks, savgol_filter, sosfiltfilt
 
 from dmp_teach.ink.points import evenly, length
 from dmp_teach.trajectory import Array, Trajectory
@@ -15,6 +15,8 @@ CUTOFF = 8.0  # a hand trembles at 4 to 8 Hz and writes slower; what is faster i
 PEAK = 0.1  # a peak of speed stands this much of the highest one over the valleys beside it
 SHORT = 5  # samples of even the quickest tap
 SAMPLES = 64  # along a stroke, for its slant
+FINE = 0.01  # of the letter's size: between points on which a line is seen to be shaky ...
+WINDOW = 35  # ... so many of them make a piece that a hand draws in one sweep
 
 
 @dataclass(frozen=True)
@@ -30,6 +32,7 @@ class Movement:
         pace: Length of the ink over the time that the pen was down [m/s].
         smoothness: See `log_dimensionless_jerk`, no unit.
         peaks: See `velocity_peaks`.
+        shake: See `shake`.
     """
 
     strokes: int
@@ -40,6 +43,7 @@ class Movement:
     pace: float
     smoothness: float
     peaks: int
+    shake: float
 
 
 def measured(strokes: Sequence[Trajectory]) -> Movement:
@@ -58,6 +62,7 @@ def measured(strokes: Sequence[Trajectory]) -> Movement:
         sum(length(stroke.position) for stroke in moving) / sum(down),
         float(np.average(jerks, weights=down)),
         sum(velocity_peaks(velocity) for velocity, _ in velocities),
+        shake([stroke.position for stroke in moving]),
     )
 
 
@@ -82,6 +87,21 @@ def velocity_peaks(velocity: Array) -> int:
     """
     speed = np.concatenate([[0.0], np.linalg.norm(velocity, axis=1), [0.0]])
     return len(find_peaks(speed, prominence=PEAK * speed.max())[0])
+
+
+def shake(lines: Sequence[Array]) -> float:
+    """How far lines (T, 2) tremble about themselves [parts of the letter's size].
+
+    The median distance of points evenly along the ink from cubics through a third of the letter's size around each
+    (Savitzky and Golay 1964): a bend is followed, a tremble is not, and a few corners do not count.
+    """
+    size = float(np.ptp(np.concatenate(lines), axis=0).max())
+    off = []
+    for line in lines:
+        points = evenly(line, int(length(line) / (FINE * size)) + 1)[0]
+        if len(points) >= WINDOW:
+            off.append(np.linalg.norm(points - savgol_filter(points, WINDOW, 3, axis=0), axis=1))
+    return float(np.median(np.concatenate(off))) / size if off else 0.0
 
 
 def slant(strokes: Sequence[Trajectory]) -> float:

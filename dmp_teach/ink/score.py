@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from dmp_teach.ink.distances import letter_distance, procrustes, warped
-from dmp_teach.ink.faults import Fault, faults
+from dmp_teach.ink.faults import UNSEEN, Fault, faults
 from dmp_teach.ink.fitting import fitted, ratio
 from dmp_teach.ink.matching import Matching, matched, squared
 from dmp_teach.ink.movement import Movement, measured
@@ -20,9 +20,10 @@ from dmp_teach.trajectory import Trajectory
 
 POINTS = 96  # over all the ink, for how far apart it is
 WORDS = ("far", "nearer", "close", "the same")
+SURELY = 2.0  # steps that a fault has which leaves no trace in the ink before anybody speaks of it
 LEVELS = (6.0, 3.0, 1.0)  # steps of a fault (`faults.STEPS`) up to which a row is "nearer", "close", "the same"
 ROWS = {
-    "Shape": ("mirrored", "turned", "missing", "extra", "shape", "place"),
+    "Shape": ("mirrored", "turned", "missing", "extra", "shape", "place", "piece", "open", "shaky"),
     "Size": ("size", "width"),
     "Lean": ("lean", "turn", "rise"),
 }
@@ -50,7 +51,7 @@ class Score:
     """How near a writing is to its model.
 
     Args:
-        sentence: The largest fault in plain words.
+        sentence: The largest fault in plain words; of the movement only where the ink shows none.
         parts: Shape, size and lean, for the pad.
         faults: Everything that differs, the largest first, in steps of what an eye begins to see.
         matching: Which strokes belong together; its order, direction and number.
@@ -129,8 +130,12 @@ def score(written: Any, model: Any) -> Score:
 
 
 def _sentence(found: Sequence[Fault]) -> str:
-    """The largest fault, or that there is none to see."""
-    return found[0].sentence if found[0].steps > 1 else "It looks the same as the model."
+    """The largest fault that is seen in the ink, or else one of the movement, or that there is none to see."""
+    for seen, least in ((True, 1.0), (False, SURELY)):
+        for fault in found:
+            if (fault.name not in UNSEEN) is seen and fault.steps > least:
+                return fault.sentence
+    return "It looks the same as the model."
 
 
 def _part(name: str, found: Sequence[Fault]) -> Part:

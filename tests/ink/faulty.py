@@ -58,13 +58,47 @@ def loose(strokes, amount, rng):
 
 def shaken(strokes, amount):
     size = size_of(strokes)
-    waves = [np.column_stack([np.sin(37 * s.t), np.cos(34 * s.t)]) for s in strokes]
+    waves = [np.column_stack([np.sin(50 * s.t), np.cos(46 * s.t)]) for s in strokes]
     return [Trajectory(s.t, s.position + amount * size * wave) for s, wave in zip(strokes, waves, strict=True)]
 
 
 def moved(strokes, number, amount):
     step = np.array(amount) * size_of(strokes)
     return [Trajectory(s.t, s.position + (k == number) * step) for k, s in enumerate(strokes)]
+
+
+def shortened(strokes, number, end, part):
+    """A piece of one stroke left out, by the way along it."""
+    return [
+        _part(s, part if end == "start" else 0, 1 if end == "start" else 1 - part) if k == number else s
+        for k, s in enumerate(strokes)
+    ]
+
+
+def _part(stroke, first, last):
+    way = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(stroke.position, axis=0), axis=1))])
+    kept = (way >= first * way[-1]) & (way <= last * way[-1])
+    return Trajectory(stroke.t[kept], stroke.position[kept])
+
+
+def lengthened(strokes, number, part):
+    """One stroke that goes straight on at its end, by a part of its length."""
+    found = list(strokes)
+    stroke = found[number]
+    long = np.linalg.norm(np.diff(stroke.position, axis=0), axis=1).sum()
+    back = stroke.position[-1] - stroke.position[-8]
+    on = stroke.position[-1] + np.linspace(0, 1, 30)[1:, None] * part * long * back / np.linalg.norm(back)
+    t = np.concatenate([stroke.t, stroke.t[-1] + np.arange(1, 30) * 0.002])
+    found[number] = Trajectory(t, np.concatenate([stroke.position, on]))
+    return found
+
+
+def with_size(strokes, number, factor):
+    """One stroke of another size, beginning where it began."""
+    return [
+        Trajectory(s.t, (s.position - s.position[0]) * (factor if k == number else 1) + s.position[0])
+        for k, s in enumerate(strokes)
+    ]
 
 
 def backwards(strokes, number):
