@@ -5,23 +5,19 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from dmp_teach.ink.mapping import centred, linear_map, ratio
 from dmp_teach.ink.matching import Matching, squared, undone
 from dmp_teach.ink.points import features, rms_radius, spread
-from dmp_teach.ink.trimming import Trim, ink_without, line_without, trims
+from dmp_teach.ink.trimming import PLAIN, Line, Trim, ink_without, likely, line_without
 from dmp_teach.trajectory import Array, Trajectory
 
 POINTS = 96  # over all the ink of a letter
-STIFF = 0.005  # how firmly ink that tells nothing of width or lean, as an l, is taken for unchanged
 ROUNDS = 6  # of asking which point is the nearest
 FLAT = 0.01  # ink that is flattened more than this is a line, and no number says how flat
 CRUSHED = 0.2  # a letter of which less is left across its length is not narrow, and does not lean: it is another shape
-PLAIN = 0.0003  # of two fits that are as near, the one that changes the model less
 CLEARLY = 0.6  # a piece is missing or too much if the rest is nearer by this factor than the whole [of the squares] ...
 SEEN = 2e-5  # ... and by this much, a third of a pen's line [squared parts of the letter's size] ...
 ALIKE = 0.04**2  # ... and this near: of another shape no piece is missing [the same]
-
-_Line = tuple[Array, Array]
-"""The points of a pair, laid along each other: the writing's and the model's, each (P, 2)."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -70,7 +66,7 @@ class _Found:
     """A fit: the linear part (2, 2), each pair's shift (N, 2), and the squared distances both ways [m^2]."""
 
     inks: Sequence[_Ink]
-    lines: Sequence[_Line]
+    lines: Sequence[Line]
     linear: Array
     shifts: Array
     far: Sequence[tuple[Array, Array]]
@@ -122,18 +118,18 @@ def fitted(matching: Matching, written: Sequence[Trajectory], model: Sequence[Tr
     )
 
 
-def _laid_over(inks: Sequence[_Ink], lines: Sequence[_Line], size: float, rounds: Sequence[int]) -> _Found:
+def _laid_over(inks: Sequence[_Ink], lines: Sequence[Line], size: float, rounds: Sequence[int]) -> _Found:
     """The best of the fits that begin with the order along the lines (P, 2) or an unchanged model."""
-    mine, yours = (np.stack([_centred(line[side]) for line in lines]) for side in (0, 1))
+    mine, yours = (np.stack([centred(line[side]) for line in lines]) for side in (0, 1))
     scale = ratio(mine, yours)
-    along, plain = _linear(mine.reshape(-1, 2), yours.reshape(-1, 2), scale), scale * np.eye(2)
+    along, plain = linear_map(mine.reshape(-1, 2), yours.reshape(-1, 2), scale), scale * np.eye(2)
     starts = [(start, count) for count in rounds for start in ((along, plain) if count else (along,))]
     tried = [_refined(inks, lines, start, scale, count) for start, count in starts]
     best = min(tried, key=lambda found: found.cost(size))
     return _refined(inks, lines, plain, scale, 0) if _is_crushed(best.linear) else best
 
 
-def _trimmed(matching: Matching, inks: Sequence[_Ink], lines: Sequence[_Line], size: float, whole: _Found) -> _Found:
+def _trimmed(matching: Matching, inks: Sequence[_Ink], lines: Sequence[Line], size: float, whole: _Found) -> _Found:
     """The fit without a piece that one side lacks, if that is clearly nearer than the fit of the `whole`."""
 
     def nearest(tried: Iterable[Trim]) -> _Found | None:
@@ -142,7 +138,7 @@ def _trimmed(matching: Matching, inks: Sequence[_Ink], lines: Sequence[_Line], s
 
     if whole.cost(size) < SEEN:
         return whole
-    best = nearest(trims(matching))
+    best = nearest(likely(matching, lines, size))
     if best is None:
         return whole
     best = min(best, nearest(best.trim.beside()), key=lambda each: each.cost(size))
@@ -150,7 +146,7 @@ def _trimmed(matching: Matching, inks: Sequence[_Ink], lines: Sequence[_Line], s
     return best if near < min(CLEARLY * far, far - SEEN, ALIKE) else whole
 
 
-def _without(matching: Matching, inks: Sequence[_Ink], lines: Sequence[_Line], size: float, trim: Trim) -> _Found:
+def _without(matching: Matching, inks: Sequence[_Ink], lines: Sequence[Line], size: float, trim: Trim) -> _Found:
     """The fit of what is left without a piece."""
     inks, lines = list(inks), list(lines)
     ink, (mine, yours) = inks[trim.pair], lines[trim.pair]
@@ -165,7 +161,7 @@ def _without(matching: Matching, inks: Sequence[_Ink], lines: Sequence[_Line], s
     return replace(_laid_over(inks, lines, size, (0,)), trim=trim)
 
 
-def _gap(line: _Line, trim: Trim, size: float) -> float:
+def _gap(line: Line, trim: Trim, size: float) -> float:
     """How far the end without the piece is from the end with it [parts of the letter's size]."""
     longer = line[1] if trim.missing else line[0]
     end = 0 if trim.first else -1
@@ -180,17 +176,17 @@ def _inks(matching: Matching, written: Sequence[Trajectory], model: Sequence[Tra
     return [_Ink(mine[a] @ back.T, my_way[a] @ back.T, yours[b], your_way[b]) for a, b in masks]
 
 
-def _refined(inks: Sequence[_Ink], lines: Sequence[_Line], linear: Array, scale: float, rounds: int) -> _Found:
+def _refined(inks: Sequence[_Ink], lines: Sequence[Line], linear: Array, scale: float, rounds: int) -> _Found:
     """The fit from a linear part (2, 2) on, after so many rounds of asking which points belong together."""
     shifts = np.array([ink.mine.mean(axis=0) - linear @ ink.yours.mean(axis=0) for ink in inks])
-    unit = scale * rms_radius(_centred(np.concatenate([ink.yours for ink in inks])))
+    unit = scale * rms_radius(centred(np.concatenate([ink.yours for ink in inks])))
     for _ in range(rounds):
         nearest = [_nearest(ink, linear, shift, unit) for ink, shift in zip(inks, shifts, strict=True)]
         pairs = [
             (np.concatenate([ink.mine, ink.mine[back]]), np.concatenate([ink.yours[there], ink.yours]))
             for ink, (there, back) in zip(inks, nearest, strict=True)
         ]
-        linear = _linear(*(np.concatenate([_centred(pair[side]) for pair in pairs]) for side in (0, 1)), scale)
+        linear = linear_map(*(np.concatenate([centred(pair[side]) for pair in pairs]) for side in (0, 1)), scale)
         shifts = np.array([a.mean(axis=0) - linear @ b.mean(axis=0) for a, b in pairs])
     there = [ink.yours @ linear.T + shift for ink, shift in zip(inks, shifts, strict=True)]
     far = [(_off(ink.mine, line), _off(line, ink.mine)) for ink, line in zip(inks, there, strict=True)]
@@ -215,15 +211,6 @@ def _nearest(ink: _Ink, linear: Array, shift: Array, unit: float) -> tuple[np.nd
     return apart.argmin(axis=1), apart.argmin(axis=0)
 
 
-def _linear(mine: Array, yours: Array, scale: float) -> Array:
-    """The matrix (2, 2) that brings centred points `yours` (P, 2) nearest to `mine`."""
-    spread_of, together = yours.T @ yours, mine.T @ yours
-    if not spread_of.any():
-        return scale * np.eye(2)
-    firm = STIFF * np.trace(spread_of) * np.eye(2)
-    return np.linalg.solve(spread_of + firm, (together + scale * firm).T).T
-
-
 def _is_crushed(linear: Array) -> bool:
     """Whether it makes a line of a letter, as for a line where a round letter should be."""
     long, short = np.linalg.svd(linear, compute_uv=False)
@@ -246,18 +233,7 @@ def _read(linear: Array, scale: float) -> tuple[float, float, float, float, floa
     )
 
 
-def ratio(mine: Array, yours: Array) -> float:
-    """How many times as large centred points (..., 2) are; 1 where one side is a dot."""
-    both = float((mine**2).sum()), float((yours**2).sum())
-    return float(np.sqrt(both[0] / both[1])) if min(both) > 0 else 1.0
-
-
 def _rms(far: Sequence[tuple[Array, Array]]) -> float:
     """Root mean square of squared distances both ways, over all pairs [m]."""
     there, back = (np.concatenate([each[side] for each in far]) for side in (0, 1))
     return float(np.sqrt((there.mean() + back.mean()) / 2))
-
-
-def _centred(points: Array) -> Array:
-    """Points (..., 2) about their mean."""
-    return points - points.mean(axis=0)

@@ -12,7 +12,8 @@ import numpy as np
 
 from dmp_teach.ink.distances import letter_distance, procrustes, warped
 from dmp_teach.ink.faults import UNSEEN, Fault, faults
-from dmp_teach.ink.fitting import fitted, ratio
+from dmp_teach.ink.fitting import fitted
+from dmp_teach.ink.mapping import ratio
 from dmp_teach.ink.matching import Matching, matched, squared
 from dmp_teach.ink.movement import Movement, measured
 from dmp_teach.ink.points import spread, strokes_of
