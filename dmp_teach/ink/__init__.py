@@ -16,5 +16,6 @@ Read in this order:
     alphabet        our own letters
     score           how well a letter is written, in a sentence, by
       matching        which stroke is which, whatever their order (`laying`: stroke upon stroke; `points`: evenly along)
-      fitting         size, place and lean; `distances`: shape; `movement`: smoothness; `faults`: what to say first
+      fitting         size, place and lean (`mapping`: by least squares; `trimming`: without a piece that is missing)
+      faults          what to say first; `distances`: shape; `movement`: smoothness
 """

@@ -2,7 +2,7 @@
 
 Read in this order:
 
-    letter      what flows: strokes, a primitive for each; learned, written, kept in a file (`saved`)
+    letter      what flows: strokes, a primitive for each; learned (`learning`), written, kept in a file (`saved`)
     shelf       letters taken apart: every stroke under its name, a `piece` that can be led, moved, turned and cut
     recipes     the table of new letters, a line each (`roles`: which stroke is the bar; `outline`: how that is seen)
     styles      one letter by several writers: blends, principal styles, chance (`alike`: so that weights add up)

@@ -16,6 +16,7 @@ from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import LetterError
 from dmp_teach.ink.points import listed
+from dmp_teach.letters.learning import imitated
 from dmp_teach.letters.piece import Piece
 from dmp_teach.letters.saved import parts_of, to_json
 from dmp_teach.paths import write_whole
@@ -60,13 +61,14 @@ class Letter:
 
         Args:
             recording: A `Recording`, or strokes as trajectories, in the order in which they were written.
-            settings: `Settings.star()` unless given; the same for every stroke.
+            settings: The same for every stroke; None takes `Settings.star()`, and more kernels for a stroke that was
+                written so fast that these draw it visibly otherwise (`letters/learning.py`).
 
         Raises:
             LetterError: There is no stroke in it, or a stroke begins before the one before it has ended.
         """
         strokes = _strokes_of(recording)
-        return cls(strokes, tuple(DMP.imitate(stroke, settings) for stroke in strokes))
+        return cls(strokes, imitated(strokes, settings))
 
     @classmethod
     def compose(cls, pieces: Iterable[Piece], transform: str | None = None) -> Self:

@@ -30,6 +30,36 @@ def test_a_letter_is_written_as_it_was_shown(letter_d):
         assert rms(shown.position, written.position) < 0.3
 
 
+@pytest.mark.parametrize("character", list("aem8"))
+@pytest.mark.parametrize("seconds", [0.25, 0.4, 0.7])
+def test_a_letter_that_was_written_in_a_moment_is_learned_as_finely_as_a_slow_one(character, seconds):
+    """As a pad sees it: 120 points a second at most."""
+    (slow,) = recording_of(character).strokes()
+    t = np.linspace(0, seconds, round(120 * seconds) + 1)
+    quick = Trajectory(
+        t, np.column_stack([np.interp(t / seconds * slow.duration, slow.t - slow.t[0], x) for x in slow.position.T])
+    )
+    size = np.ptp(quick.position, axis=0).max()
+    assert Letter.learn((quick,)).error < 0.02 * size
+    if seconds < 0.5:
+        assert Letter.learn((quick,), Settings.star()).error > 0.02 * size
+
+
+def test_a_letter_of_ordinary_pace_is_learned_with_the_kernels_of_the_preset():
+    for character in "aDm":
+        recording = recording_of(character)
+        for mine, preset in zip(
+            Letter.learn(recording).primitives, Letter.learn(recording, Settings.star()).primitives, strict=True
+        ):
+            assert mine.settings == preset.settings
+
+
+def test_a_scribble_that_no_kernels_follow_is_learned_as_well_as_may_be():
+    t = np.linspace(0, 0.05, 8)
+    zigzag = Trajectory(t, np.column_stack([t, 0.05 * (-1.0) ** np.arange(8)]))
+    assert np.isfinite(Letter.learn((zigzag,)).error)
+
+
 def test_only_the_stroke_whose_goal_moves_is_changed(letter_d):
     before, after = letter_d.write(), letter_d.write(goal_shifts={1: SHIFT})
     assert np.array_equal(before[0].position, after[0].position)
