@@ -17,6 +17,8 @@ WANDER = 0.004  # how far the marker strays from its plane while the pen is down
 LIKELY_SLOPE = 0.3  # papers are rarely steeper than this: what decides where the ink says little
 PRIOR = 0.02  # and how much that counts
 STEEPEST = np.radians(50)  # steeper than this, `up` was wrong
+SUNK = 3.0  # what a share of the samples under the paper costs, beside one that is off it ...
+STEEP = 0.35  # ... and by how much a steep plane must cost less before `up` is doubted
 UNDER = 0.010  # a pen is never this far under the paper [m] ...
 DIVE = 0.10  # ... after it went there as fast as a lift goes up [m/s]: where `up` is wrong, lifts do
 DRAWS = 300
@@ -70,8 +72,9 @@ def find_page(t: Array, points: Array, up: str = "+y", right: str = "-x") -> Pag
     """
     level = level_axes(up, right)
     flat = points @ level
-    plane = _fit(_sheet(_moving(t, flat), level, up))
-    _check_side(t, _frame(level, *plane).of(points)[:, 2], up)
+    moving = _moving(t, flat)
+    _check_side(t, _frame(level, *_fit(_sheet(moving, level))).of(points)[:, 2], up)
+    plane = _fit(_sheet(moving, level, up))
     for _ in range(REFITS):
         plane = _fit(flat[_ink(t, _frame(level, *plane).of(points))])
     return _frame(level, *plane)
@@ -103,8 +106,11 @@ def _ink(t: Array, points: Array) -> Array:
     return np.concatenate([np.arange(a, b) for a, b in find_strokes(t, points)])
 
 
-def _sheet(flat: Array, level: Array, up: str) -> Array:
-    """The moving samples (K, 3) near the plane that most of them are near, and that is not steep without need."""
+def _sheet(flat: Array, level: Array, up: str | None = None) -> Array:
+    """The moving samples (K, 3) near the plane that most of them are near, and that is not steep without need.
+
+    With `up`, a pen is never under its paper; without, the plane may be one that is seen from below.
+    """
     a, b, c = flat[np.random.default_rng(0).integers(0, len(flat), (3, DRAWS))]
     normals = np.cross(b - a, c - a)
     length = np.linalg.norm(normals, axis=1)
@@ -114,18 +120,21 @@ def _sheet(flat: Array, level: Array, up: str) -> Array:
     normals *= np.where(normals[:, 2:] < 0, -1.0, 1.0)
     miss = normals @ flat.T - (normals * points).sum(axis=1)[:, None]
     cost = np.minimum((miss / WANDER) ** 2, 1).mean(axis=1)
+    under, over = ((side > UNDER).mean(axis=1) for side in (-miss, miss))
     flatness = normals[:, 2]
     slope = np.sqrt(1 - np.minimum(flatness, 1) ** 2) / np.maximum(flatness, 1e-9)
-    gentle = flatness > np.cos(STEEPEST)
-    _check_up(cost, gentle, normals @ level.T, up)
-    best = np.argmin(np.where(gentle, cost + PRIOR * (slope / LIKELY_SLOPE) ** 2, np.inf))
+    gentle, sided = flatness > np.cos(STEEPEST), cost if up is None else cost + SUNK * under
+    if up is not None:
+        steep = (cost + SUNK * np.minimum(under, over))[~gentle]
+        _check_up(sided[gentle].min(), steep, normals[~gentle] @ level.T, up)
+    best = np.argmin(np.where(gentle, sided + PRIOR * (slope / LIKELY_SLOPE) ** 2, np.inf))
     return flat[np.abs(miss[best]) < WANDER]
 
 
-def _check_up(cost: Array, gentle: Array, normals: Array, up: str) -> None:
-    """Raise if a steep plane explains the ink that no gentle one does."""
-    if cost[gentle].min() > 0.5 and cost.min() < 0.5 * cost[gentle].min():
-        normal = normals[np.argmin(cost)]
+def _check_up(gentle: float, steep: Array, normals: Array, up: str) -> None:
+    """Raise if one of the steep planes (P,), with these normals (P, 3), explains the ink that no gentle one does."""
+    if len(steep) and steep.min() < gentle - STEEP:
+        normal = normals[np.argmin(steep)]
         tilt = np.degrees(np.arccos(min(1.0, abs(normal @ AXES[up]))))
         axis = "xyz"[int(np.argmax(np.abs(normal)))]
         raise RecordingError(

@@ -30,7 +30,7 @@ STANDS = 0.08  # ... and a height that stands for so long is no flight [s]
 SKIN = 0.0007  # a foot is walked up again while the pen is less than this above it [m]
 IDLE = 0.013  # slower than this a pen of ordinary speed rests [m/s] ...
 STOP = 0.028  # a hand begins slowly and stops at once: under this it has stopped [m/s]
-SLOW = 0.15  # ... and one that is slow, at this share of the stroke's pace
+SLOW = 0.12  # ... and one that is slow, at this share of the pace of its stroke
 FALTERS = 0.6  # ... but a hand that begins in fits and starts has not rested while it goes at this share of either
 HALT = 0.08  # a small move belongs to its stroke if it, with the rest between, is faster than this share of the pace
 REST = 0.02  # so much of a rest between the touch and the first move, or the last move and the lift, is kept [s]
@@ -239,7 +239,7 @@ def _cropped(motion: _Motion, a: int, b: int) -> tuple[int, int]:
     speed, lifts = motion.speed[a:b], (a > 0, b < len(motion.z))
     moves = _moves(motion.z[a:b], speed, motion.dt, lifts)
     last = np.arange(*moves[-1])
-    moving = last[speed[last] > min(STOP, BRISK * _pace(speed))]
+    moving = last[speed[last] > min(STOP, SLOW * _pace(speed))]
     start, end = _begun(motion, a, b, int(moves[0, 0])), int((moving if len(moving) else last)[-1]) + 1
     rests = [round((REST if lift else EDGE) / motion.dt) for lift in lifts]
     start = max(0, start - rests[0]) if lifts[0] or start < rests[0] else start
