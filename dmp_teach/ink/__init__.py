@@ -3,7 +3,8 @@
 Read in this order:
 
     recording       what flows: the pen's way, its clock, its strokes
-    strokes         ... found from the height; `printed_rules`: the paper's way; `cuts`: moved by hand
+    strokes         ... found from the height (`motion`: on an even clock; `writing`: what of it left a line);
+                    `printed_rules`: the paper's way; `cuts`: moved by hand
     reader          a file becomes recordings; what is in it tells which of these reads it:
       capture         motion capture (`motive` reads the table, `plane` finds the paper)
       inkml           digital ink (`inkml_channels`, `inkml_points`, `inkml_times`)

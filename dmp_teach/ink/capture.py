@@ -17,6 +17,7 @@ from dmp_teach.trajectory import Array
 
 SHORT = 0.1  # a gap up to this long is filled with a straight line anywhere; a longer one only off the ink [s]
 FEWEST = 20  # fewer samples are no letter
+DOT = 0.15  # of the lift after a dot so much is kept, and so much again until it is one [s]
 JUMP = 0.004  # a step that is this much longer than its neighbours was no pen ...
 PEN = 8.0  # ... unless the samples are so far apart that a pen could do it [m/s2] ...
 AIR = 50.0  # ... or a hand in the air, or one that knocks on the paper [m/s2]
@@ -32,27 +33,34 @@ def read_motive(data: bytes, name: str, marker: str | None, up: str, right: str)
     _check_size(take, filled.position)
     try:
         position = find_page(filled.t, filled.position, up, right).of(filled.position)
-        strokes = _settled(filled.t, position)
+        strokes, (start, end) = _settled(filled.t, position)
     except RecordingError as error:
         raise RecordingError(f"{take.name}, marker {take.marker!r}: {error}") from None
     _check_gaps(take, strokes)
     _check_jumps(take, filled.position, strokes)
     _check_ink(take, strokes, up)
-    start, end = strokes[0][0], strokes[-1][1]
     ink = np.concatenate([position[a:b] for a, b in strokes])
     position = position - [*ink[:, :2].min(axis=0), np.median(ink[:, 2])]
     character, writer = _labels(take.name)
     return Recording(take.t[start:end], position[start:end], character, writer)
 
 
-def _settled(t: Array, position: Array) -> list[tuple[int, int]]:
-    """The strokes, cut until a recording that begins and ends with them has the same ones."""
-    start, end = 0, len(t)
+def _settled(t: Array, position: Array) -> tuple[list[tuple[int, int]], tuple[int, int]]:
+    """The strokes, and where to cut the take so that a recording which begins and ends there has the same ones.
+
+    It ends with its last stroke; of a dot, which only its two lifts tell from a rest, some of the lift is kept.
+    """
+    end, tail = len(t), 0
+    strokes = list(find_strokes(t, position))
     while True:
-        strokes = [(a + start, b + start) for a, b in find_strokes(t[start:end], position[start:end])]
-        if (strokes[0][0], strokes[-1][1]) == (start, end):
-            return strokes
-        start, end = strokes[0][0], strokes[-1][1]
+        a, b = strokes[0][0], min(end, strokes[-1][1] + tail)
+        again = [(first + a, last + a) for first, last in find_strokes(t[a:b], position[a:b])]
+        if len(again) < len(strokes) and strokes[-1][1] + tail < end:
+            tail += max(1, round(DOT / float(np.median(np.diff(t)))))
+        elif again == strokes:
+            return strokes, (a, b)
+        else:
+            strokes, end = again, b
 
 
 def _seen(take: Take) -> Take:

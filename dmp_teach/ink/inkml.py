@@ -19,9 +19,9 @@ from dmp_teach.ink.inkml_channels import Channel, Contexts, Format
 from dmp_teach.ink.inkml_points import MOST, points_of
 from dmp_teach.ink.inkml_times import one_clock, times_of
 from dmp_teach.ink.markup import local
+from dmp_teach.ink.motion import runs
 from dmp_teach.ink.pace import in_time
 from dmp_teach.ink.recording import Recording
-from dmp_teach.ink.strokes import runs
 from dmp_teach.trajectory import Array, Trajectory
 
 LABELS = ("truth", "label", "character", "symbol", "transcription", "text")

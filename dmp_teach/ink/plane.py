@@ -9,7 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.ink.strokes import find_strokes, runs, smoothed
+from dmp_teach.ink.motion import runs, smoothed
+from dmp_teach.ink.strokes import find_strokes
 from dmp_teach.trajectory import Array
 
 AXES = {sign + axis: s * np.eye(3)[k] for sign, s in (("+", 1.0), ("-", -1.0)) for k, axis in enumerate("xyz")}

@@ -17,7 +17,8 @@ from collections.abc import Callable
 import numpy as np
 
 from dmp_teach.errors import RecordingError, SettingError
-from dmp_teach.ink.strokes import check_thresholds, find_strokes, runs
+from dmp_teach.ink.motion import runs
+from dmp_teach.ink.strokes import check_thresholds, find_strokes
 from dmp_teach.trajectory import Array
 
 Spans = tuple[tuple[int, int], ...]

@@ -134,6 +134,26 @@ def test_a_page_from_below_never_gives_a_letter_of_a_few_samples(tmp_path, lift)
         read_recording(d_file(tmp_path / "D_w07.csv", pen), up="-y")
 
 
+@pytest.mark.parametrize("lift", [0.02, 0.04])
+def test_a_dot_at_the_end_is_kept_though_only_its_lift_tells_it_from_a_rest(tmp_path, lift):
+    """An a with a dot: of a bar and a dot on one line nobody knows where the page is."""
+    pen = Pen().rest(0.5).draw(letter_a()).hop((0.03, 0.06), lift=lift).rest(0.2).fly((0.1, 0.0), lift, 0.3).rest(0.5)
+    t, page = pen.sampled()
+    recording = read_recording(motive(tmp_path / "a_w07.csv", t, lab(page)))
+    assert {len(recording.strokes(theta, sigma)) for theta in (0.08, 0.1) for sigma in (0.003, 0.006, 0.01)} == {2}
+
+
+@pytest.mark.parametrize("lift", [0.03, 0.05])
+@pytest.mark.parametrize("speed", [0.2, 0.3])
+def test_a_small_quick_letter_with_high_lifts_lies_on_its_page(tmp_path, lift, speed):
+    """Most of its way is in the air, and never under the paper."""
+    pen = Pen(speed=speed).rest(0.4).draw(bar(0.4)).hop((0.0, 0.0), lift=lift, seconds=0.5)
+    pen.draw(bowl(0.4)).fly((0.2, 0.05), 0.1, 0.4)
+    recording = read_recording(d_file(tmp_path / "D_w07.csv", pen))
+    assert len(recording.strokes()) == 2
+    assert max(np.ptp(stroke.position, axis=0)[1] for stroke in recording.strokes()) == pytest.approx(0.048, abs=0.003)
+
+
 @pytest.mark.parametrize("path", [None, 5, b"a_w01.csv", ["a_w01.csv"]])
 def test_a_path_is_a_name(path):
     with pytest.raises(RecordingError, match=r"path is .* must be the name of a file"):
