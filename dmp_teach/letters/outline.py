@@ -86,3 +86,25 @@ def crossings(path: Array, height: float) -> Array:
     rise = y[k + 1] - y[k]
     part = np.where(rise == 0, 0.0, (height - y[k]) / np.where(rise == 0, 1.0, rise))
     return path[k, 0] + part * (path[k + 1, 0] - path[k, 0])
+
+
+def row_of(path: Array, place: str) -> int | None:
+    """The sample of a path (T, 2) at a place by its name: one of its ends, or what is outermost; None: no such name."""
+    goes_down = path[-1, 1] < path[0, 1]
+    ends = {"start": 0, "goal": -1, "upper": 0 if goes_down else -1, "lower": -1 if goes_down else 0}
+    if place in ends:
+        return ends[place]
+    outermost = {"top": path[:, 1], "bottom": -path[:, 1], "left": -path[:, 0], "right": path[:, 0]}
+    return int(np.argmax(outermost[place])) if place in outermost else None
+
+
+def across(path: Array, height: float) -> float | None:
+    """Where a path (T, 2) is at a height, or at its end if that is higher or lower by a tenth of it at most."""
+    low, high = path[:, 1].min(), path[:, 1].max()
+    near = min(max(height, low), high)
+    return float(crossings(path, near)[-1]) if abs(near - height) <= 0.1 * (high - low) else None
+
+
+def middle_of(path: Array) -> Array:
+    """The middle of the box around a path (T, 2), shape (2,)."""
+    return (path.min(axis=0) + path.max(axis=0)) / 2

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from dmp_teach.dmp.asked import point
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.errors import LetterError
-from dmp_teach.letters.outline import crossings, cut, nearest
+from dmp_teach.letters.outline import across, crossings, cut, middle_of, nearest, row_of
 from dmp_teach.trajectory import Array, Trajectory, locked, ways
 
 PLACES = ("start", "goal", "upper", "lower", "top", "bottom", "left", "right", "middle")
@@ -182,9 +182,9 @@ class Piece:
         """The stroke turned to the left round the middle of its box; refused beyond a whole turn either way."""
         if isinstance(degrees, bool) or not isinstance(degrees, int | float) or not abs(degrees) <= 360:
             raise LetterError(f"degrees is {degrees!r}, but a stroke can be turned by -360 to 360.")
-        c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
-        turned = self._by(np.array([[c, -s], [s, c]]))
-        return turned.moved(self._middle - turned._middle)
+        turn = np.exp(1j * np.radians(degrees))
+        turned = self._by(np.array([[turn.real, -turn.imag], [turn.imag, turn.real]]))
+        return turned.moved(middle_of(self.drawn.position) - middle_of(turned.drawn.position))
 
     def using(self, transform: str) -> Self:
         """The same weights, led to other ends by another transformation.
@@ -202,16 +202,28 @@ class Piece:
         settings = replace(self.primitive.settings, transform=transform)
         return replace(self, primitive=replace(self.primitive, settings=settings))
 
+    def backwards(self) -> Self:
+        """The stroke as it is now, written from its other end, and learned again."""
+        return self._learned(Trajectory(self.drawn.t, self.drawn.position[::-1]), self.number)
+
+    def part(self, first: int, last: int) -> Self:
+        """The samples `first:last` of the stroke as it was shown, learned again; itself where these are all."""
+        if (first, last) == (0, len(self.shown)):
+            return replace(self, led_to=None)
+        shown = Trajectory(self.shown.t[first:last], self.shown.position[first:last])
+        return self._learned(shown, f"{self.number}b")
+
     def cut(self) -> tuple[Self, ...]:
         """The stroke as it was shown, in parts, cut at its corners and learned again; itself where there is none."""
         parts = cut(self.shown)
         if len(parts) == 1:
             return (replace(self, led_to=None),)
+        return tuple(self._learned(part, f"{self.number}{chr(97 + k)}") for k, part in enumerate(parts))
+
+    def _learned(self, shown: Trajectory, number: str) -> Self:
+        """Another demonstration, learned as finely as this one."""
         settings = replace(self.primitive.settings, n_kernels=None, alpha=None)
-        return tuple(
-            Piece(DMP.imitate(part, settings), part, self.character, f"{self.number}{chr(97 + k)}", self.writer)
-            for k, part in enumerate(parts)
-        )
+        return type(self)(DMP.imitate(shown, settings), shown, self.character, number, self.writer)
 
     def follows(self, before: "Piece") -> bool:
         """Whether this was written next after `before`, in the same letter by the same hand."""
@@ -225,22 +237,12 @@ class Piece:
         writer = "" if self.writer is None else f" by {self.writer}"
         return f"Piece({self.name}{writer}, {len(self.primitive.weights)} kernels)"
 
-    @property
-    def _middle(self) -> Array:
-        path = self.drawn.position
-        return (path.min(axis=0) + path.max(axis=0)) / 2
-
     def _row(self, place: str) -> int:
         """The sample of a place that has a name."""
-        path = self.drawn.position
-        goes_down = path[-1, 1] < path[0, 1]
-        ends = {"start": 0, "goal": -1, "upper": 0 if goes_down else -1, "lower": -1 if goes_down else 0}
-        if place in ends:
-            return ends[place]
-        outermost = {"top": path[:, 1], "bottom": -path[:, 1], "left": -path[:, 0], "right": path[:, 0]}
-        if place not in outermost:
+        row = row_of(self.drawn.position, place)
+        if row is None:
             raise LetterError(f"There is no place {place!r} on a stroke; give a part from 0 to 1, or {_list(PLACES)}.")
-        return int(np.argmax(outermost[place]))
+        return row
 
     def _from(self, start: Array) -> Self:
         """Another start, the goal where it was."""
@@ -276,15 +278,15 @@ def _must_be_piece(other: object) -> None:
 
 
 def _across(piece: Piece, height: float) -> float:
-    """Where a stroke is at a height, or at its end if that is higher or lower by a tenth of the stroke at most [m]."""
-    low, high = piece.at("bottom")[1], piece.at("top")[1]
-    near = min(max(height, low), high)
-    if abs(near - height) > 0.1 * (high - low):
+    """Where a stroke is at a height, or at its end if that is a little higher or lower [m]."""
+    found = across(piece.drawn.position, height)
+    if found is None:
+        low, high = (1000 * piece.at(end)[1] for end in ("bottom", "top"))
         raise LetterError(
-            f"{piece.name} is from {1000 * low:.0f} to {1000 * high:.0f} mm high, and nothing can be slid to it at "
+            f"{piece.name} is from {low:.0f} to {high:.0f} mm high, and nothing can be slid to it at "
             f"{1000 * height:.0f} mm: put it there first."
         )
-    return float(crossings(piece.drawn.position, near)[-1])
+    return found
 
 
 def _counted(number: str) -> tuple[int, int]:

@@ -10,6 +10,9 @@ role (`roles.ROLES`) and what is done with it, in words:
     size F               it is made F times as large, its lowest point staying
     tall F of N          it is made F times as tall as stroke N
     turn DEGREES         it is turned to the left about its middle
+    back                 it is written from its other end
+    alike                it is led by turning and scaling it (a similarity), unless all strokes are led in one way
+    last                 it is written after all others
 
 A SPOT is a stroke of the new letter, counted from 1, and a place on it: 1:bottom, or 1:0.5 for half of its height.
 2:right/1:bottom is as far right as the one and as high as the other. Of several lines for a letter the first is taken
@@ -31,22 +34,22 @@ from dmp_teach.trajectory import Array
 TABLE = """
 P   D bar, D bowl lead lower to 1:0.5
 P   B bar, B upper lead lower to 1:0.5
-R   D bar, D bowl lead lower to 1:0.5, D bar lead upper to 1:0.5 lead lower to 2:right/1:bottom
-R   P bar, P bowl, P bar lead upper to 1:0.5 lead lower to 2:right/1:bottom
-B   D bar, D bowl lead lower to 1:0.5, D bowl lead upper to 1:0.5
+R   D bar, D bowl lead lower to 1:0.5, D bar alike lead upper to 1:0.5 lead lower to 2:right/1:bottom
+R   P bar, P bowl, P bar alike lead upper to 1:0.5 lead lower to 2:right/1:bottom
+B   D bar, D bowl alike lead lower to 1:0.5, D bowl alike lead upper to 1:0.5
 3   B upper, B lower
 b   D bar, o all slide left to 1
-b   l all, o all slide left to 1
+b   l down, o all slide left to 1
 d   o all, D bar meet 1:right
-d   o all, l all meet 1:right
+d   o all, l down meet 1:right
 d   a left, D bar tall 1.9 of 1 put lower at 1:right/1:bottom meet 1:right
-p   o all, D bar put upper at 1:left/1:top meet 1:left
-p   o all, l all put top at 1:left/1:top meet 1:left
+p   o all last, D bar put upper at 1:left/1:top meet 1:left
+p   o all last, l down put upper at 1:left/1:top meet 1:left
 q   o all, D bar put upper at 1:right/1:top meet 1:right
-q   o all, l all put top at 1:right/1:top meet 1:right
+q   o all, l down put upper at 1:right/1:top meet 1:right
 a   o all, i stem meet 1:right
 g   o all, j stem meet 1:right
-h   l all, n right slide left to 1
+h   l down, n right slide left to 1
 h   D bar, n right slide left to 1
 n   m left, m right put start at 1:lower
 m   n left, n right, n right put start at 2:0.4/2:start
@@ -55,16 +58,16 @@ w   v all, v all put left at 1:right
 W   V all, V all put left at 1:right
 M   F bar, V all put start at 1:top, F bar put upper at 2:right/1:top
 N   F bar, V left put upper at 1:top, F bar put lower at 2:lower
-A   V all turn 180, F middle put left at 1:0.35
-T   F top, F bar put upper at 1:middle
-H   F bar, F middle, F bar put lower at 2:right/1:bottom meet 2:right
+A   V all turn 180 back, F middle put right at 1:0.35
+T   F top last, F bar put upper at 1:middle
+H   F bar, F middle last, F bar put lower at 2:right/1:bottom meet 2:right
 E   F bar, F top, F middle, F top put left at 1:bottom
 F   E bar, E top, E middle
 L   E bar, E bottom
 Q   O all, D bar size 0.28 turn 50 put middle at 1:0.1
 8   0 all size 0.5, 0 all size 0.48 put bottom at 1:top
-9   6 all turn 180
-6   9 all turn 180
+9   6 all turn 180 back
+6   9 all turn 180 back
 C   c all size 1.9
 """
 """Every recipe: the letter, then its strokes."""
@@ -79,6 +82,7 @@ _STEPS = (
     (re.compile(rf"size ({_NUMBER})"), lambda piece, done, factor: piece.scaled(float(factor))),
     (re.compile(rf"tall ({_NUMBER}) of (\d+)"), lambda piece, done, f, n: piece.scaled(_taller(piece, f, n, done))),
     (re.compile(rf"turn ({_NUMBER})"), lambda piece, done, degrees: piece.turned(float(degrees))),
+    (re.compile(r"back\b"), lambda piece, done: piece.backwards()),
 )
 
 
@@ -131,19 +135,26 @@ def cooked(recipe: str, shelf: Shelf, transform: str | None = None) -> tuple[Pie
         LetterError: A word that the recipe should not have, or a letter that lacks a stroke; says which.
     """
     done: list[Piece] = []
+    late: list[int] = []
     for item in recipe.split(","):
         words = item.split()
         if len(words) < 2:
             raise LetterError(f"A stroke of a recipe is a letter and a role, such as 'D bar', but this is {item!r}.")
         letter, role = words[:2]
-        pieces = strokes_in_role(role, shelf[letter])
-        if transform is not None:
-            pieces = tuple(piece.using(transform) for piece in pieces)
-        rest = " ".join(words[2:])
+        pieces = _led_by(strokes_in_role(role, shelf[letter]), transform, "alike" in words)
+        rest = " ".join(word for word in words[2:] if word not in ("alike", "last"))
         if len(pieces) > 1 and rest:
             raise LetterError(f"{letter!r} has {len(pieces)} strokes, but {rest!r} is for one; name it by its role.")
+        late += [len(done) + k for k in range(len(pieces)) if "last" in words]
         done += [_placed(piece, rest, done) for piece in pieces]
-    return tuple(done)
+    return tuple(done[k] for k in sorted(range(len(done)), key=lambda k: k in late))
+
+
+def _led_by(pieces: tuple[Piece, ...], transform: str | None, alike: bool) -> tuple[Piece, ...]:
+    """The strokes as they are led: all in the one way that is asked for, or `alike` as the recipe has it."""
+    if transform is None and (not alike or pieces[0].primitive.settings.transform == "original"):
+        return pieces
+    return tuple(piece.using(transform or "similarity") for piece in pieces)
 
 
 def _placed(piece: Piece, words: str, done: list[Piece]) -> Piece:
@@ -158,7 +169,7 @@ def _placed(piece: Piece, words: str, done: list[Piece]) -> Piece:
         else:
             raise LetterError(
                 f"A recipe cannot {words!r}; it can: lead END to SPOT, put PLACE at SPOT, slide PLACE to N, meet SPOT, "
-                "size F, tall F of N, turn DEGREES."
+                "size F, tall F of N, turn DEGREES, back, alike, last."
             )
     return piece
 

@@ -14,6 +14,7 @@ STRAIGHT = 0.9
 
 CROOKED = 0.8  # not even beside a bowl is it a bar if it is not straighter than this ...
 CLEARLY = 0.1  # ... and straighter than the bowl by this
+FEWEST = 4  # samples of what leads down
 
 Pieces = tuple[Piece, ...]
 
@@ -24,6 +25,14 @@ def _all(strokes: Pieces) -> Pieces:
 
 def _stem(strokes: Pieces) -> Pieces:
     return (max(strokes, key=_length),)
+
+
+def _down(strokes: Pieces) -> Pieces:
+    (stem,) = _stem(strokes)
+    path = stem.shown.position
+    top = int(np.argmax(path[:, 1]))
+    bottom = top + int(np.argmin(path[top:, 1]))
+    return (stem.part(top, bottom + 1),) if bottom - top >= FEWEST else ()
 
 
 def _dot(strokes: Pieces) -> Pieces:
@@ -70,6 +79,7 @@ def _bottom(strokes: Pieces) -> Pieces:
 ROLES: dict[str, tuple[Callable[[Pieces], Pieces], str]] = {
     "all": (_all, "every stroke"),
     "stem": (_stem, "the longest stroke: an i without its dot"),
+    "down": (_down, "what leads down from the top of the longest stroke: an l without its loop and its hook"),
     "dot": (_dot, "the shortest of several strokes"),
     "bar": (_bar, "a straight stroke that leads up or down, beside a bowl"),
     "bowl": (_bowl, "the bowl beside a bar"),

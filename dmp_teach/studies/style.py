@@ -24,7 +24,7 @@ STEPS = 39  # between points at equal ways along a stroke
 VARIATIONS = 20
 FAR = 0.1  # how far starts and goals vary, one standard deviation in each direction, in parts of the stroke's size
 WAYS = {
-    "DMP*": (Settings.star(), None),
+    "DMP*": (Settings.star(), "star"),
     "similarity": (Settings.star(), "similarity"),
     "original": (Settings.original(), None),
 }
@@ -121,7 +121,8 @@ def directions(path: Array) -> Array:
 def _bowls(letters: Sequence[Written], variations: int, executor: Executor | None, progress: Progress | None) -> list:
     """Every bowl that a recipe leads, as far as two writers or more have it."""
     takes = takes_of(letters)
-    hows = dict.fromkeys(",".join(how.split(",")[: number + 1]) for _, how in recipes() for number in _led(how))
+    table = [how.replace(" alike", "") for _, how in recipes()]  # every way is asked for by name
+    hows = dict.fromkeys(",".join(how.split(",")[: number + 1]) for how in table for number in _led(how))
     made = run(_made, [(take, tuple(hows), variations) for _, take in takes], executor, progress)
     found = []
     for bowl in zip(*made, strict=True):
