@@ -71,12 +71,16 @@ class Style:
             same_size: Whether all letters are made equally large first; else size is a part of the style.
 
         Raises:
-            LetterError: Fewer than two letters, or letters that are not made of the same strokes.
+            LetterError: Fewer than two letters, recordings that say they are different letters, or letters that are
+                not made of the same strokes.
             SettingError: The original transformation.
         """
         if not isinstance(letters, Iterable):
             raise LetterError(f"A style is learned from letters, but got {letters!r}; give a list of recordings.")
         given = list(letters)
+        characters = dict.fromkeys(repr(each.character) for each in given if getattr(each, "character", None))
+        if len(characters) > 1:
+            raise LetterError(f"A style is of one letter, but these are {', '.join(characters)}; give one character's.")
         writers = tuple(getattr(each, "writer", None) or str(n) for n, each in enumerate(given, start=1))
         if len(set(writers)) < len(writers):
             writers = tuple(f"{writer}.{n}" for n, writer in enumerate(writers, start=1))

@@ -225,3 +225,8 @@ def test_a_point_that_is_none_is_refused(style):
 def test_the_original_transformation_cannot_be_blended():
     with pytest.raises(SettingError, match="cannot be blended with transform='original'"):
         Style.of([recording_of("a"), recording_of("a", "slanted")], Settings.original())
+
+
+def test_a_style_is_of_one_letter():
+    with pytest.raises(LetterError, match="of one letter, but these are 'D', 'P'; give one character's"):
+        Style.of([recording_of("D"), recording_of("P")])
