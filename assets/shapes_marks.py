@@ -8,8 +8,9 @@ from unicodedata import normalize
 
 from letter_curves import E, Letter, N, S, W
 
-ACCENTED = "áàâãäåçéèêëíìîïñóòôõöúùûüÁÀÄÅÇÉÈÊÍÑÓÖÚÜ"
-"""All that German, French, Spanish, Portuguese, Italian and Swedish want of small letters, and their usual capitals."""
+SMALL = "áàâãäåçéèêëíìîïñóòôõöúùûüÿ"
+ACCENTED = SMALL + SMALL.upper()
+"""All that German, French, Spanish, Portuguese, Italian and Swedish want of small letters, and the capital of each."""
 
 # fmt: off
 MARKS: dict[str, Letter] = {
@@ -31,6 +32,7 @@ OVER = {  # where the middle of the mark is, in the round hand and in the slante
     "n": (0.43, 0.46),
     "o": (0.47, 0.50),
     "u": (0.43, 0.50),
+    "y": (0.43, 0.50),
     "A": (0.72, 0.88),
     "C": (0.74, 0.60),
     "E": (0.47, 0.54),
@@ -38,6 +40,7 @@ OVER = {  # where the middle of the mark is, in the round hand and in the slante
     "N": (0.66, 0.80),
     "O": (0.76, 0.80),
     "U": (0.60, 0.64),
+    "Y": (0.62, 0.60),
 }
 # fmt: on
 BELOW = "\N{COMBINING CEDILLA}"

@@ -1,9 +1,18 @@
-"""Punctuation, the same for both hands; dots are drawn as that of an i is.
+"""Punctuation and the signs of sums, the same for both hands; dots are drawn as that of an i is.
 
 Units and headings as in `letter_curves.py`; headings E, N, W, S are right, up, left, down.
 """
 
 from letter_curves import E, Letter, S
+
+TURNED_TOP = 1.00  # of a sign that stands on its head: its dot is where a small letter ends, its foot hangs below
+
+
+def on_its_head(sign: Letter, wide: float) -> Letter:
+    """A sign after half a turn, lower, each stroke still written from its top; `wide` is the sum of its sides."""
+    high = TURNED_TOP + min(point[1] for stroke in sign for point in stroke)
+    return [[(wide - x, high - y, *headings[::-1]) for x, y, *headings in reversed(stroke)] for stroke in sign]
+
 
 # fmt: off
 SIGNS: dict[str, Letter] = {
@@ -45,5 +54,25 @@ SIGNS: dict[str, Letter] = {
     ")": [
         [(0.03, 1.96), (0.40, 0.86, S), (0.03, -0.24)],
     ],
+    "«": [
+        [(0.36, 0.84), (0.19, 0.67), (0.02, 0.50, None, None), (0.19, 0.33), (0.36, 0.16)],
+        [(0.72, 0.84), (0.55, 0.67), (0.38, 0.50, None, None), (0.55, 0.33), (0.72, 0.16)],
+    ],
+    "»": [
+        [(0.02, 0.84), (0.19, 0.67), (0.36, 0.50, None, None), (0.19, 0.33), (0.02, 0.16)],
+        [(0.38, 0.84), (0.55, 0.67), (0.72, 0.50, None, None), (0.55, 0.33), (0.38, 0.16)],
+    ],
+    "+": [
+        [(0.02, 0.85), (0.38, 0.86), (0.74, 0.86)],
+        [(0.38, 1.22), (0.38, 0.86), (0.37, 0.50)],
+    ],
+    "=": [
+        [(0.02, 1.04), (0.36, 1.05), (0.70, 1.05)],
+        [(0.02, 0.66), (0.36, 0.67), (0.70, 0.67)],
+    ],
+    "/": [
+        [(0.66, 1.96), (0.34, 0.86), (0.02, -0.24)],
+    ],
 }
+SIGNS |= {"¿": on_its_head(SIGNS["?"], 0.77), "¡": on_its_head(SIGNS["!"], 0.11)}
 # fmt: on

@@ -11,7 +11,7 @@ from dmp_teach.paths import ASSETS
 FOLDER = ASSETS / "alphabets"
 DEFAULT = "round"
 KINDS = ("small", "capital", "digit")
-SIGNS = ".,;:!?'\"-()"
+SIGNS = ".,;:!?'\"-()¿¡«»+=/"
 
 
 def alphabets() -> tuple[str, ...]:
@@ -40,7 +40,7 @@ def characters(alphabet: str | None = None) -> tuple[str, ...]:
 
 
 def signs(alphabet: str | None = None) -> tuple[str, ...]:
-    """The punctuation of an alphabet, from the full stop to the brackets: `recording_of` and `word` know it, too.
+    """The signs of an alphabet, from the full stop to the slash: `recording_of` and `word` know them, too.
 
     Args:
         alphabet: One of `alphabets()`; None is the first.

@@ -17,8 +17,13 @@ from dmp_teach.letters.meeting import body_and_marks, can_arrive, can_leave
 from dmp_teach.letters.spacing import Strokes, distance, distance_to_sign, linked_distance
 from dmp_teach.trajectory import Trajectory
 
-PRINTED, TYPED = "\u2018\u2019\u201a\u201c\u201d\u201e\u2013\u2014", "'''\"\"\"--"
-PLAIN = str.maketrans(PRINTED, TYPED)  # the quotation marks and dashes of print, as they are written here
+PRINTED, TYPED = "\u2018\u2019\u201a\u201c\u201d\u201e\u2013\u2014\u2212", "'''\"\"\"---"
+PLAIN = str.maketrans({**dict(zip(PRINTED, TYPED, strict=True)), "\u2026": "..."})  # print, as it is written here
+
+
+def plain(text: str) -> str:
+    """A text as it is written: accents upon their letters, quotation marks, dashes and the ellipsis made plain."""
+    return normalize("NFC", text).translate(PLAIN)
 
 
 @dataclass(frozen=True)
@@ -59,7 +64,7 @@ class Hand:
 
     def word(self, text: str, joined: bool) -> Strokes:
         """The strokes of one word in the size of the alphabet, from x = 0 on, each on the clock of its letter."""
-        text = normalize("NFC", text).translate(PLAIN)
+        text = plain(text)
         glyphs = [self.glyph(character) for character in text]
         bodies = [body_and_marks(character, glyph)[0] for character, glyph in zip(text, glyphs, strict=True)]
         links = [joined and self._links(*pair) for pair in pairwise(zip(text, bodies, strict=True))]

@@ -10,7 +10,7 @@ import numpy as np
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import LetterError
 from dmp_teach.ink.alphabet import SIGNS
-from dmp_teach.letters.hand import Hand
+from dmp_teach.letters.hand import Hand, plain
 from dmp_teach.letters.spacing import Strokes, distance
 from dmp_teach.letters.words import TEMPO, Text, placed
 from dmp_teach.trajectory import Array
@@ -66,7 +66,7 @@ def lines(
     for name, value in sizes.items():
         if isinstance(value, bool) or not isinstance(value, int | float) or not 0 <= value <= 10:
             raise LetterError(f"{name} is {value!r}, but must be a length from 0 to 10 m.")
-    hand = Hand.of(alphabet, letters, settings)
+    hand, text = Hand.of(alphabet, letters, settings), plain(text)
     hand.scale(x_height)
     kept = {each: hand.word(each, joined) for each in dict.fromkeys(text.split())}
     sheet = _Sheet(hand.x_height, kept, text, (width - 2 * margin, height - 2 * margin), pitch)

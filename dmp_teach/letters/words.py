@@ -59,7 +59,8 @@ def word(
         duration = duration in the alphabet's size * (x_height / x_height of the alphabet)^tempo
 
     Args:
-        text: Letters, digits and punctuation, without a space; the quotation marks and dashes of print are made plain.
+        text: Letters, digits and signs, without a space; the quotation marks, dashes and ellipsis of print are made
+            plain.
         alphabet: One of `alphabets()`; None is the first.
         joined: Whether the pen stays on the paper from one small letter to the next where the one ends on its right;
             dots, crosses and accents then follow after the word, from left to right, as in school.

@@ -10,6 +10,7 @@ from unicodedata import normalize
 
 import numpy as np
 import pytest
+from scipy.spatial import cKDTree
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.ink import alphabet
@@ -20,11 +21,18 @@ from dmp_teach.paths import ASSETS
 EVERY = [(name, letter) for name in alphabets() for letter in characters(name)]
 PUNCTUATION = [(name, sign) for name in alphabets() for sign in signs(name)]
 STROKES = (  # how many strokes a letter has in the round hand, and in the slanted one; one where nothing is said
-    dict.fromkeys("fijtx457BDKMNPQRTXYkœ", 2) | dict.fromkeys("AFHI", 3) | {"E": 4},
-    dict.fromkeys("fijtx457ABDGKPQRTXYœ", 2) | dict.fromkeys("EFHI", 3),
+    dict.fromkeys("fijtx457BDKMNPQRTXYkæœ", 2) | dict.fromkeys("AFHI", 3) | {"E": 4, "Æ": 5, "Œ": 5},
+    dict.fromkeys("fijtx457ABDGKPQRTXYæœ", 2) | dict.fromkeys("EFHI", 3) | dict.fromkeys("ÆŒ", 4),
 )
 DIAERESIS, CEDILLA = "\u0308", "\u0327"
-GERMAN, FRENCH, SPANISH = "äöüÄÖÜß", "éèêëàâçîïôûùœÉÈÊÀÇ", "áéíñóúüÁÉÍÑÓÚÜ"
+LANGUAGES = {  # what each wants beside a to z
+    "German": "äöüß",
+    "French": "àâæçéèêëîïôœùûüÿ",
+    "Spanish": "áéíñóúü",
+    "Portuguese": "áàâãçéêíóôõú",
+    "Italian": "àèéìíîòóùú",
+    "Swedish": "åäö",
+}
 every_sign = pytest.mark.parametrize(("name", "sign"), PUNCTUATION)
 every_letter = pytest.mark.parametrize(("name", "letter"), EVERY, ids=["-".join(pair) for pair in EVERY])
 
@@ -72,15 +80,24 @@ def motion(recording):
     return velocity, np.gradient(velocity, recording.t, axis=0)
 
 
-def test_two_writers_have_all_62_letters_and_then_accents_for_three_languages():
+def test_two_writers_have_all_62_letters_and_then_accents_for_six_languages():
     assert alphabets() == ("round", "slanted")
     for name in alphabets():
         plain, accented = characters(name)[:62], characters(name)[62:]
         assert "".join(plain) == ascii_lowercase + ascii_uppercase + digits
-        assert set(GERMAN + FRENCH + SPANISH) <= set(accented)
+        assert set("".join(LANGUAGES.values())) <= set(accented)
+        assert len(accented) == 57
         assert not any(map(str.isascii, accented))
         assert "".join(accented) == "".join(sorted(accented, key=lambda letter: (letter.isupper(), letter)))
     assert len({recording_of("a", name).writer for name in alphabets()}) == 2
+
+
+@pytest.mark.parametrize("name", alphabets())
+def test_every_small_letter_has_its_capital_and_every_capital_its_small_letter(name):
+    """But ß, whose capital is SS."""
+    every = set(characters(name)) - set(digits)
+    assert {letter.upper() for letter in every} - {"SS"} == {letter for letter in every if letter.isupper()}
+    assert {letter.lower() for letter in every} | {"ß"} == {letter for letter in every if letter.islower()}
 
 
 def test_the_first_alphabet_is_taken_unless_another_is_named():
@@ -101,7 +118,7 @@ def test_every_letter_is_a_recording_at_120_hz_that_stands_on_its_line(name, let
     assert width < 0.15
     lowest = recording.position[:, 1].min()
     below = (letter == "Q" or CEDILLA in normalize("NFD", letter)) and -0.04 < lowest < -0.005
-    assert -0.005 < lowest < 0.005 or (letter in "fgjpqyz" and -0.08 < lowest < -0.03) or below
+    assert -0.005 < lowest < 0.005 or (normalize("NFD", letter)[0] in "fgjpqyz" and -0.08 < lowest < -0.03) or below
 
 
 @every_letter
@@ -209,7 +226,7 @@ def test_every_stem_of_a_hand_leans_alike():
 
 def test_signs_stand_beside_the_letters_and_not_among_them():
     for name in alphabets():
-        assert "".join(signs(name)) == SIGNS == ".,;:!?'\"-()"
+        assert "".join(signs(name)) == SIGNS == ".,;:!?'\"-()¿¡«»+=/"
         assert not set(SIGNS) & set(characters(name))
 
 
@@ -220,7 +237,7 @@ def test_every_sign_is_a_recording_that_is_found_stroke_by_stroke_and_learned(na
     assert recording.baseline == 0.0
     np.testing.assert_allclose(np.diff(recording.t), 1 / 120, atol=2e-6)
     strokes = recording.strokes()
-    assert len(strokes) == len(spans) == (2 if sign in ';:!?"' else 1)
+    assert len(strokes) == len(spans) == (2 if sign in ';:!?"¿¡«»+=' else 1)
     for stroke, (begin, end) in zip(strokes, spans, strict=True):
         assert abs(stroke.t[0] - begin) < 0.05
         assert abs(stroke.t[-1] - end) < 0.05
@@ -230,15 +247,30 @@ def test_every_sign_is_a_recording_that_is_found_stroke_by_stroke_and_learned(na
 
 @every_sign
 def test_a_sign_is_at_its_height(name, sign):
-    """Dots and commas at the line, a hyphen in the middle, apostrophes at the top of stems, brackets over all."""
+    """Dots and commas at the line, a hyphen in the middle, apostrophes at the top of stems, brackets over all.
+
+    Signs on their heads begin where a small letter ends, and hang as deep as a g.
+    """
     ink = ink_of(recording_of(sign, name))[:, 1] / script().ALPHABETS[name][0].size
     low, high = {
         **dict.fromkeys(".", (0, 0.1)), **dict.fromkeys(",", (-0.25, 0.1)), **dict.fromkeys(";", (-0.25, 0.7)),
         **dict.fromkeys(":", (0, 0.7)), **dict.fromkeys("!?", (0, 1.85)), **dict.fromkeys("'\"", (1.55, 1.9)),
-        "-": (0.5, 0.5), **dict.fromkeys("()", (-0.25, 1.95)),
+        "-": (0.5, 0.5), **dict.fromkeys("()/", (-0.25, 1.95)), **dict.fromkeys("¿¡", (-0.84, 1.0)),
+        **dict.fromkeys("«»", (0.17, 0.84)), "+": (0.5, 1.22), "=": (0.66, 1.05),
     }[sign]  # fmt: skip
     assert ink.min() == pytest.approx(low, abs=0.06)
     assert ink.max() == pytest.approx(high, abs=0.06)
+
+
+@pytest.mark.parametrize("name", alphabets())
+@pytest.mark.parametrize(("sign", "usual"), ["¿?", "¡!", "»«", ")("])
+def test_half_a_turn_makes_one_sign_of_another(name, sign, usual):
+    """About the middle of its box, to what a hand wobbles; each stroke still begins at its top."""
+    turned, other = recording_of(sign, name), recording_of(usual, name)
+    size = script().ALPHABETS[name][0].size
+    here, there = (ink - (ink.min(axis=0) + ink.max(axis=0)) / 2 for ink in (ink_of(turned), -ink_of(other)))
+    assert cKDTree(here).query(there)[0].max() < 0.08 * size
+    assert all(stroke.position[0, 1] > stroke.position[-1, 1] - 0.5 * size for stroke in turned.strokes())
 
 
 @every_letter
@@ -323,6 +355,6 @@ def test_file_names_differ_even_where_capitals_do_not_count():
     assert all(map(str.isascii, names))
     assert (file_name("a"), file_name("Ä")) == ("small_a.json", "capital_u00c4.json")
     assert file_name(".") == "sign_full_stop.json"
-    for letter in ("ab", "", "/", "..", "\u2019", "\u0308", 3, None):
+    for letter in ("ab", "", "%", "..", "\u2019", "\u0308", 3, None):
         with pytest.raises(RecordingError, match="must be one letter or digit"):
             file_name(letter)

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from scipy.spatial import procrustes as disparity
 
 from dmp_teach.errors import LetterError
-from dmp_teach.ink.alphabet import alphabets, recording_of
+from dmp_teach.ink.alphabet import alphabets, characters, recording_of
 from dmp_teach.ink.distances import letter_distance, letter_distances, procrustes, warped
 from dmp_teach.ink.reader import read_recording
 from dmp_teach.trajectory import Trajectory
@@ -83,6 +83,17 @@ def test_a_letter_of_one_hand_is_nearest_to_the_same_letter_of_the_other():
         strange = [pair for pair in wrong if not any(set(pair) <= twins for twins in TWINS)]
         assert len(wrong) <= 16, wrong  # nothing of size counts: p and P, o and 0 are twins
         assert len(strange) <= 6, strange
+
+
+@pytest.mark.parametrize(("kind", "most"), [(str.islower, 3), (str.isupper, 8)])
+def test_letters_with_accents_are_read_across_hands_as_those_without(kind, most):
+    """Small letters, and capitals, the plain ones beside them: a U of the one hand and an O of the other look alike."""
+    every = [letter for letter in characters() if kind(letter)]
+    one, other = ([strokes(letter, alphabet) for letter in every] for alphabet in alphabets())
+    found = letter_distances(one, other)
+    for nearest in (found.argmin(axis=1), found.argmin(axis=0)):
+        wrong = [(every[k], every[near]) for k, near in enumerate(nearest) if k != near]
+        assert len(wrong) <= most, wrong
 
 
 @needs_recordings

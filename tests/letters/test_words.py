@@ -13,7 +13,7 @@ from scipy.spatial import cKDTree
 from dmp_teach.errors import LetterError, RecordingError
 from dmp_teach.ink.alphabet import SIGNS, alphabets, characters, recording_of
 from dmp_teach.letters import words
-from dmp_teach.letters.hand import Hand
+from dmp_teach.letters.hand import Hand, plain
 from dmp_teach.letters.letter import Letter
 from dmp_teach.letters.lines import lines
 from dmp_teach.letters.linking import linked
@@ -106,11 +106,41 @@ def test_dots_and_crosses_come_before_the_sign_that_follows():
 
 @pytest.mark.parametrize(
     ("printed", "plain"),
-    [("don\u2019t", "don't"), ("\u201cja\u201d", '"ja"'), ("a\u2013b", "a-b"), ("scho\u0308n", "sch\u00f6n")],
+    [
+        ("don\u2019t", "don't"),
+        ("\u201cja\u201d", '"ja"'),
+        ("a\u2013b", "a-b"),
+        ("scho\u0308n", "sch\u00f6n"),
+        ("wait\u2026", "wait..."),
+        ("3\u22122", "3-2"),
+    ],
 )
 def test_print_and_parted_accents_are_written_plainly(printed, plain):
     for one, other in zip(word(printed), word(plain), strict=True):
         np.testing.assert_array_equal(one.position, other.position)
+
+
+def test_a_line_spaces_print_as_what_is_written_for_it():
+    for printed, typed in (("so\u2026 yes", "so... yes"), ("\u201cno\u201d \u2014 no", '"no" - no')):
+        for one, other in zip(lines(printed), lines(typed), strict=True):
+            np.testing.assert_array_equal(one.position, other.position)
+
+
+SPELT = ("¿Qué?", "¡Hola!", "NÃO", "LÕES", "Œuvre", "NOËL", "Île", "Ægir", "L\u2019Haÿ-les-Roses", "ALTÉRATION")
+SPELT += ("ÙLTIMO", "2+2=4", "3/4", "wait\u2026", "«ça»", "déjà!", "œæœ")
+
+
+@pytest.mark.parametrize("name", alphabets())
+@pytest.mark.parametrize("text", SPELT)
+def test_every_language_that_we_have_letters_for_is_written(name, text):
+    """Letter by letter; joined, in no more strokes, as high and as deep as its letters."""
+    apart, joined = word(text, name), word(text, name, joined=True)
+    glyphs = [HANDS[name].glyph(character) for character in plain(text)]
+    assert len(joined) <= len(apart) == sum(map(len, glyphs))
+    size = HANDS[name].x_height
+    for ink in (apart, joined):
+        assert points(ink)[:, 1].max() == pytest.approx(points(sum(glyphs, ()))[:, 1].max(), abs=0.05 * size)
+        assert points(ink)[:, 1].min() == pytest.approx(points(sum(glyphs, ()))[:, 1].min(), abs=0.05 * size)
 
 
 @cache
