@@ -33,10 +33,12 @@ class Hand:
     Args:
         glyph: The strokes of a character [m].
         x_height: Of those letters [m].
+        lean: Of their stems, x gained for each y.
     """
 
     glyph: Callable[[str], Strokes]
     x_height: float
+    lean: float
 
     @classmethod
     def of(cls, alphabet: str | None, letters: Mapping[str, Any] | None, settings: Settings | None) -> Self:
@@ -52,7 +54,9 @@ class Hand:
             return kept[character]
 
         top = max(float(stroke.position[:, 1].max()) for stroke in _model("x", name, settings))
-        return cls(glyph, top)
+        stem = recording_of("I", name).strokes()[0].position
+        across, up = stem[0] - stem[-1]
+        return cls(glyph, top, float(across / up))
 
     def scale(self, x_height: float | None) -> float:
         """How much larger than the alphabet's the letters are to be."""
@@ -84,7 +88,7 @@ class Hand:
         for k, link in enumerate(links):
             pair, sign_first = glyphs[k : k + 2], text[k] in SIGNS
             if sign_first or text[k + 1] in SIGNS:
-                step = distance_to_sign(*pair, self.x_height, sign_first=sign_first)
+                step = distance_to_sign(*pair, self.x_height, self.lean)
             else:
                 step = (
                     linked_distance(pair, bodies[k : k + 2], self.x_height) if link else distance(*pair, self.x_height)

@@ -9,14 +9,11 @@ import numpy as np
 
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import LetterError
-from dmp_teach.ink.alphabet import SIGNS
 from dmp_teach.letters.hand import Hand, plain
-from dmp_teach.letters.spacing import Strokes, distance
+from dmp_teach.letters.spacing import Strokes, word_distance
 from dmp_teach.letters.words import TEMPO, Text, placed
 from dmp_teach.trajectory import Array
 
-SPACE = 0.6  # between two words, in x-heights: what they stand farther apart than two letters
-APART = 0.35  # ... and at least this stands between the one and the other; a whole space beside a full stop
 PITCH = 3.1  # from line to line, in x-heights: what hangs from a g and what stands up in an l do not meet
 FINEST = 0.0001  # in which steps a size that fits is looked for [m]
 
@@ -69,7 +66,7 @@ def lines(
     hand, text = Hand.of(alphabet, letters, settings), plain(text)
     hand.scale(x_height)
     kept = {each: hand.word(each, joined) for each in dict.fromkeys(text.split())}
-    sheet = _Sheet(hand.x_height, kept, text, (width - 2 * margin, height - 2 * margin), pitch)
+    sheet = _Sheet(hand.x_height, hand.lean, kept, text, (width - 2 * margin, height - 2 * margin), pitch)
     rows = sheet.rows(x_height)
     if rows is None:
         raise _too_much(sheet, x_height)
@@ -88,6 +85,7 @@ class _Sheet:
 
     Args:
         unit: The x-height that the words were written with [m].
+        lean: Of the hand, x gained for each y.
         kept: The strokes of each word, from x = 0 on [m].
         text: In what order they come.
         room: Width and height inside the margins [m].
@@ -95,6 +93,7 @@ class _Sheet:
     """
 
     unit: float
+    lean: float
     kept: Mapping[str, Strokes]
     text: str
     room: tuple[float, float]
@@ -130,9 +129,8 @@ class _Sheet:
     def _step(self, before: str, after: str) -> float:
         """How far the next word begins to the right of where this one began, in x-heights."""
         if (before, after) not in self.steps:
-            apart = distance(self.kept[before], self.kept[after], self.unit) / self.unit
-            least = SPACE if before[-1] in SIGNS or after[0] in SIGNS else APART
-            self.steps[before, after] = max(apart + SPACE, self.widths[before] + least)
+            step = word_distance(self.kept[before], self.kept[after], self.unit, self.lean)
+            self.steps[before, after] = step / self.unit
         return self.steps[before, after]
 
     def rows(self, x_height: float) -> list[list[tuple[float, str]]] | None:

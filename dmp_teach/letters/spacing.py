@@ -1,4 +1,4 @@
-"""How far apart letters stand: by the white between them, not by their boxes, so that words look even.
+"""How far apart letters and words stand: by the white between them, not by their boxes, so that text looks even.
 
 The white between two letters is their horizontal distance at each height, counted to a limit, because the eye does not
 look deep into the openings of a c or under the arm of a T. Its mean is the same for all pairs, and ink keeps a distance
@@ -22,7 +22,10 @@ CLEAR = 0.12  # ink is never nearer to ink than this
 LINKED = 0.28  # the mean distance of two letters that are joined, without the way between them
 SIGN = 0.24  # what stands at the height of a sign (a full stop, a hyphen) keeps this distance from it, in x-heights
 PAST = 0.12  # a sign that nothing stands beside, as an apostrophe after an o, is so far past the letter
-BESIDE = 0.30  # so far above and below it counts as its height
+BESIDE = 0.15  # seen so far up and down, ink is beside ink
+SPACE = 0.5  # what two words stand farther apart than two letters, in x-heights ...
+APART = 0.6  # ... and at least this much white is between them, along the lean of the hand and straight across ...
+ACROSS = 0.5  # ... as far up and down as an eye looks that goes from the one to the other
 BANDS = 25  # in an x-height
 LOWEST, HIGHEST = -2.0, 4.0  # in x-heights, from the writing line
 
@@ -36,16 +39,13 @@ def distance(left: Sequence[Trajectory], right: Sequence[Trajectory], x_height: 
         x_height: The height of a small letter without a stem [m].
         white: The mean distance that they get, in x-heights.
     """
-    near = round(CLEAR * BANDS)
-    right_edge = _edge(left, x_height, 1)
-    left_edge = -_edge(right, x_height, -1)
-    apart = left_edge - right_edge
+    right_edge, left_edge = _edge(left, x_height, 1), _edge(right, x_height, -1)
+    apart = -left_edge - right_edge
     top = max(1.0, min(_top(left, x_height), _top(right, x_height)))
     zone = slice(round(-LOWEST * BANDS), round((min(top, HIGHEST) - LOWEST) * BANDS))
-    wide = _edge_near(right_edge, near) + _edge_near(-left_edge, near)  # how far the ink reaches over, at near heights
-    overlap = float(wide[np.isfinite(wide)].max(initial=-np.inf))
+    overlap = _overlap(right_edge, left_edge, CLEAR)
     if not np.isfinite(overlap):  # the one ends under the other
-        overlap = float(right_edge.max() - left_edge.min())
+        overlap = float(right_edge.max() + left_edge.max())
     return x_height * max(CLEAR + overlap, _moved_to_white(apart[zone], white, DEEP))
 
 
@@ -72,24 +72,34 @@ def linked_distance(glyphs: Sequence[Strokes], bodies: Sequence[Strokes], x_heig
     return step
 
 
-def distance_to_sign(
-    left: Sequence[Trajectory], right: Sequence[Trajectory], x_height: float, sign_first: bool
-) -> float:
+def word_distance(left: Sequence[Trajectory], right: Sequence[Trajectory], x_height: float, lean: float) -> float:
+    """The same for two words: a space more than their letters, and white that no overhanging letter fills.
+
+    Args:
+        left: A word on the writing line y = 0.
+        right: The next one.
+        x_height: As in `distance`.
+        lean: Of the hand, x gained for each y: words of a hand that leans are parted by white that leans.
+    """
+    across = x_height * _overlap(_edge(left, x_height, 1), _edge(right, x_height, -1), ACROSS)
+    white = APART * x_height + max(across, _reach(left, right, lean))
+    return max(distance(left, right, x_height) + SPACE * x_height, white)
+
+
+def distance_to_sign(left: Sequence[Trajectory], right: Sequence[Trajectory], x_height: float, lean: float) -> float:
     """The same where one of them is a sign: beside what is at its height, else right after all of it.
 
     Args:
         left: As in `distance`.
         right: As in `distance`.
         x_height: As in `distance`.
-        sign_first: Whether the sign is the left one.
+        lean: As in `word_distance`; an apostrophe is past an o, and a comma past a quotation mark, along it.
     """
-    height = np.concatenate([stroke.position[:, 1] for stroke in (left if sign_first else right)]) / x_height
-    low, high = (np.array([height.min() - BESIDE, height.max() + BESIDE]) - LOWEST) * BANDS
-    zone = slice(int(low), int(high) + 1)
-    right_edge, left_edge = _edge(left, x_height, 1), -_edge(right, x_height, -1)
-    if np.isfinite(right_edge[zone]).any() and np.isfinite(left_edge[zone]).any():
-        return x_height * (SIGN + float(right_edge[zone].max() - left_edge[zone].min()))
-    return x_height * (PAST + float(right_edge.max() - left_edge.min()))
+    right_edge, left_edge = _edge(left, x_height, 1), _edge(right, x_height, -1)
+    overlap = _overlap(right_edge, left_edge, BESIDE)
+    if np.isfinite(overlap):
+        return x_height * (SIGN + overlap)
+    return PAST * x_height + _reach(left, right, lean)
 
 
 def _part(stroke: Trajectory, part: slice) -> Trajectory:
@@ -120,9 +130,17 @@ def _edge(strokes: Sequence[Trajectory], x_height: float, side: int) -> Array:
     return edge
 
 
-def _edge_near(edge: Array, near: int) -> Array:
-    """The same, seen from so many bands above and below."""
-    return maximum_filter1d(edge, 2 * near + 1, mode="nearest")
+def _overlap(right_edge: Array, left_edge: Array, near: float) -> float:
+    """How far ink reaches over ink, both seen so far up and down [x-heights]; -inf where none is beside any."""
+    bands = 2 * round(near * BANDS) + 1
+    wide = maximum_filter1d(right_edge, bands, mode="nearest") + maximum_filter1d(left_edge, bands, mode="nearest")
+    return float(wide.max())
+
+
+def _reach(left: Sequence[Trajectory], right: Sequence[Trajectory], lean: float) -> float:
+    """How far ink reaches over ink along a line that leans, at whatever heights they are [m]."""
+    ends, begins = (np.concatenate([s.position @ (1.0, -lean) for s in strokes]) for strokes in (left, right))
+    return float(ends.max() - begins.min())
 
 
 def _top(strokes: Sequence[Trajectory], x_height: float) -> float:

@@ -88,9 +88,10 @@ def test_punctuation_stands_where_it_should(name):
         for mark, low, high in ((".", 0, 0.15), (",", -0.3, 0.15), ("-", 0.4, 0.6), ("'", 1.5, 1.95), ("?", 0, 1.9)):
             ink = sign(letters + mark)
             assert low - 0.05 < ink[:, 1].min() < ink[:, 1].max() < high + 0.05
-            at = rest[np.abs(rest[:, 1] - ink[:, 1].mean()) < 0.5 * np.ptp(ink[:, 1]) + 0.2]
-            if len(at):
-                assert 0.15 < ink[:, 0].min() - at[:, 0].max() < 0.5, (letters, mark)
+            beside = [(x, rest[np.abs(rest[:, 1] - y) < 0.2, 0]) for x, y in ink[::20]]
+            apart = [x - there.max() for x, there in beside if len(there)]
+            if apart:
+                assert 0.15 < min(apart) < 0.6, (letters, mark)
     t = dense(word("T", name)) / size
     assert sign("T.")[:, 0].max() < t[:, 0].max()
 
@@ -439,16 +440,55 @@ def test_lines_stay_inside_their_margins(x_height, joined):
     assert ink[:, 1].max() == pytest.approx(0.08, abs=3e-4)
 
 
+def whites(name, parts, strokes, size):
+    """The white along a line that leans as the hand does, after every other character [x-heights]."""
+    strokes, ends = iter(strokes), []
+    for part in parts:
+        ink = [next(strokes).position for _ in HANDS[name].glyph(part)]
+        upright = np.concatenate(ink) @ (1.0, -HANDS[name].lean) / size
+        ends.append((upright.min(), upright.max()))
+    assert next(strokes, None) is None
+    return np.array([after[0] - before[1] for before, after in zip(ends[::2], ends[1::2], strict=True)])
+
+
+def seams(name, some, others):
+    """For all pairs of these: the white in a word of the two, and the white between two words."""
+    rows = [[part for other in others for part in (one, other)] for one in some]
+    apart = lines("\n".join(map(" ".join, rows)), x_height=0.004, width=10, height=10, alphabet=name)
+    between = whites(name, [part for row in rows for part in row], apart, 0.004)
+    pairs = [(one, other) for one in some for other in others]
+    hand = HANDS[name]
+    return [whites(name, pair, hand.word("".join(pair), False), hand.x_height)[0] for pair in pairs], between
+
+
 @pytest.mark.parametrize("name", alphabets())
-@pytest.mark.parametrize("text", ['dog. "Who', "T. T", "a, j", "AV AV", "hello world"])
-def test_words_stand_clearly_apart(name, text):
+def test_the_white_between_any_two_words_is_wider_than_any_within_a_word_and_varies_little(name):
+    inside, between = seams(name, ALL, ALL)
+    assert between.min() > 1.7 * max(inside)
+    assert 0.59 < between.min() < between.max() < 0.92
+
+
+@pytest.mark.parametrize("name", alphabets())
+def test_no_sign_stands_so_far_off_that_it_looks_like_another_word(name):
+    """Brackets and strokes of fractions lean, as the letters beside them do; quotation marks stand over commas."""
+    for some, others in ((ALL, SIGNS), (SIGNS, ALL), (SIGNS, SIGNS)):
+        inside, between = seams(name, some, others)
+        assert max(inside) < 0.46
+        assert between.min() > 0.59
+
+
+@pytest.mark.parametrize("name", alphabets())
+@pytest.mark.parametrize("joined", [False, True])
+@pytest.mark.parametrize(
+    "text", ["jagen Viktor", "ein Tag", 'dog. "Who', "T. T", "a, j", "AV AV", "of all", "(so) f(x)"]
+)
+def test_words_stand_clearly_apart(name, text, joined):
     size = HANDS[name].x_height
-    one, other = text.split()
-    whole = lines(text, x_height=size, width=9, height=4, alphabet=name)
-    count = len(word(one, name))
-    gap = points(whole[count:])[:, 0].min() - points(whole[:count])[:, 0].max()
-    assert 0.3 * size < gap < 1.3 * size
-    assert len(whole) == count + len(word(other, name))
+    ink = lines(text, x_height=size, width=9, height=4, alphabet=name, joined=joined)
+    one, other = (word(part, name, joined=joined) for part in text.split())
+    assert len(ink) == len(one) + len(other)
+    ends = [points(part) @ (1.0, -HANDS[name].lean) for part in (ink[: len(one)], ink[len(one) :])]
+    assert 0.59 * size < ends[1].min() - ends[0].max() < 1.0 * size
 
 
 def test_a_new_line_begins_at_the_left_margin_one_pitch_lower():
