@@ -7,6 +7,18 @@ Every error of ours is a `TeachError` and also the built-in error that one would
 from typing import Any
 
 
+def kind_of(value: Any, first: bool = False) -> str:
+    """What a value is, with its article: "an int", "a list"; None is itself.
+
+    Args:
+        value: Anything.
+        first: Whether a sentence begins with it: "An int".
+    """
+    name = type(value).__name__
+    an = name[0].lower() in "aeio" or name == "ndarray"  # no "u": it is a ufunc, and a union
+    return "None" if value is None else f"{'A' if first else 'a'}{'n' * an} {name}"
+
+
 class TeachError(Exception):
     """The root of the family.
 

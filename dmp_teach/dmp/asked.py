@@ -1,6 +1,8 @@
 """What was asked of a primitive, checked: every answer is a value that works, or a sentence."""
 
 import math
+from collections.abc import Callable, Mapping
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,6 +13,26 @@ from dmp_teach.trajectory import Array, Trajectory
 
 MOST_SAMPLES = 2_000_000
 NO_WAY = 1e-9  # of the size of the movement: start and goal are the same point
+
+
+def as_settings(given: Any, usual: Callable[[], Settings] = Settings.star, name: str = "settings") -> Settings:
+    """The settings that were given, the usual ones where that is None, or a sentence."""
+    if given is None:
+        return usual()
+    if not isinstance(given, Settings):
+        raise SettingError(f"{name} is {given!r}, but must be Settings, such as Settings.star().")
+    return given
+
+
+def named_settings(given: Any, usual: Mapping[str, Settings]) -> dict[str, Settings]:
+    """Settings by their names, the usual ones where none were given; or a sentence."""
+    if given is None:
+        return dict(usual)
+    if not isinstance(given, Mapping) or not given:
+        raise SettingError(
+            f"settings is {given!r}, but must be Settings by their names, such as {{'DMP*': Settings.star()}}."
+        )
+    return {name: as_settings(each, name=f"settings[{name!r}]") for name, each in given.items()}
 
 
 def point(name: str, value: ArrayLike, dimensions: int) -> Array:

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.spring import advanced
 from dmp_teach.dmp.stepping import Plan
-from dmp_teach.errors import TrajectoryError
+from dmp_teach.errors import TrajectoryError, kind_of
 from dmp_teach.trajectory import Array, Trajectory
 
 LONGEST_TRAVEL = 5.0  # between two movements [s]
@@ -126,7 +126,7 @@ def _check(primitives: tuple[DMP, ...], overlap: float, numbers: Iterable[int]) 
     """Raise a TrajectoryError where there is nothing that can be joined."""
     wrong = [each for each in primitives if not isinstance(each, DMP)]
     if wrong or not primitives:
-        what = f"a {type(wrong[0]).__name__}" if wrong else "nothing"
+        what = kind_of(wrong[0]) if wrong else "nothing"
         raise TrajectoryError(f"Primitives are joined (DMP.imitate makes them), but got {what}.")
     sizes = sorted({len(each.start) for each in primitives})
     if len(sizes) > 1:

@@ -7,7 +7,7 @@ from typing import Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from dmp_teach.dmp.asked import point, refuse_no_similarity, refuse_no_way, samples, seconds
+from dmp_teach.dmp.asked import as_settings, point, refuse_no_similarity, refuse_no_way, samples, seconds
 from dmp_teach.dmp.demonstration import has_even_times, prepared, sharpened
 from dmp_teach.dmp.equation import Equation, kernels_of, turned_and_scaled
 from dmp_teach.dmp.fit import FITS
@@ -15,7 +15,7 @@ from dmp_teach.dmp.gaps import asleep
 from dmp_teach.dmp.kernels import Kernels
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.dmp.spring import least_steps
-from dmp_teach.errors import TrajectoryError
+from dmp_teach.errors import TrajectoryError, kind_of
 from dmp_teach.trajectory import Array, Trajectory, locked
 
 
@@ -76,16 +76,16 @@ class DMP:
 
         Raises:
             TrajectoryError: It is not a `Trajectory`.
-            SettingError: More kernels than samples, `original` with a coordinate that ends where it began, or
-                `similarity` with a closed stroke.
+            SettingError: Settings that are none, more kernels than samples, `original` with a coordinate that ends
+                where it began, or `similarity` with a closed stroke.
 
         Where no kernel is awake f is 0: a `SettingWarning`, and a note, say when.
         """
         if not isinstance(trajectory, Trajectory):
-            what = type(trajectory).__name__
-            raise TrajectoryError(f"A primitive is learned from a Trajectory(t, position), but got a {what}.")
+            what = kind_of(trajectory)
+            raise TrajectoryError(f"A primitive is learned from a Trajectory(t, position), but got {what}.")
         T = trajectory.duration
-        settings = (settings or Settings.star()).resolved(T, len(trajectory))
+        settings = as_settings(settings).resolved(T, len(trajectory))
         refuse_no_way(trajectory, settings)
         path, notes = prepared(trajectory, settings.smoothing, least_steps(settings.alpha, settings.damping))
         z, way = path - path[0], path[-1] - path[0]

@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from dmp_teach.errors import RecordingError
+from dmp_teach.errors import RecordingError, kind_of
 from dmp_teach.ink.opening import contents
 from dmp_teach.ink.plain_json import is_number, is_pseudonym, loaded, must
 from dmp_teach.ink.recording import Recording
@@ -69,7 +69,7 @@ def to_json(recording: Recording) -> str:
         RecordingError: As `write_json`.
     """
     if not isinstance(recording, Recording):
-        raise RecordingError(f"A {type(recording).__name__} cannot be written as ink; give a Recording.")
+        raise RecordingError(f"{kind_of(recording, first=True)} cannot be written as ink; give a Recording.")
     check_pseudonym(recording.writer)
     far = float(np.abs(recording.position).max())
     must(far <= FARTHEST, "the farthest place", far, f"at most {FARTHEST:.0f} m away")

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from dmp_teach.errors import LetterError
+from dmp_teach.errors import LetterError, kind_of
 from dmp_teach.trajectory import Array, Trajectory, length, ways
 
 DIRECTION = 0.3  # a quarter of a turn in direction counts as much as twice this much in place [radii]
@@ -115,7 +115,7 @@ def strokes_of(letter: Any, name: str = "letter") -> tuple[Trajectory, ...]:
     strokes = listed(letter)
     wrong = [each for each in strokes if not isinstance(each, Trajectory)]
     if wrong or not strokes:
-        what = f"a {type(wrong[0]).__name__}" if wrong else "nothing"
+        what = kind_of(wrong[0]) if wrong else "nothing"
         raise LetterError(f"{name} must be a Recording, a Letter or its strokes (Trajectory), but is {what}.")
     for k, stroke in enumerate(strokes):
         if stroke.dimensions != 2:

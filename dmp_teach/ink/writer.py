@@ -10,7 +10,7 @@ from xml.sax.saxutils import escape, quoteattr
 
 import numpy as np
 
-from dmp_teach.errors import PathError, RecordingError
+from dmp_teach.errors import PathError, RecordingError, kind_of
 from dmp_teach.ink.lifts import with_lifts
 from dmp_teach.ink.our_json import check_pseudonym, to_json
 from dmp_teach.ink.recording import Recording
@@ -52,7 +52,7 @@ def _recording(ink: Iterable[Trajectory]) -> Recording:
     strokes = (ink,) if isinstance(ink, Trajectory) else tuple(ink) if isinstance(ink, Iterable) else ()
     if not strokes or not all(isinstance(stroke, Trajectory) for stroke in strokes):
         raise RecordingError(
-            f"A {type(ink).__name__} cannot be written as ink; give a Recording, or strokes (Trajectory)."
+            f"{kind_of(ink, first=True)} cannot be written as ink; give a Recording, or strokes (Trajectory)."
         )
     return with_lifts(strokes)
 

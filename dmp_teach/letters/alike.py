@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from scipy.interpolate import PchipInterpolator
 
+from dmp_teach.dmp.asked import as_settings
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import LetterError, SettingError
@@ -34,7 +35,7 @@ def learned_alike(letters: Sequence[Letter], settings: Settings | None = None, s
         LetterError: Fewer than two letters, or letters that are not made of the same strokes.
         SettingError: The original transformation, in which a weight means something else for every letter.
     """
-    settings = settings or Settings.star()
+    settings = as_settings(settings)
     if settings.transform == "original":
         raise SettingError(
             "Letters cannot be blended with transform='original': its weights are divided by each letter's own way "

@@ -9,7 +9,7 @@ from unicodedata import normalize
 import numpy as np
 
 from dmp_teach.dmp.settings import Settings
-from dmp_teach.errors import LetterError
+from dmp_teach.errors import LetterError, kind_of
 from dmp_teach.ink.alphabet import SIGNS, alphabets, characters, recording_of, signs
 from dmp_teach.letters.letter import Letter
 from dmp_teach.letters.linking import linked
@@ -44,7 +44,7 @@ class Hand:
     def of(cls, alphabet: str | None, letters: Mapping[str, Any] | None, settings: Settings | None) -> Self:
         """An alphabet's, with one's own letters in place of some."""
         if letters is not None and not isinstance(letters, Mapping):
-            raise LetterError(f"letters is a {type(letters).__name__}, but must be {{'a': letter}}.")
+            raise LetterError(f"letters is {kind_of(letters)}, but must be {{'a': letter}}.")
         name, known = alphabet or alphabets()[0], characters(alphabet) + signs(alphabet)
         own, kept = dict(letters or {}), {}
 
@@ -68,6 +68,8 @@ class Hand:
 
     def word(self, text: str, joined: bool) -> Strokes:
         """The strokes of one word in the size of the alphabet, from x = 0 on, each on the clock of its letter."""
+        if not isinstance(joined, bool | np.bool_):
+            raise LetterError(f"joined is {joined!r}, but must be True or False.")
         text = plain(text)
         glyphs = [self.glyph(character) for character in text]
         bodies = [body_and_marks(character, glyph)[0] for character, glyph in zip(text, glyphs, strict=True)]
@@ -134,7 +136,14 @@ def _glyph(character: str, alphabet: str, known: tuple[str, ...], own: Mapping[s
             f"There is a letter for {character!r}, but nobody knows how tall it is: the alphabet {alphabet!r} has none."
         )
     model = _model(character, alphabet, settings)
-    return _as_tall(own[character], model, settings) if character in own else model
+    if character not in own:
+        return model
+    given = own[character]
+    try:
+        letter = given if isinstance(given, Letter) else Letter.learn(given, settings)
+    except LetterError as error:
+        raise LetterError(f"letters[{character!r}] cannot be written. {error}") from None
+    return _as_tall(letter, model)
 
 
 def _model(character: str, alphabet: str, settings: Settings | None) -> Strokes:
@@ -144,9 +153,9 @@ def _model(character: str, alphabet: str, settings: Settings | None) -> Strokes:
     return tuple(_moved(stroke, down) for stroke in Letter.learn(recording, settings).write())
 
 
-def _as_tall(given: Any, model: Iterable[Trajectory], settings: Settings | None) -> Strokes:
+def _as_tall(letter: Letter, model: Iterable[Trajectory]) -> Strokes:
     """One's own letter from x = 0 on, as tall as the model and standing where it stands."""
-    strokes = (given if isinstance(given, Letter) else Letter.learn(given, settings)).write()
+    strokes = letter.write()
     left = min(float(stroke.position[:, 0].min()) for stroke in strokes)
     low, high = _extent(strokes)
     ground, top = _extent(model)

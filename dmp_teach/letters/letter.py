@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from dmp_teach.dmp.joining import joined
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
-from dmp_teach.errors import LetterError
+from dmp_teach.errors import LetterError, kind_of
 from dmp_teach.ink.points import listed
 from dmp_teach.letters.learning import imitated
 from dmp_teach.letters.piece import Piece
@@ -90,7 +90,7 @@ class Letter:
         pieces = tuple(pieces) if isinstance(pieces, Iterable) else (pieces,)
         wrong = [each for each in pieces if not isinstance(each, Piece)]
         if wrong or not pieces:
-            what = f"a {type(wrong[0]).__name__}" if wrong else "nothing"
+            what = kind_of(wrong[0]) if wrong else "nothing"
             raise LetterError(f"A letter is composed of strokes from a shelf (Piece), but got {what}.")
         if transform is not None:
             pieces = tuple(piece.using(transform) for piece in pieces)
@@ -231,8 +231,7 @@ class Letter:
     def _by_stroke(self, name: str, of: Mapping[int, ArrayLike] | None) -> dict[int, ArrayLike]:
         """What was asked for, by the number of the stroke, or a sentence."""
         if of is not None and not isinstance(of, Mapping):
-            what = type(of).__name__
-            raise LetterError(f"{name} must be a dictionary, stroke number: point [m], but is a {what}.")
+            raise LetterError(f"{name} must be a dictionary, stroke number: point [m], but is {kind_of(of)}.")
         for number in of or {}:
             if number not in range(len(self.strokes)):
                 have = ", ".join(map(str, range(len(self.strokes))))
@@ -275,7 +274,7 @@ def _strokes_of(recording: Any) -> tuple[Trajectory, ...]:
     strokes = listed(recording)
     wrong = [each for each in strokes if not isinstance(each, Trajectory)]
     if wrong or not strokes:
-        what = f"a {type(wrong[0]).__name__}" if wrong else "nothing"
+        what = kind_of(wrong[0]) if wrong else "nothing"
         raise LetterError(f"A letter is learned from a recording or from strokes (Trajectory), but got {what}.")
     for number, (before, after) in enumerate(pairwise(strokes), start=1):
         if after.t[0] < before.t[-1]:

@@ -43,7 +43,7 @@ def lines(
         height: Of the sheet [m]; A4 unless said, as a `Page` is.
         x_height: How tall a small letter without a stem is [m].
         margin: What stays free of ink at every edge [m].
-        pitch: From line to line [m]; None: 3.1 x-heights.
+        pitch: From line to line, an x-height at least [m]; None: 3.1 x-heights.
         alphabet: As in `word`.
         joined: As in `word`.
         letters: As in `word`.
@@ -59,12 +59,14 @@ def lines(
     """
     if not isinstance(text, str) or not text.split():
         raise LetterError(f"There is nothing to write in {text!r}; give some words.")
-    sizes = {"width": width, "height": height, "margin": margin, "pitch": 1.0 if pitch is None else pitch}
-    for name, value in sizes.items():
-        if isinstance(value, bool) or not isinstance(value, int | float) or not 0 <= value <= 10:
-            raise LetterError(f"{name} is {value!r}, but must be a length from 0 to 10 m.")
+    _check_lengths(width=width, height=height, margin=margin, pitch=1.0 if pitch is None else pitch)
     hand, text = Hand.of(alphabet, letters, settings), plain(text)
     hand.scale(x_height)
+    if pitch is not None and pitch < x_height:
+        raise LetterError(
+            f"pitch is {pitch:g} m, but lines so near are written on each other: give at least the x_height, "
+            f"{x_height:g} m, or leave it out for {PITCH:g} x-heights."
+        )
     kept = {each: hand.word(each, joined) for each in dict.fromkeys(text.split())}
     sheet = _Sheet(hand.x_height, hand.lean, kept, text, (width - 2 * margin, height - 2 * margin), pitch)
     rows = sheet.rows(x_height)
@@ -77,6 +79,13 @@ def lines(
             words.append(kept[each])
             spots.append((margin - width / 2 + place, first - number * sheet.pitch(x_height)))
     return placed(words, spots, hand.scale(x_height), tempo)
+
+
+def _check_lengths(**lengths: Any) -> None:
+    """Raise for what is no length on a sheet."""
+    for name, value in lengths.items():
+        if isinstance(value, bool) or not isinstance(value, int | float) or not 0 <= value <= 10:
+            raise LetterError(f"{name} is {value!r}, but must be a length from 0 to 10 m.")
 
 
 @dataclass(frozen=True)

@@ -5,8 +5,9 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 from typing import Any, Self
 
+from dmp_teach.dmp.asked import as_settings
 from dmp_teach.dmp.settings import Settings
-from dmp_teach.errors import LetterError
+from dmp_teach.errors import LetterError, kind_of
 from dmp_teach.letters.letter import Letter
 from dmp_teach.letters.piece import Piece
 
@@ -36,10 +37,12 @@ class Shelf:
 
         Raises:
             LetterError: Nothing, or a recording that does not know its character.
+            SettingError: Settings that are none.
         """
+        how = as_settings(settings)
         found: dict[tuple[str, str | None], tuple[Piece, ...]] = {}
         for character, letter, writer in _named(letters):
-            learned = letter if isinstance(letter, Letter) else Letter.learn(letter, settings)
+            learned = letter if isinstance(letter, Letter) else Letter.learn(letter, how)
             pairs = enumerate(zip(learned.primitives, learned.strokes, strict=True), start=1)
             found[character, writer] = tuple(Piece(p, s, character, str(n), writer) for n, (p, s) in pairs)
         if not found:
@@ -123,12 +126,12 @@ def _named(letters: Any) -> Iterator[tuple[str, Any, str | None]]:
         yield from ((name, letter, getattr(letter, "writer", None)) for name, letter in letters.items())
         return
     if not isinstance(letters, Iterable) or isinstance(letters, str):
-        raise LetterError(f"A shelf is made of recordings, or of {{'D': letter}}, but got a {type(letters).__name__}.")
+        raise LetterError(f"A shelf is made of recordings, or of {{'D': letter}}, but got {kind_of(letters)}.")
     for letter in letters:
         character = getattr(letter, "character", None)
         if not isinstance(character, str) or len(character) != 1:
             raise LetterError(
-                f"A {type(letter).__name__} here does not say which character it is; "
+                f"There is {kind_of(letter)} that does not say which character it is; "
                 "give it by name: Shelf.of({'D': letter})."
             )
         yield character, letter, getattr(letter, "writer", None)

@@ -5,7 +5,7 @@ from collections.abc import Iterable
 import numpy as np
 from numpy.typing import ArrayLike
 
-from dmp_teach.errors import PageError, TrajectoryError
+from dmp_teach.errors import PageError, TrajectoryError, kind_of
 from dmp_teach.robot.page import Page, finite
 from dmp_teach.trajectory import Array, Trajectory
 
@@ -57,16 +57,14 @@ def checked(strokes: Iterable[Trajectory] | Trajectory) -> tuple[Trajectory, ...
         strokes = (strokes,) if isinstance(strokes, Trajectory) else tuple(strokes)
     except TypeError:
         raise TrajectoryError(
-            f"strokes is a {type(strokes).__name__}, but must be a tuple of Trajectory, one for each stroke, "
+            f"strokes is {kind_of(strokes)}, but must be a tuple of Trajectory, one for each stroke, "
             "as recording.strokes() and letter.write() give them."
         ) from None
     if not strokes:
         raise TrajectoryError("There are no strokes to write; a letter needs at least one Trajectory.")
     for number, stroke in enumerate(strokes):
         if not isinstance(stroke, Trajectory):
-            raise TrajectoryError(
-                f"Stroke {number} is a {type(stroke).__name__}, but must be a Trajectory(t, position)."
-            )
+            raise TrajectoryError(f"Stroke {number} is {kind_of(stroke)}, but must be a Trajectory(t, position).")
         if stroke.dimensions != 2:
             raise TrajectoryError(
                 f"Stroke {number} has {stroke.dimensions} dimensions, but ink has 2: "

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from dmp_teach.errors import PageError
 from dmp_teach.robot.arm import solver_here
@@ -76,8 +75,8 @@ class ReachMap:
 
 
 def reach_map(
-    x: ArrayLike = DISTANCES,
-    tilt: ArrayLike = TILTS,
+    x: Sequence[float] | None = None,
+    tilt: Sequence[float] | None = None,
     *,
     width: float = A4[0],
     height: float = A4[1],
@@ -90,8 +89,9 @@ def reach_map(
     hardly matters. 210 pages on the default grid, 5 cm by 10 degrees, 25 to 40 ms each.
 
     Args:
-        x: Distances of the page's centre, shape (C,) [m].
-        tilt: Of the page; the pen stands upright on it, shape (R,) [rad].
+        x: Distances of the page's centre, shape (C,); 0.3 to 1.3 by 0.05 unless given [m].
+        tilt: Of the page; the pen stands upright on it, shape (R,); 0 to a right angle by 10 degrees unless given
+            [rad].
         width: Of the page [m].
         height: Of the page [m].
         executor: Any `concurrent.futures.Executor` of processes; a piece of work is one page.
@@ -101,7 +101,7 @@ def reach_map(
         PageError: Values that are no numbers, or a page that cannot be.
         MissingPartError: PlaCo is not on this platform.
     """
-    x, tilt = _axis("x", x), _axis("tilt", tilt)
+    x, tilt = _axis("x", x, DISTANCES), _axis("tilt", tilt, TILTS)
     low, high = (page.X_world_page[2, 3] for page in (Page.table(), Page.board()))
     heights = low + (high - low) * np.clip(tilt / (np.pi / 2), 0, 1)
     rows = [
@@ -112,8 +112,8 @@ def reach_map(
 
 def reach_around(
     page: Page | None = None,
-    x: ArrayLike = DISTANCES,
-    y: ArrayLike = SIDES,
+    x: Sequence[float] | None = None,
+    y: Sequence[float] | None = None,
     *,
     executor: Executor | None = None,
     progress: Progress | None = None,
@@ -124,8 +124,8 @@ def reach_around(
 
     Args:
         page: `Page.table()` unless given.
-        x: Ahead of the robot, shape (C,) [m].
-        y: To its left, shape (R,) [m].
+        x: Ahead of the robot, shape (C,); 0.3 to 1.3 by 0.05 unless given [m].
+        y: To its left, shape (R,); -1 to 1 by 0.1 unless given [m].
         executor: Any `concurrent.futures.Executor` of processes; a piece of work is one page.
         progress: Called as `progress(done, total)` after every page. It may raise to stop.
 
@@ -136,7 +136,7 @@ def reach_around(
     page = Page.table() if page is None else page
     if not isinstance(page, Page):
         raise PageError(f"page is {page!r}, but must be a Page, such as Page.table() or Page.board().")
-    x, y = _axis("x", x), _axis("y", y)
+    x, y = _axis("x", x, DISTANCES), _axis("y", y, SIDES)
     start = page.X_world_page[:3, 3]
     rows = [[page.moved((far - start[0], side - start[1], 0.0)) for far in x] for side in y]
     return ReachMap(x, y, "y", tuple(map(tuple, rows)), *_tried_all(rows, executor, progress))
@@ -164,10 +164,10 @@ def _tried(page: Page) -> tuple[float, float]:
     return examined(solver, page, *whole(page)).effort, residual
 
 
-def _axis(name: str, values: ArrayLike) -> Array:
-    """The values along one side of the map, rising."""
+def _axis(name: str, values: Any, usual: Array) -> Array:
+    """The values along one side of the map, rising; the usual ones where there are none."""
     try:
-        axis = np.array(values, dtype=float)
+        axis = np.array(usual if values is None else values, dtype=float)
     except (TypeError, ValueError):
         axis = np.array(np.nan)
     if axis.ndim != 1 or not len(axis) or not np.isfinite(axis).all() or (np.diff(axis) <= 0).any():

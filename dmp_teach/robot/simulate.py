@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from dmp_teach.errors import SettingError
+from dmp_teach.errors import SettingError, kind_of
 from dmp_teach.robot.bench import NIB, PENS, RIGID_PRESS, SLIDE, Bench
 from dmp_teach.robot.model import Model
 from dmp_teach.robot.motion import Motion
@@ -177,8 +177,8 @@ def _really(page: Page, height: float, tilt: float) -> Page:
 def _check(motion: Any) -> None:
     """Raise for what is no motion, or too coarse a one."""
     if not isinstance(motion, Motion):
-        kind = type(motion).__name__
-        raise SettingError(f"motion is a {kind}, but must be a Motion; Fetch().write(strokes, page) gives one.")
+        kind = kind_of(motion)
+        raise SettingError(f"motion is {kind}, but must be a Motion; Fetch().write(strokes, page) gives one.")
     steps = np.diff(motion.t)
     if len(steps) < 1 or not np.allclose(steps, steps[0], rtol=1e-3) or steps[0] * SLOWEST > 1:
         raise SettingError(

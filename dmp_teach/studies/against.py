@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from dmp_teach.dmp.asked import as_settings
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import SettingError
@@ -69,7 +70,7 @@ def against_original(
         executor: Any `concurrent.futures.Executor`; a piece of work is one stroke. Times are taken here.
         progress: Called as `progress(done, total)`.
     """
-    variants = (Variant(settings or Settings.star()), Variant(original or Settings.original()))
+    variants = (Variant(as_settings(settings)), Variant(as_settings(original, Settings.original, "original")))
     strokes = strokes_of(recordings)
     found = run(_errors, [(stroke, *variants) for stroke in strokes], executor, progress)
     kept = [(stroke, each) for stroke, each in zip(strokes, found, strict=True) if each is not None]

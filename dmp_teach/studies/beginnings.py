@@ -6,6 +6,7 @@ from typing import Any
 
 import numpy as np
 
+from dmp_teach.dmp.asked import as_settings
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.studies.material import Stroke, strokes_of
@@ -68,7 +69,7 @@ def first_moments(
         progress: Called as `progress(done, total)`.
     """
     strokes = strokes_of(recordings)
-    pieces = [(stroke, shift, settings or Settings.star()) for stroke in strokes]
+    pieces = [(stroke, shift, as_settings(settings)) for stroke in strokes]
     found = np.array(run(_first, pieces, executor, progress))
     return FirstMoments(tuple(stroke.name for stroke in strokes), shift, *found.T)
 

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from scipy.interpolate import CubicSpline
 
+from dmp_teach.dmp.asked import as_settings
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import KERNELS_PER_SECOND, Settings
 from dmp_teach.errors import SettingError, TrajectoryError
@@ -113,7 +114,7 @@ def choose_kernels(
         TrajectoryError: Several strokes, or fewer than 6 samples.
         SettingError: A number that is out of range or greater than the number of samples that are shown.
     """
-    path, base = _one_stroke(trajectory), settings or Settings.star()
+    path, base = _one_stroke(trajectory), as_settings(settings)
     rules = _rules(path)
     shown = (len(path) + 1) // 2
     if candidates is None:
@@ -138,7 +139,7 @@ def choose_width(
     progress: Progress | None = None,
 ) -> Choice:
     """How wide kernels should be, in 1/N, by the same validation; arguments and errors as `choose_kernels`."""
-    path, base = _one_stroke(trajectory), settings or Settings.star()
+    path, base = _one_stroke(trajectory), as_settings(settings)
     candidates = sorted(CHOICE_WIDTHS if candidates is None else candidates)
     named = [replace(base, kernel_width=width) for width in candidates]
     error, taught = _validated(path, named, executor, progress)

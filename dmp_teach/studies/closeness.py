@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from dmp_teach.dmp.asked import as_settings
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import SettingError
@@ -92,7 +93,7 @@ def goals_near_start(
         executor: Any `concurrent.futures.Executor`; a piece of work is one stroke.
         progress: Called as `progress(done, total)`.
     """
-    both = (original or Settings.original(), settings or Settings.star())
+    both = (as_settings(original, Settings.original, "original"), as_settings(settings))
     pieces = [(stroke.path, tuple(ways), shift, *both) for stroke in strokes_of(recordings)]
     found = np.concatenate([each for each in run(_asked, pieces, executor, progress) if each.size], axis=1)
     return Closeness(np.asarray(ways), shift, found[..., 0], found[..., 1], found[..., 2])

@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from dmp_teach.dmp.asked import as_settings
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import SettingError
@@ -184,7 +185,7 @@ def goal_traces(stroke: Trajectory, axis: int = 0, shift: float = 0.01, name: st
 
 def _both(settings: Settings | None, original: Settings | None) -> tuple[Settings, Settings]:
     """The settings of DMP* and of the original form."""
-    return settings or Settings.star(), original or Settings.original()
+    return as_settings(settings), as_settings(original, Settings.original, "original")
 
 
 def _together(found: Sequence) -> GoalChanges:

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from dmp_teach.errors import RecordingError
+from dmp_teach.errors import RecordingError, kind_of
 from dmp_teach.ink.alphabet import alphabets, recording_of
 from dmp_teach.ink.reader import read_recording
 from dmp_teach.ink.recording import Recording
@@ -67,7 +67,7 @@ def recordings_of(recordings: Any = None) -> tuple:
     if isinstance(recordings, (Recording, Trajectory, Written, str, os.PathLike)):
         recordings = (recordings,)
     if not isinstance(recordings, Iterable):
-        raise RecordingError(f"recordings is a {type(recordings).__name__}, but must be recordings, or their files.")
+        raise RecordingError(f"recordings is {kind_of(recordings)}, but must be recordings, or their files.")
     read = tuple(read_recording(each) if isinstance(each, (str, os.PathLike)) else each for each in recordings)
     if not read:
         raise RecordingError("recordings is empty; give at least one, or None for our own alphabets.")
@@ -107,7 +107,6 @@ def _letter(given: Any, number: int) -> Written:
     strokes = tuple(given) if isinstance(given, Iterable) else ()
     if not strokes or not all(isinstance(stroke, Trajectory) for stroke in strokes):
         raise RecordingError(
-            f"recordings[{number - 1}] is a {type(given).__name__}, but must be a recording, its file, or strokes "
-            "(Trajectory)."
+            f"recordings[{number - 1}] is {kind_of(given)}, but must be a recording, its file, or strokes (Trajectory)."
         )
     return Written("?", str(number), strokes)

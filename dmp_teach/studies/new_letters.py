@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from dmp_teach.dmp.asked import named_settings
 from dmp_teach.dmp.settings import Settings, knob_of
 from dmp_teach.errors import SettingError
 from dmp_teach.letters.letter import Letter
@@ -162,8 +163,9 @@ def p_from_d(
         executor: Any `concurrent.futures.Executor`; a piece of work is one D.
         progress: Called as `progress(done, total)`.
     """
+    named = named_settings(settings, transforms())
     given = [letter for letter in map(_taken_apart, letters_of(recordings)) if _is_d(letter)]
-    pieces = [(letter, dict(settings or transforms())) for letter in given or letters_of(own_recordings("D"))]
+    pieces = [(letter, named) for letter in given or letters_of(own_recordings("D"))]
     found = run(_made, pieces, executor, progress)
     return MadeLetters(tuple(item for way in zip(*found, strict=True) for item in way), not given)
 

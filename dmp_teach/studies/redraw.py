@@ -7,6 +7,7 @@ from typing import Any
 
 import numpy as np
 
+from dmp_teach.dmp.asked import as_settings, named_settings
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import SettingError
@@ -86,7 +87,8 @@ def redrawn(
         executor: Any `concurrent.futures.Executor`; a piece of work is one letter.
         progress: Called as `progress(done, total)`.
     """
-    named = settings if isinstance(settings, Mapping) else {"DMP*": settings or Settings.star()}
+    own = settings if isinstance(settings, Mapping) else {"DMP*": as_settings(settings)}
+    named = named_settings(own, {})
     pieces = [(letter, tuple(named.items())) for letter in chosen(letters_of(recordings), letters)]
     return Redrawings(tuple(item for found in run(_drawn, pieces, executor, progress) for item in found))
 
@@ -110,7 +112,7 @@ def four_widths(
         executor: Any `concurrent.futures.Executor`; a piece of work is one letter with all widths.
         progress: Called as `progress(done, total)`.
     """
-    base = settings or Settings.star(kernel_sigma=4.0, sharpen=False)
+    base = as_settings(settings, lambda: Settings.star(kernel_sigma=4.0, sharpen=False))
     named = {width_name(width): replace(base, kernel_width=float(width)) for width in widths}
     return redrawn(recordings, letters, named, executor=executor, progress=progress)
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from dmp_teach.dmp.asked import as_settings
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.studies.tables import Rows, Tabled
@@ -72,7 +73,7 @@ def any_shape(
         executor: Any `concurrent.futures.Executor`; a piece of work is one kind at one rate.
         progress: Called as `progress(done, total)`.
     """
-    work = [(kind, float(rate), pieces, seed, settings or Settings.star()) for kind in KINDS for rate in rates]
+    work = [(kind, float(rate), pieces, seed, as_settings(settings)) for kind in KINDS for rate in rates]
     found = np.array(run(_tried, work, executor, progress)).reshape(len(KINDS), len(rates), 2, pieces)
     return AnyShape(KINDS, np.asarray(rates), found[:, :, 0], found[:, :, 1])
 

@@ -7,7 +7,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from dmp_teach.errors import RecordingError
+from dmp_teach.errors import RecordingError, kind_of
 from dmp_teach.ink.alphabet import characters, recording_of
 from dmp_teach.ink.recording import Recording
 from dmp_teach.trajectory import Array, ways
@@ -63,9 +63,9 @@ def _asked(alphabet: str | None, recordings: Iterable[Recording] | None) -> tupl
     if alphabet is not None:
         raise RecordingError(f"There are recordings and an alphabet, {alphabet!r}; give one of them.")
     given = tuple(recordings) if isinstance(recordings, Iterable) else (recordings,)
-    wrong = [type(each).__name__ for each in given if not isinstance(each, Recording)]
+    wrong = [kind_of(each) for each in given if not isinstance(each, Recording)]
     if wrong or not given:
-        raise RecordingError(f"A contact sheet is made of recordings, but got {f'a {wrong[0]}' if wrong else 'none'}.")
+        raise RecordingError(f"A contact sheet is made of recordings, but got {wrong[0] if wrong else 'none'}.")
     return given
 
 

@@ -6,7 +6,7 @@ from typing import Any
 import anywidget
 import traitlets
 
-from dmp_teach.errors import ViewError
+from dmp_teach.errors import ViewError, kind_of
 from dmp_teach.paths import write_whole
 from dmp_teach.robot.motion import Motion
 from dmp_teach.robot.run import Run
@@ -160,10 +160,9 @@ def _stage(motion: Any) -> Stage:
 
 def _not_a_motion(value: Any) -> str:
     """What can be shown, and how to get it."""
-    kind = type(value).__name__
     return (
-        f"A {kind} cannot be shown; a Motion can, and Fetch().write(strokes, Page.table()) gives one; "
-        "so can a Run, which simulate(motion) gives."
+        f"{kind_of(value, first=True)} cannot be shown; a Motion can, and Fetch().write(strokes, Page.table()) gives "
+        "one; so can a Run, which simulate(motion) gives."
     )
 
 

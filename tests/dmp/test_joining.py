@@ -138,7 +138,7 @@ def test_starts_and_goals_may_move():
     ("ask", "answer"),
     [
         (lambda p: joined([]), "Primitives are joined .DMP.imitate makes them., but got nothing"),
-        (lambda p: joined([p, 3]), "Primitives are joined .DMP.imitate makes them., but got a int"),
+        (lambda p: joined([p, 3]), "Primitives are joined .DMP.imitate makes them., but got an int"),
         (
             lambda p: joined([p, DMP.imitate(letter(dimensions=3))]),
             "Movements of 2 and 3 dimensions cannot be joined: give all of them the same",

@@ -79,7 +79,7 @@ def test_the_original_refuses_a_movement_that_ends_where_it_began_and_names_the_
 
 
 def test_only_a_trajectory_can_be_imitated():
-    with pytest.raises(TrajectoryError, match=r"learned from a Trajectory\(t, position\), but got a ndarray\."):
+    with pytest.raises(TrajectoryError, match=r"learned from a Trajectory\(t, position\), but got an ndarray\."):
         DMP.imitate(np.zeros((10, 2)))
 
 

@@ -160,7 +160,7 @@ def test_procrustes_of_letters_that_cannot_be_turned_into_each_other_agrees_with
     assert procrustes(points, other) ** 2 == pytest.approx(disparity(points, other)[2])
 
 
-@pytest.mark.parametrize(("given_letter", "words"), [([], "nothing"), (None, "a NoneType"), ([1.0], "a float")])
+@pytest.mark.parametrize(("given_letter", "words"), [([], "nothing"), (None, "None"), ([1.0], "a float")])
 def test_what_is_no_letter_has_no_distance(given_letter, words):
     with pytest.raises(LetterError, match=f"letter must be a Recording, a Letter or its strokes .* but is {words}"):
         letter_distance(given_letter, strokes("a"))

@@ -180,7 +180,7 @@ def test_every_recorded_d_has_the_strokes_of_every_other():
     ("given", "words"),
     [
         ([], "strokes must be a Recording, a Letter or its strokes .* but is nothing"),
-        (7, "but is a int"),
+        (7, "but is an int"),
         (["ink"], "but is a str"),
         (Trajectory([0, 1], np.zeros((2, 3))), "Stroke 0 of strokes has 3 dimensions"),
         (Trajectory([0, 1], np.zeros((2, 2))), "strokes is a dot"),

@@ -215,7 +215,7 @@ def test_several_writers_stand_on_one_shelf_and_are_asked_for_by_name():
         (lambda: BAR.height("top"), r"There is no height 'top' on D\.1"),
         (lambda: BAR.touching("D.2"), r"must be a Piece, such as shelf\['D\.1'\], but is 'D\.2'"),
         (lambda: BAR.slid("top", 2), r"must be a Piece, .* but is 2\."),
-        (lambda: Letter.compose(3), r"composed of strokes from a shelf \(Piece\), but got a int"),
+        (lambda: Letter.compose(3), r"composed of strokes from a shelf \(Piece\), but got an int"),
         (lambda: BAR.led(side=(0, 0)), r"A stroke has no end 'side'; it can be led by 'start', 'goal', 'upper' or"),
         (lambda: BAR.led(start=(0, 0), upper=(0, 0)), r"start and upper are the same end of D\.1; lead it once"),
         (lambda: BAR.touching(BOWL, "left"), r"A stroke has no end 'left'"),

@@ -137,7 +137,7 @@ def test_a_goal_that_is_no_point_is_said_by_the_stroke(letter_d):
 
 def test_what_cannot_be_learned_is_said_in_a_sentence():
     one, two = scrawl(100, 1.0), scrawl(100, 1.0, begin=0.5)
-    for nothing, what in (([], "nothing"), ([one, 3], "a int"), (None, "a NoneType"), ("a.csv", "a str")):
+    for nothing, what in (([], "nothing"), ([one, 3], "an int"), (None, "None"), ("a.csv", "a str")):
         with pytest.raises(LetterError, match=f"learned from a recording or from strokes .Trajectory., but got {what}"):
             Letter.learn(nothing)
     with pytest.raises(LetterError, match=r"Stroke 1 begins at 0.5 s, before stroke 0 ends at 1.0 s"):

@@ -118,9 +118,9 @@ def test_no_strokes_are_refused(strokes):
         place(strokes, PAGE)
 
 
-@pytest.mark.parametrize(("strokes", "kind"), [(3, "int"), (None, "NoneType")])
+@pytest.mark.parametrize(("strokes", "kind"), [(3, "an int"), (None, "None")])
 def test_what_cannot_be_strokes_is_refused(strokes, kind):
-    with pytest.raises(TrajectoryError, match=f"strokes is a {kind}, but must be a tuple of Trajectory"):
+    with pytest.raises(TrajectoryError, match=f"strokes is {kind}, but must be a tuple of Trajectory"):
         place(strokes, PAGE)
 
 
@@ -131,12 +131,12 @@ def test_what_is_no_page_is_refused(page):
 
 
 def test_a_recording_is_answered_with_its_strokes():
-    with pytest.raises(TrajectoryError, match=r"strokes is a object.*recording\.strokes\(\)"):
+    with pytest.raises(TrajectoryError, match=r"strokes is an object.*recording\.strokes\(\)"):
         place(object(), PAGE)
 
 
 def test_what_is_no_stroke_is_named_by_its_number():
-    with pytest.raises(TrajectoryError, match="Stroke 1 is a ndarray, but must be a Trajectory"):
+    with pytest.raises(TrajectoryError, match="Stroke 1 is an ndarray, but must be a Trajectory"):
         place((ink.LETTER[0], np.zeros((5, 2))), PAGE)
 
 

@@ -1,3 +1,4 @@
+import inspect
 from concurrent.futures import ProcessPoolExecutor
 from multiprocessing import get_context
 
@@ -99,6 +100,12 @@ def test_a_map_cannot_be_changed(around):
 def test_an_axis_is_rising_numbers(x):
     with pytest.raises(PageError, match=r"x is .*, but must be rising numbers, such as \[0\.5, 0\.7, 0\.9\]"):
         reach_map(x)
+
+
+@pytest.mark.parametrize("ask", [reach_map, reach_around])
+def test_help_says_the_usual_grid_in_words(ask):
+    assert "array" not in str(inspect.signature(ask))
+    assert "unless given" in ask.__doc__
 
 
 def test_around_what_is_no_page_there_is_no_map():

@@ -32,9 +32,9 @@ def test_without_recordings_our_alphabets_are_taken():
 
 
 def test_what_is_no_recording_is_named():
-    with pytest.raises(RecordingError, match=r"recordings\[0\] is a int, but must be a recording"):
+    with pytest.raises(RecordingError, match=r"recordings\[0\] is an int, but must be a recording"):
         letters_of([3])
-    with pytest.raises(RecordingError, match="recordings is a int, but must be recordings"):
+    with pytest.raises(RecordingError, match="recordings is an int, but must be recordings"):
         letters_of(3)
     with pytest.raises(RecordingError, match="recordings is empty; give at least one"):
         letters_of([])

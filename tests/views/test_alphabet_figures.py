@@ -120,7 +120,7 @@ def test_any_recording_can_be_shown_however_short_its_strokes():
     [
         ({"recordings": []}, "made of recordings, but got none"),
         ({"recordings": ["a"]}, "made of recordings, but got a str"),
-        ({"recordings": 3}, "made of recordings, but got a int"),
+        ({"recordings": 3}, "made of recordings, but got an int"),
         ({"alphabet": "round", "recordings": FEW}, "recordings and an alphabet, 'round'; give one of them"),
         ({"alphabet": "runes"}, "There is no alphabet 'runes'"),
     ],

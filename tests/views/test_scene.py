@@ -10,7 +10,7 @@ import pytest
 import umsgpack
 import zmq
 
-from dmp_teach.errors import PathError, SettingError, ViewError
+from dmp_teach.errors import PathError, SettingError, ViewError, kind_of
 from dmp_teach.robot.model import Model
 from dmp_teach.robot.page import Page
 from dmp_teach.views.commands import robot_commands, run_commands
@@ -138,7 +138,7 @@ def test_the_browsers_memoryviews_are_taken_for_bytes(motion):
 
 @pytest.mark.parametrize("wrong", [None, 3, "a.csv", [1, 2]])
 def test_what_is_no_motion_is_refused_by_name(wrong):
-    with pytest.raises(ViewError, match=rf"A {type(wrong).__name__} cannot be shown; a Motion can, and Fetch"):
+    with pytest.raises(ViewError, match=rf"{kind_of(wrong, first=True)} cannot be shown; a Motion can, and Fetch"):
         view(wrong)
     with pytest.raises(TypeError):
         SceneView().show(wrong or 0)

@@ -1,0 +1,117 @@
+"""What many rooms refuse is refused in the same words."""
+
+import importlib
+import inspect
+import pkgutil
+
+import numpy as np
+import pytest
+
+import dmp_teach
+from dmp_teach.dmp.primitive import DMP
+from dmp_teach.dmp.settings import Settings
+from dmp_teach.errors import SettingError, kind_of
+from dmp_teach.ink.alphabet import recording_of
+from dmp_teach.letters.alike import learned_alike
+from dmp_teach.letters.letter import Letter
+from dmp_teach.letters.lines import lines
+from dmp_teach.letters.shelf import Shelf
+from dmp_teach.letters.styles import Style
+from dmp_teach.letters.words import word
+from dmp_teach.studies.against import against_original
+from dmp_teach.studies.beginnings import first_moments
+from dmp_teach.studies.choose import choose_kernels, choose_width
+from dmp_teach.studies.closeness import goals_near_start
+from dmp_teach.studies.goals import goal_change_1d, goal_change_2d
+from dmp_teach.studies.new_letters import p_from_d
+from dmp_teach.studies.redraw import four_widths, redrawn
+from dmp_teach.studies.shapes import any_shape
+from dmp_teach.studies.variants import rms_error
+
+D, STROKE = recording_of("D"), recording_of("D").strokes()[1]
+LEARNED = Letter.learn(D)
+TAKE_SETTINGS = {
+    DMP.imitate: (STROKE,),
+    Letter.learn: (D,),
+    Shelf.of: ({"D": LEARNED},),
+    Style.of: ([D, recording_of("D", "slanted")],),
+    learned_alike: ([LEARNED, LEARNED],),
+    word: ("hi",),
+    lines: ("hi",),
+    against_original: (D,),
+    first_moments: (D,),
+    choose_kernels: (STROKE,),
+    choose_width: (STROKE,),
+    goals_near_start: (D,),
+    goal_change_1d: (D,),
+    goal_change_2d: (D,),
+    p_from_d: (D,),
+    redrawn: (D,),
+    four_widths: (D,),
+    any_shape: (),
+    rms_error: (STROKE,),
+}
+INSIDE = {
+    "refuse_no_way",
+    "kernels_of",
+    "asleep",
+    "has_ends",
+    "Hand.of",
+}  # what others call with settings that are some
+
+
+def takes_settings(thing):
+    return (inspect.isfunction(thing) or inspect.ismethod(thing)) and {"settings", "original"} & set(inspect.signature(thing).parameters)
+
+
+def names():
+    """Every function and method of ours that takes settings."""
+    for module in pkgutil.walk_packages(dmp_teach.__path__, "dmp_teach."):
+        if module.name == "dmp_teach.__main__":
+            continue
+        for name, thing in vars(importlib.import_module(module.name)).items():
+            if getattr(thing, "__module__", "") != module.name or name.startswith("_"):
+                continue
+            if inspect.isclass(thing):
+                methods = [getattr(thing, each) for each in vars(thing) if not each.startswith("_")]
+                yield from (each.__qualname__ for each in methods if takes_settings(each))
+            elif takes_settings(thing):
+                yield thing.__qualname__
+
+
+def test_whatever_takes_settings_is_asked_here():
+    assert set(names()) == {ask.__qualname__ for ask in TAKE_SETTINGS} | INSIDE
+
+
+@pytest.mark.parametrize("wrong", ["star", 3, "", 0, {}, Settings.star])
+@pytest.mark.parametrize("ask", TAKE_SETTINGS, ids=lambda ask: ask.__qualname__)
+def test_what_is_no_settings_is_refused_with_those_that_are(ask, wrong):
+    for name in {"settings", "original"} & set(inspect.signature(ask).parameters):
+        with pytest.raises(SettingError, match=rf"{name} is .*, but must be Settings.* such as .*Settings\.star\(\)"):
+            ask(*TAKE_SETTINGS[ask], **{name: wrong})
+
+
+def test_the_refusal_is_a_sentence():
+    with pytest.raises(SettingError, match=r"^settings is 'star', but must be Settings, such as Settings\.star\(\)\.$"):
+        word("hi", settings="star")
+    with pytest.raises(SettingError, match=r"^settings\['mine'\] is 'star', but must be Settings, such as"):
+        redrawn(D, settings={"mine": "star"})
+    with pytest.raises(SettingError, match=r"^settings is 'star', but must be Settings by their names, such as \{'DMP"):
+        p_from_d(D, settings="star")
+
+
+@pytest.mark.parametrize(
+    ("value", "words"),
+    [
+        (3, "an int"),
+        ("a", "a str"),
+        (None, "None"),
+        (np.zeros(2), "an ndarray"),
+        (np.uint8(1), "a uint8"),
+        (D, "a Rec"),
+    ],
+)
+def test_a_kind_has_its_article(value, words):
+    assert kind_of(value).startswith(words)
+    assert kind_of(value, first=True)[1:] == kind_of(value)[1:]
+    assert kind_of(value, first=True)[0].isupper()
