@@ -61,7 +61,9 @@ INSIDE = {
 
 
 def takes_settings(thing):
-    return (inspect.isfunction(thing) or inspect.ismethod(thing)) and {"settings", "original"} & set(inspect.signature(thing).parameters)
+    return (inspect.isfunction(thing) or inspect.ismethod(thing)) and {"settings", "original"} & set(
+        inspect.signature(thing).parameters
+    )
 
 
 def names():

@@ -22,7 +22,8 @@ CLEAR = 0.12  # ink is never nearer to ink than this
 LINKED = 0.28  # the mean distance of two letters that are joined, without the way between them
 SIGN = 0.24  # what stands at the height of a sign (a full stop, a hyphen) keeps this distance from it, in x-heights
 PAST = 0.12  # a sign that nothing stands beside, as an apostrophe after an o, is so far past the letter
-BESIDE = 0.15  # seen so far up and down, ink is beside ink
+BESIDE = 0.15  # a letter that is seen so far up and down is beside a sign ...
+AROUND = 0.30  # ... and then keeps that distance as far up and down as this
 SPACE = 0.5  # what two words stand farther apart than two letters, in x-heights ...
 APART = 0.6  # ... and at least this much white is between them, along the lean of the hand and straight across ...
 ACROSS = 0.5  # ... as far up and down as an eye looks that goes from the one to the other
@@ -96,9 +97,8 @@ def distance_to_sign(left: Sequence[Trajectory], right: Sequence[Trajectory], x_
         lean: As in `word_distance`; an apostrophe is past an o, and a comma past a quotation mark, along it.
     """
     right_edge, left_edge = _edge(left, x_height, 1), _edge(right, x_height, -1)
-    overlap = _overlap(right_edge, left_edge, BESIDE)
-    if np.isfinite(overlap):
-        return x_height * (SIGN + overlap)
+    if np.isfinite(_overlap(right_edge, left_edge, BESIDE)):
+        return x_height * (SIGN + _overlap(right_edge, left_edge, AROUND))
     return PAST * x_height + _reach(left, right, lean)
 
 

@@ -2,7 +2,7 @@
 
 from functools import cache
 from itertools import combinations, pairwise, product
-from string import ascii_lowercase
+from string import ascii_lowercase, digits
 
 import numpy as np
 import pytest
@@ -94,6 +94,23 @@ def test_punctuation_stands_where_it_should(name):
                 assert 0.15 < min(apart) < 0.6, (letters, mark)
     t = dense(word("T", name)) / size
     assert sign("T.")[:, 0].max() < t[:, 0].max()
+
+
+@pytest.mark.parametrize("name", alphabets())
+@pytest.mark.parametrize("sign", "+=-:/")
+def test_no_digit_leans_over_the_sign_of_a_sum(name, sign):
+    """Half an x-height above and below the sign, too: the hook of a 2 does not hang over the arm of a plus."""
+    hand = HANDS[name]
+    for text in [f"{digit}{sign}{digit}" for digit in digits]:
+        strokes = hand.word(text, False)
+        ends = np.cumsum([len(hand.glyph(character)) for character in text])
+        before, middle, after = (
+            dense(part)[::8] / hand.x_height
+            for part in (strokes[: ends[0]], strokes[ends[0] : ends[1]], strokes[ends[1] :])
+        )
+        for left, right in ((before, middle), (middle, after)):
+            across, up = np.moveaxis(right[None] - left[:, None], 2, 0)
+            assert across[np.abs(up) < 0.5].min() > 0.2, text
 
 
 def test_dots_and_crosses_come_before_the_sign_that_follows():
