@@ -13,6 +13,7 @@ from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import SettingError, kind_of
 from dmp_teach.ink.alphabet import recording_of
 from dmp_teach.letters.alike import learned_alike
+from dmp_teach.letters.learning import imitated
 from dmp_teach.letters.letter import Letter
 from dmp_teach.letters.lines import lines
 from dmp_teach.letters.shelf import Shelf
@@ -33,6 +34,7 @@ LEARNED = Letter.learn(D)
 TAKE_SETTINGS = {
     DMP.imitate: (STROKE,),
     Letter.learn: (D,),
+    imitated: ([STROKE],),
     Shelf.of: ({"D": LEARNED},),
     Style.of: ([D, recording_of("D", "slanted")],),
     learned_alike: ([LEARNED, LEARNED],),

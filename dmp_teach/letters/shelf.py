@@ -39,10 +39,10 @@ class Shelf:
             LetterError: Nothing, or a recording that does not know its character.
             SettingError: Settings that are none.
         """
-        how = as_settings(settings)
+        as_settings(settings)  # also where every letter has been learned
         found: dict[tuple[str, str | None], tuple[Piece, ...]] = {}
         for character, letter, writer in _named(letters):
-            learned = letter if isinstance(letter, Letter) else Letter.learn(letter, how)
+            learned = letter if isinstance(letter, Letter) else Letter.learn(letter, settings)
             pairs = enumerate(zip(learned.primitives, learned.strokes, strict=True), start=1)
             found[character, writer] = tuple(Piece(p, s, character, str(n), writer) for n, (p, s) in pairs)
         if not found:
