@@ -24,7 +24,7 @@ from typing import Any
 
 import numpy as np
 
-from dmp_teach.errors import LetterError
+from dmp_teach.errors import LetterError, kind_of
 from dmp_teach.letters.letter import Letter
 from dmp_teach.letters.piece import Piece
 from dmp_teach.letters.roles import strokes_in_role
@@ -105,7 +105,7 @@ def makeable(shelf: Shelf) -> tuple[str, ...]:
 def made(character: str, shelf: Shelf, transform: str | None = None, recipe: str | None = None) -> Letter:
     """A letter by its recipe; arguments and errors as `Letter.make`."""
     if not isinstance(shelf, Shelf):
-        raise LetterError(f"A letter is made from a Shelf, but got a {type(shelf).__name__}; use Shelf.of(recordings).")
+        raise LetterError(f"A letter is made from a Shelf, but got {kind_of(shelf)}; use Shelf.of(recordings).")
     if not isinstance(recipe, str | None):
         raise LetterError(f"recipe is {recipe!r}, but must be a line of strokes, such as 'D bar, D bowl'.")
     hows = [how for _, how in recipes(character)] if recipe is None else [recipe]
