@@ -6,7 +6,8 @@ Read in this order:
     strokes         ... found from the height (`motion`: on an even clock; `writing`: what of it left a line);
                     `printed_rules`: the paper's way; `cuts`: moved by hand
     reader          a file becomes recordings; what is in it tells which of these reads it:
-      capture         motion capture (`motive` reads the table, `plane` finds the paper)
+      capture         motion capture (`motive` reads the file, `motive_table` its columns, `motive_markers` the pen,
+                      `plane` the paper)
       inkml           digital ink (`inkml_channels`, `inkml_points`, `inkml_times`)
       reference_sets  Character Trajectories and LASA (`matfile` reads MATLAB's files)
       svg             drawings (`pace`: when a hand would be where)

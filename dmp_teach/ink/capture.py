@@ -1,6 +1,7 @@
 """Motion capture as a recording: fill its gaps, lay it on its page, cut it to its writing."""
 
 import re
+import unicodedata
 from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
@@ -22,6 +23,9 @@ JUMP = 0.004  # a step that is this much longer than its neighbours was no pen .
 PEN = 8.0  # ... unless the samples are so far apart that a pen could do it [m/s2] ...
 AIR = 50.0  # ... or a hand in the air, or one that knocks on the paper [m/s2]
 BESIDE = 0.5  # a leap this soon before or after the writing has cut it short [s]
+EDGE = 0.05  # how long a marker is watched before it is lost, or after it is found [s]
+WRITING = 0.03  # a marker that is lost slower than this had written all there was [m/s]
+FLAT = 3.0  # ink lies this much wider on its paper than off it
 SMALLEST = 0.004  # no marker at a hand that writes moves less [m]
 
 
@@ -71,7 +75,9 @@ def _seen(take: Take) -> Take:
             f"{take.name}: marker {take.marker!r} was seen in {len(seen)} frames, but a letter needs {FEWEST}; "
             f"record again. {take.choice}"
         )
-    return take.part(int(seen[0]), int(seen[-1]) + 1)
+    first, last = int(seen[0]), int(seen[-1])
+    unseen = (float(take.t[first] - take.t[0]), float(take.t[-1] - take.t[last]))
+    return replace(take.part(first, last + 1), unseen=unseen)
 
 
 def _filled(take: Take) -> Array:
@@ -93,6 +99,32 @@ def _check_gaps(take: Take, strokes: list[tuple[int, int]]) -> None:
                         f"{take.at(before)}, inside stroke {number}; gaps up to {SHORT} s can be filled. Fill it in "
                         f"Motive, or record again. {take.choice}"
                     )
+    _check_edges(take, strokes, longest)
+
+
+def _check_edges(take: Take, strokes: list[tuple[int, int]], longest: float) -> None:
+    """Raise where the take goes on without the marker while it was writing: the rest of the stroke is missing."""
+    seen = np.flatnonzero(np.isfinite(take.position[:, 0]))
+    ends = [(seen, take.unseen[0], 0, "before", "is first seen at")]
+    ends += [(seen[::-1], take.unseen[1], len(strokes) - 1, "after", "is lost for good after")]
+    for edge, unseen, number, side, verb in ends:
+        near = edge[np.abs(take.t[edge] - take.t[edge[0]]) <= EDGE]
+        near = near[(near >= strokes[number][0]) & (near < strokes[number][1])]
+        if unseen > longest and len(near) > 1 and _speed(take, near[0], near[-1], strokes) > WRITING:
+            raise RecordingError(
+                f"{take.name}: marker {take.marker!r} {verb} {take.at(int(edge[0]))}, inside stroke {number}: the take "
+                f"has {unseen:.2f} s {side} that, but not the marker. Mend it in Motive, or record again. {take.choice}"
+            )
+
+
+def _speed(take: Take, one: int, other: int, strokes: list[tuple[int, int]]) -> float:
+    """How fast the marker goes from one sample to another along the paper, a lift not counted [m/s]."""
+    ink = np.concatenate([take.position[a:b] for a, b in strokes])
+    ink = ink[np.isfinite(ink[:, 0])]
+    _, spread, ways = np.linalg.svd(np.cov(ink.T))
+    paper = ways[:2] if spread[1] > FLAT**2 * spread[2] else ways[:1]  # a bar does not tell how its paper lies
+    along = paper @ (take.position[other] - take.position[one])
+    return float(np.linalg.norm(along) / abs(take.t[other] - take.t[one]))
 
 
 def _check_size(take: Take, position: Array) -> None:
@@ -146,5 +178,6 @@ def _check_jumps(take: Take, position: Array, strokes: list[tuple[int, int]]) ->
 
 def _labels(name: str) -> tuple[str | None, str | None]:
     """Letter and pseudonym from a file name such as `a_w01.csv`; other names stay private."""
-    match = re.fullmatch(r"(\S)_(w\d+)(?:[_ .-].*)?", Path(name).stem)
+    stem = unicodedata.normalize("NFC", Path(name).stem)  # macOS takes the dots off an ä
+    match = re.fullmatch(r"(\S)_(w\d+)(?:[_ .-].*)?", stem)
     return match.groups() if match else (None, None)

@@ -111,23 +111,25 @@ def motive(
     whole=False,
     units="Meters",
     ghosts=(),
+    body=("RigidBody 1", (0.1, 0.05, 0.2)),
+    times="{:.6f}",
     scale=1.0,
     head=None,
     empty_last=True,
 ):
-    """Write a Motive 1.21 file; NaN becomes an empty cell. Returns the path."""
+    """Write a Motive 1.21 file; NaN becomes an empty cell, and `body` is a rigid body's name and where it was."""
     body_id = '"8392B20CF49E3573"' if quoted else "8392B20CF49E3573"
-    markers = [("RigidBody 1:Marker1", np.tile([0.1, 0.05, 0.2], (len(t), 1))), *ghosts, (pen, world)]
+    markers = [(f"{body[0]}:Marker1", np.broadcast_to(body[1], (len(t), 3))), *ghosts, (pen, world)]
     rate = "120" if whole else "120.000000"
     width = 2 + 3 * len(markers) + 4
     top = ["Format Version", "1.21", "Take Name", "Take", "Capture Frame Rate", rate, "Length Units", units]
-    columns = [("Rigid Body", "RigidBody 1", body_id, "Rotation", axis) for axis in "XYZW"]
+    columns = [("Rigid Body", body[0], body_id, "Rotation", axis) for axis in "XYZW"]
     columns += [("Marker", n, f'"{n}id"' if quoted else "id", "Position", a) for n, _ in markers for a in "XYZ"]
     rows = [",".join(top) + ("," * (width - len(top)) if commas else ""), "," * (width - 1) if commas else ""]
     rows += [",".join(["", "", *(c[k] for c in columns)]) for k in range(4)]
     rows.append(head or ",".join(["Frame", "Time", *(c[4] for c in columns)]))
     for k in range(len(t)):
-        cells = [str(k), f"{t[k]:.6f}", "0", "0", "0", "1"]
+        cells = [str(k), times.format(t[k]), "0", "0", "0", "1"]
         for _, xyz in markers:
             cells += ["" if np.isnan(v) else f"{v * scale:.6f}" for v in xyz[k]]
         rows.append(",".join(cells))
