@@ -10,7 +10,7 @@ Read in this order:
                       `plane` the paper)
       inkml           digital ink (`inkml_channels`, `inkml_points`, `inkml_times`)
       reference_sets  Character Trajectories and LASA (`matfile` reads MATLAB's files)
-      svg             drawings (`pace`: when a hand would be where)
+      svg             drawings (`svg_frames`, `svg_style`, `svg_shapes`; `pace`: when a hand would be where)
       our_json        what we write ourselves (`plain_json`: strictly, never run)
       for all         `opening` (bounded files), `markup` (XML from strangers), `flat` and `lifts` (ink without height)
     writer          a recording becomes a file
