@@ -16,7 +16,8 @@ from dmp_teach.trajectory import Array, Trajectory
 LARGEST = 4.0  # no hand that writes moves farther [m]
 SMALLEST = 0.0005  # or less [m]
 USUAL = 0.05  # how high a letter is taken to be where a file says no unit [m]
-LONGEST_LABEL = 40  # a longer text is no label
+LONGEST_LABEL = 40  # a longer text is no label ...
+LONGEST_OWN = 1000  # ... but in a file of ours, where it can be nothing else
 
 
 def flat_recording(
@@ -40,8 +41,7 @@ def flat_recording(
     check_size(ink)
     corner = np.concatenate(ink).min(axis=0)
     shift = corner if origin is None else np.asarray(origin)
-    if not (np.abs(shift - corner) < LARGEST).all():
-        raise RecordingError(f"the page's origin is {shift - corner} m from the ink, but no page is so large.")
+    check_place(corner, shift)
     begin = strokes[0].t[0]
     return with_lifts([Trajectory(stroke.t - begin, stroke.position - shift) for stroke in strokes], pressures, **about)
 
@@ -55,6 +55,13 @@ def check_size(strokes: Sequence[Array]) -> None:
         raise RecordingError(
             f"the ink is {size:.4g} m large, but must be {SMALLEST} to {LARGEST} m; is its unit right?"
         )
+
+
+def check_place(corner: Array, origin: ArrayLike) -> None:
+    """Raise a RecordingError where the ink's lower left corner is too far from its page's origin, (2,) each [m]."""
+    away = np.asarray(origin) - corner
+    if not (np.abs(away) < LARGEST).all():
+        raise RecordingError(f"the page's origin is {away} m from the ink, but no page is so large; move the ink.")
 
 
 def millimetres(text: str | None, count: int) -> Array | None:
@@ -84,6 +91,11 @@ def label_of(text: str | None) -> str | None:
     """A letter's label without the spaces round it; None for a text that is too long for one."""
     label = " ".join((text or "").split())
     return label if 0 < len(label) <= LONGEST_LABEL else None
+
+
+def own_label(text: str | None) -> str | None:
+    """A label that we wrote into a file ourselves, every sign of it."""
+    return text if text is not None and len(text) <= LONGEST_OWN else None
 
 
 def writer_of(text: str | None) -> str | None:

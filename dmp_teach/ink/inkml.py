@@ -14,7 +14,7 @@ from xml.etree.ElementTree import Element
 import numpy as np
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.ink.flat import check_size, flat_recording, label_of, millimetres, usual_scale, writer_of
+from dmp_teach.ink.flat import check_size, flat_recording, label_of, millimetres, own_label, usual_scale, writer_of
 from dmp_teach.ink.inkml_channels import Channel, Contexts, Format
 from dmp_teach.ink.inkml_points import MOST, points_of
 from dmp_teach.ink.inkml_times import one_clock, times_of
@@ -177,11 +177,12 @@ def _letter(root: Element, group: Element, strokes: list[_Stroke], scale: float,
     origin, baseline = (
         millimetres(_annotation(root, (name,)), count) for name, count in (("origin", 2), ("baseline", 1))
     )
+    label = _annotation(group, LABELS)
     return flat_recording(
         [Trajectory(t, row[:, :2]) for t, row in laid],
         [row[:, 2] for _, row in laid] if forced else None,
         origin,
-        character=label_of(_annotation(group, LABELS)),
+        character=label_of(label) if origin is None else own_label(label),
         writer=writer_of(_annotation(group, ("writer",)) or _annotation(root, ("writer",))),
         baseline=None if baseline is None or origin is None else float(baseline[0]),
     )

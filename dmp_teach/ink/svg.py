@@ -8,6 +8,7 @@ clones (`use`) are refused.
 """
 
 import re
+import unicodedata
 from collections.abc import Iterator
 from xml.etree.ElementTree import Element
 
@@ -15,7 +16,7 @@ import numpy as np
 from svgelements import Path
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.ink.flat import check_size, flat_recording, label_of, millimetres, writer_of
+from dmp_teach.ink.flat import check_size, flat_recording, label_of, millimetres, own_label, writer_of
 from dmp_teach.ink.markup import local
 from dmp_teach.ink.pace import in_time
 from dmp_teach.ink.recording import Recording
@@ -110,10 +111,13 @@ def _is_paper(strokes: list[Array], page: Array | None) -> bool:
 
 
 def _labels(root: Element) -> tuple[str | None, str | None]:
-    """Letter and pseudonym from a title such as "a by w01"; any other title stays out unless it is one sign."""
+    """Letter and pseudonym: as we wrote them, or from a title such as "a by w01"; any longer title stays out."""
+    said = root.get("data-character"), root.get("data-writer")
+    if said != (None, None):
+        return own_label(said[0]), writer_of(said[1])
     title = next((child.text for child in root if local(child) == "title"), None)
     match = BY.fullmatch(label_of(title) or "")
     if match and (writer := writer_of(match[2])):
         return label_of(match[1]), writer
-    label = label_of(title)
-    return (label if label and len(label) == 1 else None), None
+    label = unicodedata.normalize("NFC", label_of(title) or "")
+    return (label if len(label) == 1 else None), None

@@ -4,6 +4,7 @@ None of them has a place for a name, a date or a time of day: times begin at 0, 
 """
 
 import os
+import re
 from collections.abc import Iterable
 from pathlib import Path
 from xml.sax.saxutils import escape, quoteattr
@@ -11,6 +12,7 @@ from xml.sax.saxutils import escape, quoteattr
 import numpy as np
 
 from dmp_teach.errors import PathError, RecordingError, kind_of
+from dmp_teach.ink.flat import check_place, check_size
 from dmp_teach.ink.lifts import with_lifts
 from dmp_teach.ink.our_json import check_pseudonym, to_json
 from dmp_teach.ink.recording import Recording
@@ -19,6 +21,7 @@ from dmp_teach.trajectory import Trajectory
 
 MARGIN = 0.005  # round the ink of a drawing [m]
 PEN = 0.5  # how wide its lines are [mm]
+NO_XML = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
 def write_recording(ink: Recording | Iterable[Trajectory], path: str | os.PathLike[str]) -> Path:
@@ -26,7 +29,8 @@ def write_recording(ink: Recording | Iterable[Trajectory], path: str | os.PathLi
 
     `.json` keeps all of it, to the last bit. `.inkml` keeps the strokes, their times (to 1 us) and pressure, and places
     to 0.1 um; what the pen did in the air is left out. `.svg` keeps the strokes' shape and order, to 1 um, a path for
-    each, in millimetres and unfilled, as pen plotters want it.
+    each, in millimetres and unfilled, as pen plotters want it; read again, at a hand's pace, its sharp bends are cut by
+    up to 0.1 mm. A label keeps every sign that XML can hold.
 
     Args:
         ink: A recording, or 2-D strokes on one clock [m].
@@ -36,7 +40,8 @@ def write_recording(ink: Recording | Iterable[Trajectory], path: str | os.PathLi
         The path.
 
     Raises:
-        RecordingError: Neither a recording nor strokes, or its writer is no pseudonym.
+        RecordingError: Neither a recording nor strokes, its writer is no pseudonym, or ink of a size or in a place that
+            no reader would take for a letter; nothing is written then.
         PathError: Another end of the name, a missing folder, or a place that cannot be written.
     """
     recording = ink if isinstance(ink, Recording) else _recording(ink)
@@ -44,6 +49,8 @@ def write_recording(ink: Recording | Iterable[Trajectory], path: str | os.PathLi
     suffix = Path(path).suffix.lower() if isinstance(path, str | os.PathLike) else ""
     if suffix not in FORMATS:
         raise PathError(f"The path is {path!r}, but its name must end with one of {', '.join(FORMATS)}.")
+    if suffix != ".json":
+        _check_flat(recording, suffix)
     return write_whole(path, FORMATS[suffix](recording).encode(), suffix)
 
 
@@ -57,6 +64,16 @@ def _recording(ink: Iterable[Trajectory]) -> Recording:
     return with_lifts(strokes)
 
 
+def _check_flat(recording: Recording, suffix: str) -> None:
+    """Raise where the file could not be read again."""
+    ink = [stroke.position for stroke in recording.strokes()]
+    try:
+        check_size(ink)
+        check_place(np.concatenate(ink).min(axis=0), (0.0, 0.0))
+    except RecordingError as error:
+        raise RecordingError(f"This cannot be written as {suffix}: {error} A .json file keeps any ink.") from None
+
+
 def _inkml(recording: Recording) -> str:
     """A recording as InkML: X and Y in millimetres, Y down the page, T in milliseconds."""
     strokes = recording.strokes()
@@ -64,7 +81,9 @@ def _inkml(recording: Recording) -> str:
     about = {"truth": recording.character, "writer": recording.writer, "origin": "0 0"}
     about["baseline"] = None if recording.baseline is None else f"{1000 * recording.baseline:.4f}"
     notes = [
-        f"  <annotation type={quoteattr(kind)}>{_plain(text)}</annotation>" for kind, text in about.items() if text
+        f"  <annotation type={quoteattr(kind)}>{_plain(text)}</annotation>"
+        for kind, text in about.items()
+        if text is not None
     ]
     force = ['      <channel name="F" type="decimal" min="0" max="1"/>'] if pressed else []
     lines = [
@@ -97,6 +116,8 @@ def _svg(recording: Recording) -> str:
     left, top = ink[:, 0].min() - MARGIN, ink[:, 1].max() + MARGIN
     wide, high = 1000 * (np.ptp(ink, axis=0) + 2 * MARGIN)
     line = "" if recording.baseline is None else f' data-baseline="{1000 * recording.baseline:.4f}"'
+    labels = {"data-character": recording.character, "data-writer": recording.writer}
+    line += "".join(f" {name}={quoteattr(_held(text))}" for name, text in labels.items() if text is not None)
     about = [_plain(recording.character or ""), f"by {recording.writer}" if recording.writer else ""]
     title = " ".join(part for part in about if part)
     paths = []
@@ -120,8 +141,13 @@ def _svg(recording: Recording) -> str:
 
 
 def _plain(text: str) -> str:
-    """Text that XML can hold."""
-    return escape("".join(sign if sign.isprintable() else "?" for sign in text))
+    """Text as XML has it between its elements."""
+    return escape(_held(text), {"\r": "&#13;"})
+
+
+def _held(text: str) -> str:
+    """Text with a question mark for what XML cannot hold: most signs for machines, and halves of signs."""
+    return NO_XML.sub("?", text)
 
 
 FORMATS = {".json": to_json, ".inkml": _inkml, ".svg": _svg}

@@ -12,7 +12,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from dmp_teach.errors import PathError, RecordingError
@@ -85,6 +85,51 @@ def test_what_is_written_is_well_formed_and_says_nothing_of_people(tmp_path, suf
     ElementTree.fromstring(text)
     assert "17000" not in text, "no clock is kept"
     assert read_recording(tmp_path / f"a{suffix}").writer == "w01"
+
+
+LABELS = [
+    "by",
+    "a by w02",
+    " ",
+    "",
+    "a\u0308",
+    "\u200d",
+    "x" * 50,
+    "two words",
+    "\tx\r\n",
+    "]]>&lt;\"'",
+    "\U0001f600",
+    None,
+]
+text = st.text(st.characters(exclude_categories=["Cs"], min_codepoint=0x20, exclude_characters="\ufffe\uffff"))
+
+
+@settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
+@given(label=st.sampled_from(LABELS) | text, writer=st.sampled_from(["w01", "by", None]))
+def test_every_label_comes_back_as_it_was(tmp_path, label, writer):
+    once = replace(recording_of("l"), character=label, writer=writer)
+    for suffix in (".json", ".inkml", ".svg"):
+        again = read_recording(write_recording(once, tmp_path / f"l{suffix}"))
+        assert (again.character, again.writer) == (label, writer)
+
+
+def test_a_label_loses_only_what_no_xml_can_hold(tmp_path):
+    for suffix in (".inkml", ".svg"):
+        path = write_recording(replace(recording_of("l"), character="\0a\ud800\x1f\ufffe"), tmp_path / f"l{suffix}")
+        assert read_recording(path).character == "?a???"
+
+
+@pytest.mark.parametrize("suffix", [".inkml", ".svg"])
+def test_ink_that_no_reader_takes_for_a_letter_is_not_written(tmp_path, suffix):
+    once = recording_of("l")
+    dot = replace(once, position=np.zeros_like(once.position), given_strokes=((0, len(once.t)),))
+    far = replace(once, position=once.position + np.array([100.0, 0.0, 0.0]))
+    for odd, sentence in ((dot, "the ink is 0 m large"), (far, r"origin is \[.*\] m from the ink.*; move the ink")):
+        with pytest.raises(
+            RecordingError, match=rf"cannot be written as {suffix}: .*{sentence}.*A \.json file keeps any"
+        ):
+            write_recording(odd, tmp_path / f"l{suffix}")
+        assert list(tmp_path.iterdir()) == []
 
 
 @pytest.mark.parametrize("suffix", [".json", ".inkml", ".svg"])

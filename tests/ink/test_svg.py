@@ -121,6 +121,7 @@ def test_a_title_of_one_sign_is_the_letter_and_other_titles_stay_out(tmp_path):
         "D": ("D", None),
         "D by w07": ("D", "w07"),
         "by w07": (None, "w07"),
+        "a\u0308": ("ä", None),
         "Drawing by Anna": (None, None),
         "Anna": (None, None),
     }.items():
