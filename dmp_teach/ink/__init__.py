@@ -8,7 +8,7 @@ Read in this order:
     reader          a file becomes recordings; what is in it tells which of these reads it:
       capture         motion capture (`motive` reads the file, `motive_table` its columns, `motive_markers` the pen,
                       `plane` the paper)
-      inkml           digital ink (`inkml_channels`, `inkml_points`, `inkml_times`)
+      inkml           digital ink (`inkml_channels`, `inkml_mappings`, `inkml_points`, `inkml_times`, `inkml_views`)
       reference_sets  Character Trajectories and LASA (`matfile` reads MATLAB's files)
       svg             drawings (`svg_frames`, `svg_style`, `svg_shapes`; `pace`: when a hand would be where)
       our_json        what we write ourselves (`plain_json`: strictly, never run)

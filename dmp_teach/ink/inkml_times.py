@@ -12,6 +12,7 @@ from dmp_teach.trajectory import Array
 
 TAP = 0.02  # how long a single point lasts [s]
 FASTEST = 0.0002  # no pen is looked at more often: such times are no milliseconds [s]
+SLOWEST = 1.0  # nor so seldom [s]
 LONGEST = 3600.0  # nobody writes one stroke so long [s]
 
 
@@ -24,12 +25,21 @@ def times_of(values: Array | None, form: Format, offset: str | None, duration: s
         offset: Its `timeOffset` [ms].
         duration: Its `duration` [ms].
         count: K.
+
+    Raises:
+        RecordingError: No unit, and milliseconds would be too slow for any pen.
     """
     begin = 0.001 * (number_of(offset) or 0.0)
     if values is not None and np.isfinite(values).any() and (count == 1 or np.nanmax(values) > np.nanmin(values)):
         scale = form.find("T").scale
         if scale is None:
-            scale = 1.0 if count > 2 and 0 < np.nanmedian(np.diff(values)) * 0.001 < FASTEST else 0.001
+            step = float(np.nanmedian(np.diff(values))) if count > 2 else 1.0
+            if step * 0.001 > SLOWEST:
+                raise RecordingError(
+                    f"has points {step:.4g} apart in channel T, which says no unit, and would be milliseconds; give it "
+                    "its unit, such as units='us'."
+                )
+            scale = 1.0 if 0 < step * 0.001 < FASTEST else 0.001
         return begin + values * scale
     if form.rate is not None:
         return begin + np.arange(count) / form.rate

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from dmp_teach.ink.motive_markers import Way, pen_pieces
-from dmp_teach.ink.motive_table import Key, Table, check_width, number, read_table, times
+from dmp_teach.ink.motive_table import Key, Table, check_width, listed, number, read_table, times
 from dmp_teach.trajectory import Array
 
 
@@ -41,7 +41,7 @@ class Take:
         """Which other markers could be named, in a sentence."""
         if not self.others:
             return "The file has no other marker that could be the pen."
-        return f"Other markers that could be named with marker=...: {', '.join(map(repr, self.others))}."
+        return f"Other markers that could be named with marker=...: {listed(self.others)}."
 
     def at(self, k: int) -> str:
         """Where sample k stands in the file, in words."""

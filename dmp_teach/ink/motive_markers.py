@@ -12,7 +12,7 @@ from itertools import islice
 import numpy as np
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.ink.motive_table import Key, Table
+from dmp_teach.ink.motive_table import Key, Table, listed
 from dmp_teach.trajectory import Array
 
 PEN = 0.004  # a marker that stays within this much is no pen, however long it was seen [m]
@@ -53,7 +53,7 @@ def pen_pieces(table: Table, t: Array, marker: str | None) -> tuple[list[Key], l
     named = {key: j for key, j in table.markers.items() if key[0] == marker}
     pool = free if marker is None else named
     if not pool:
-        names = ", ".join(dict.fromkeys(repr(label) for label, _ in (free or table.markers))) or "none"
+        names = listed(label for label, _ in (free or table.markers))
         wanted = "no marker that could be the pen" if marker is None else f"no marker {marker!r}"
         raise RecordingError(f"{table.name} has {wanted}. Markers that could be named with marker=...: {names}.")
     ways = _ways(table, free | pool)

@@ -8,6 +8,7 @@ import codecs
 import csv
 import io
 import re
+from collections.abc import Iterable
 from dataclasses import dataclass
 from itertools import pairwise
 
@@ -17,6 +18,7 @@ from dmp_teach.errors import RecordingError
 from dmp_teach.ink.markup import number_of
 from dmp_teach.trajectory import Array
 
+MOST_NAMES, LONGEST_NAME = 20, 60  # in a sentence
 LONGEST_STEP = 60.0  # nobody waits longer inside a take [s]
 METRES = {
     1.0: ("m", "meter", "meters", "metre", "metres"),
@@ -158,6 +160,12 @@ def _bodies(top: Rows) -> frozenset[str]:
         return frozenset()
     named = zip(top[kinds], top[kinds + 1], strict=False)
     return frozenset(label.strip() for kind, label in named if kind.strip().lower() == "rigid body") - {""}
+
+
+def listed(names: Iterable[str]) -> str:
+    """Names in a sentence, each once, not too many and none too long."""
+    shown = list(dict.fromkeys(name if len(name) <= LONGEST_NAME else f"{name[:LONGEST_NAME]} ..." for name in names))
+    return ", ".join(map(repr, shown[:MOST_NAMES])) + (", ..." if len(shown) > MOST_NAMES else "")
 
 
 def check_width(table: Table) -> None:

@@ -21,6 +21,7 @@ ASKED = {*ATTRIBUTES, *PLACES, *MOVING}
 SELECTOR = re.compile(r"(\*|[A-Za-z][\w-]*)?((?:[.#][\w-]+)*)")
 UNSEEN_YET = re.compile(r":(?:hover|active|focus|visited|target)\b")  # what nobody does to ink
 MEDIA = re.compile(r"@media\s+(?:all|screen)\s*", re.IGNORECASE)
+MOST_RULES = 20_000
 MOST_WORK = 2_000_000  # rules that are looked at, for all shapes together
 Props = dict[str, str]
 
@@ -88,6 +89,9 @@ class Styles:
         normal, important = _declarations(declared)
         if not (normal or important):
             return
+        self._work += selectors.count(",") + 1
+        if self._work > MOST_RULES:
+            raise RecordingError(f"has more than {MOST_RULES} style rules; give its elements their styles themselves.")
         for selector in map(str.strip, selectors.split(",")):
             match = SELECTOR.fullmatch(selector)
             if match and selector:

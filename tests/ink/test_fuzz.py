@@ -63,7 +63,24 @@ def good(folder):
     files["a.mat"] = mat(uci(small, labels=(1, 2), pad=(1, 2)), compressed=False)
     files["b.mat"] = mat(lasa(small), compressed=True)
     files["c.mat"] = mat(VALUES | {"mixout": uci(small)["mixout"]}, compressed=False)
-    return files
+    return files | rich(folder, t, lab(page))
+
+
+def rich(folder, t, world):
+    """Files that use what few do: a marker of two names, styles and views in drawings, views and mappings in ink."""
+    before, after = world.copy(), world.copy()
+    before[40:], after[:42] = np.nan, np.nan
+    two = motive(folder / "y.csv", t, before, ghosts=[("Unlabeled:5003", after)], body=("Robot", (0.1, 0.2, 0.3)))
+    drawn = "<style>/* a */.h, #i{display:none!important} @media screen{path.k{fill:none}}</style>"
+    drawn += '<rect width="100%" height="100%" fill="#fff"/><g class="h"><path d="M1 1L3 9"/></g>'
+    drawn += '<svg x="9%" width="50%" height="5" viewBox="1 2 9 9" preserveAspectRatio="xMaxYMin slice">'
+    drawn += '<circle r="9%"/></svg><g style="transform:rotate(9deg);transform-origin:5% top"><path d="M0 0h9v9"/></g>'
+    drawn = f'<svg viewBox="0 0 90 60" data-character="ab" data-writer="w01">{drawn}</svg>'
+    group = "".join(trace(stroke[::9]) for stroke in d_strokes())
+    shown = f'<definitions><traceGroup xml:id="g" contextRef="#c">{group}</traceGroup></definitions>'
+    shown += '<context brushRef="#b"/><traceView traceDataRef="#g" from="1:2" to="2"/>'
+    turned = '<canvasTransform><mapping type="affine"><affine>1 0.5 0, 0 2 0</affine></mapping></canvasTransform>'
+    return {"b.csv": two.read_bytes(), "c.svg": drawn.encode(), "d.inkml": inkml(shown, extra=turned).encode()}
 
 
 @pytest.fixture(scope="module")
@@ -71,7 +88,8 @@ def files(tmp_path_factory):
     return good(tmp_path_factory.mktemp("good"))
 
 
-NAMES = ["a.csv", "a.json", "a.svg", "b.svg", "a.inkml", "b.inkml", "c.inkml", "a.mat", "b.mat", "c.mat"]
+NAMES = ["a.csv", "b.csv", "a.json", "a.svg", "b.svg", "c.svg", "a.inkml", "b.inkml", "c.inkml", "d.inkml"]
+NAMES += ["a.mat", "b.mat", "c.mat"]
 
 
 def letters_or_a_sentence(path, data):
@@ -228,6 +246,7 @@ def test_paths_of_any_signs(tmp_path, way, turn):
 
 
 LAUGHS = "".join(f'<!ENTITY l{k} "{f"&l{k - 1};" * 10}">' for k in range(1, 12))
+VIEW = '<traceView traceDataRef="#a"/>'
 POISON = {
     "billion laughs": f'<!DOCTYPE ink [<!ENTITY l0 "1 2,">{LAUGHS}]><ink><trace>&l11;</trace></ink>',
     "quadratic": f'<!DOCTYPE ink [<!ENTITY a "{"1 2," * 9999}">]><ink><trace>{"&a;" * 9999}</trace></ink>',
@@ -258,6 +277,17 @@ POISON = {
     "a long number": '{"format": ' + "1" * 1_000_000 + "}",
     "quotes": f"<ink><trace>{chr(39) * 500_000}</trace></ink>",
     "stars": f"<ink><trace>1'1 1'1,{'* *,' * 200_000}</trace></ink>",
+    "comments in a sheet": f"<svg><style>{'/*/' * 3_000_000}</style></svg>",
+    "braces in a sheet": f"<svg><style>{'{' * 5_000_000}</style></svg>",
+    "media in a sheet": f"<svg><style>{'@media screen{' * 500_000}</style></svg>",
+    "selectors": f"<svg><style>{'.a,' * 2_000_000}a{{fill:red}}</style></svg>",
+    "classes": f'<svg><style>.a{{fill:red}}</style><path d="M0 0L9 9" class="{"a " * 2_000_000}"/></svg>',
+    "styles": f'<svg><path d="M0 0L9 9" style="{"fill:red;" * 1_000_000}"/></svg>',
+    "views": f'<ink><trace xml:id="a">0 0, 9 9</trace>{VIEW * 90_000}</ink>',
+    "many markers": f",,{'Marker,' * 60_000}\n,,{'a,' * 60_000}\n,,{'Position,' * 60_000}\n"
+    f"Frame,Time,{'X,Y,Z,' * 20_000}\n" + "".join(f"{k},{k / 100},1\n" for k in range(200_000)),
+    "names of colons": ",,Rigid Body,Marker,Marker,Marker\n,,a," + f"{':' * 100_000}," * 3 + "\n,,,Position,Position,"
+    "Position\nFrame,Time,,X,Y,Z\n1,0,0,1,1,1",
     "cells": "Frame,Time\n" + "," * 2_000_000,
     "rows": "\n" * 2_000_000 + "x",
 }

@@ -298,7 +298,6 @@ BROKEN = {
     "too many values": (inkml("<trace>1 2 3 4 5, 1 2 3 4</trace>"), "trace 0 has more than 4 values in a point"),
     "no Y": (inkml(BODY, '<channel name="X"/>'), "has the channels X, but must have X and Y"),
     "X twice": (inkml(BODY, '<channel name="X"/>' + PLAIN), "must have X and Y, each name once"),
-    "no format": (SPACE.format("<context/><trace>1 2</trace>"), "has a context without a trace format"),
     "time runs back": (inkml("<trace>1 2 30 4, 20 30 20 4</trace>"), "stroke 0 has times that run back"),
     "a year": (inkml("<trace>1 2 3 4, 20 30 3e10 4</trace>"), "stroke 0 takes 3e.07 s; is the unit of channel T right"),
     "a dot alone": (inkml("<trace>1 2 3 4</trace>"), "the ink is 0 m large, but must be"),

@@ -129,6 +129,13 @@ def test_a_name_that_begins_like_a_body_may_be_the_pen(tmp_path, pen, body):
     )
 
 
+def test_of_very_many_names_some_are_listed(tmp_path):
+    t = np.arange(30) / 120
+    ghosts = [(f"Unlabeled:{k}" + "x" * 100 * (k == 3), np.ones((30, 3))) for k in range(60)]
+    with pytest.raises(RecordingError, match=r"'Unlabeled:2', 'Unlabeled:3x{49} \.\.\.', .*'Unlabeled:19', \.\.\.\.$"):
+        read_recording(motive(tmp_path / "a_w01.csv", t, np.ones((30, 3)), ghosts=ghosts), marker="pen")
+
+
 def test_a_body_can_still_be_named(tmp_path):
     t, world = hand()
     path = motive(tmp_path / "D_w07.csv", t, circling(t), body=("Robot", world))

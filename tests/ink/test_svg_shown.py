@@ -154,6 +154,7 @@ BROKEN = {
         "transform-origin is 'here', but must be",
     ),
     "an empty view": (svg(f'<svg width="0">{L}</svg>'), "width is '0', but must be more than 0; delete what is empty"),
+    "many rules": (svg(f"<style>{'.a,' * 20_001}b{{fill:red}}</style>" + L), "more than 20000 style rules; give its"),
     "heavy sheets": (
         svg("<style>" + ".a{fill:red}" * 3000 + "</style>" + '<path class="a" d="M0 0L9 9"/>' * 1000),
         "style sheets that take more than 2000000 steps",
