@@ -18,7 +18,7 @@ from dmp_teach.trajectory import Array
 PEN = 0.004  # a marker that stays within this much is no pen, however long it was seen [m]
 BLOCK = 0.1  # a marker's way is seen in medians over this long, which no single cell can move [s]
 STEP = 0.001  # from one of them to the next a pen moves more than this [m] ...
-FEWEST_STEPS = 3  # ... so many times at least: a marker that somebody pushed moves once or twice
+FEWEST_STEPS = 3  # ... so many times: a marker that somebody pushed moves once or twice
 SHORT = 0.1  # gaps up to this long are filled without looking for other names, and nobody rests longer unseen [s]
 LATEST = 0.5  # a marker that comes back later may be anything [s]
 NEAR = 0.01  # so far from the place where it was lost [m] ...
@@ -44,7 +44,7 @@ def pen_pieces(table: Table, t: Array, marker: str | None) -> tuple[list[Key], l
     Args:
         table: The file.
         t: The times of its frames (T,) [s].
-        marker: The marker's name; None takes, of all that are free and move, the one that was seen most.
+        marker: The marker's name; None takes, of all that are free and move most like a pen, the one seen most.
 
     Raises:
         RecordingError: No such marker, or two that could go on for it.
@@ -57,9 +57,10 @@ def pen_pieces(table: Table, t: Array, marker: str | None) -> tuple[list[Key], l
         wanted = "no marker that could be the pen" if marker is None else f"no marker {marker!r}"
         raise RecordingError(f"{table.name} has {wanted}. Markers that could be named with marker=...: {names}.")
     ways = _ways(table, free | pool)
-    moving = {key for key, way in ways.items() if _moves(way, t)}
-    chosen = max(pool, key=lambda key: (key in moving, len(ways[key].seen)))
-    pieces = _joined(chosen, ways, moving, t, table) if chosen in moving else [chosen]
+    motion = {key: _motion(way, t) for key, way in ways.items()}
+    chosen = max(pool, key=lambda key: (motion[key], len(ways[key].seen)))
+    moving = {key for key in ways if motion[key] > 1}
+    pieces = _joined(chosen, ways, moving, t, table) if motion[chosen] else [chosen]
     taken = {label for label, _ in pieces}
     others = tuple(dict.fromkeys(label for label, _ in free if label not in taken))
     return pieces, [ways[key] for key in pieces], others
@@ -97,15 +98,21 @@ def _finite(cell: str) -> float:
     return value if abs(value) < 1e100 else 0.0
 
 
-def _moves(way: Way, t: Array) -> bool:
-    """Whether a marker moves as a pen does: in several steps, seen in medians over short blocks of time."""
-    if len(way.seen) < FEWEST_STEPS + 1 or not (np.ptp(way.points, axis=0) > PEN).any():
-        return False
+def _motion(way: Way, t: Array) -> int:
+    """How much a marker moves like a pen.
+
+    3: in several steps, seen in medians over short blocks of time; 2: in fewer, as a marker does that somebody pushed,
+    or a very quick pen; 1: only in single samples, as where a cell is wrong; 0: not at all.
+    """
+    if not len(way.seen) or not (np.ptp(way.points, axis=0) > PEN).any():
+        return 0
     block = np.floor((t[way.seen] - t[way.seen[0]]) / BLOCK)
     starts = np.flatnonzero(np.diff(block, prepend=-1))
     medians = np.array([np.median(part, axis=0) for part in np.split(way.points, starts[1:])])
+    if not (np.ptp(medians, axis=0) > PEN).any():
+        return 1
     steps = np.linalg.norm(np.diff(medians, axis=0), axis=1)
-    return bool((np.ptp(medians, axis=0) > PEN).any()) and np.count_nonzero(steps > STEP) >= FEWEST_STEPS
+    return 3 if np.count_nonzero(steps > STEP) >= FEWEST_STEPS else 2
 
 
 def _joined(chosen: Key, ways: dict[Key, Way], moving: set[Key], t: Array, table: Table) -> list[Key]:

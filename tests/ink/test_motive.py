@@ -8,6 +8,7 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from dmp_teach.errors import RecordingError
+from dmp_teach.ink.motive import read_take
 from dmp_teach.ink.reader import read_recording
 from tests.ink.motive_csv import Pen, bar, lab, motive
 from tests.ink.test_reader import check_d, d_file, edited
@@ -156,6 +157,16 @@ def test_a_ghost_that_was_pushed_or_has_a_wrong_cell_is_not_the_pen(tmp_path, ki
         read_recording(motive(tmp_path / "D_w07.csv", t, world, ghosts=[("Unlabeled:4999", still)])),
         Pen(touches=touches()),
     )
+
+
+@pytest.mark.parametrize("size", [0.006, 0.02])
+def test_a_quick_small_pen_is_not_taken_for_a_ghost(tmp_path, size):
+    t, page = Pen(speed=0.5).rest(1.0).draw(np.array([(0.0, -size)])).rest(1.0).sampled()
+    world = lab(page)
+    world[20:40] = np.nan
+    still = np.array([0.1, 0.05, 0.3]) + NOISE[: len(t)]
+    path = motive(tmp_path / "i_w07.csv", t, world, ghosts=[("Unlabeled:4999", still)])
+    assert read_take(path.read_bytes(), path.name).marker == "Unlabeled:5000"
 
 
 def test_a_torn_number_beside_empty_columns_is_a_decimal_comma(tmp_path):
