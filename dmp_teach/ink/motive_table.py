@@ -29,7 +29,7 @@ METRES = {
 }
 UNITS = {name: metres for metres, names in METRES.items() for name in names}
 OTHER_COMMA = re.compile(r"[\"\s]*frame[\"\s]*([;\t])[\"\s]*time", re.IGNORECASE)
-FEW_DECIMALS = 3  # times with more of them do not repeat because they were rounded
+FEW_DECIMALS = 3  # times with more of them do not repeat because they were rounded, with fewer they are uneven
 WIDE = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
 Rows = list[list[str]]
 Key = tuple[str, int]  # a marker's name, and which of several of that name
@@ -198,24 +198,25 @@ def number(row: list[str], column: int, place: str, what: str, may_be_empty: boo
 def times(table: Table) -> Array:
     """The times of the frames (T,) [s], strictly increasing.
 
-    Times that were rounded so much that they repeat come from the frames' numbers and the rate instead, where that
-    gives the same times, rounded.
+    Times that were rounded to hundredths, or so much that they repeat, come from the frames' numbers and the rate
+    instead, where that gives the same times, rounded.
 
     Raises:
         RecordingError: Time stands still, runs back or leaps.
     """
     t = np.array([number(row, 1, f"{table.name}, row {k}", "Time") for k, row in table.body])
+    stands = bool((np.diff(t) == 0).any())
+    decimals = max(len(row[1].strip().partition(".")[2]) for _, row in table.body)
+    rounded = stands and 1 <= decimals <= FEW_DECIMALS
+    if (rounded or 1 <= decimals < FEW_DECIMALS) and (exact := _counted(table, t, 10.0**-decimals)) is not None:
+        return exact
     odd = np.flatnonzero((np.diff(t) <= 0) | (np.diff(t) > LONGEST_STEP))
     if not len(odd):
         return t
-    k, stands = int(odd[0]) + 1, bool(np.diff(t).min() == 0)
-    decimals = max(len(row[1].strip().partition(".")[2]) for _, row in table.body)
-    cure = "Export the take again, or delete the row."
+    k, cure = int(odd[0]) + 1, "Export the take again, or delete the row."
     if stands and decimals == 0 and _is_torn(table, k):
         cure = "Is there a decimal comma, such as 0,5? Export with points."
-    elif stands and 1 <= decimals <= FEW_DECIMALS:
-        if (exact := _counted(table, t, 10.0**-decimals)) is not None:
-            return exact
+    elif rounded:
         cure = "Export the times with more decimals."
     raise RecordingError(
         f"{table.name}, row {table.body[k][0]}, column 2 (Time): {t[k]:.6g} s after {t[k - 1]:.6g} s; time must "

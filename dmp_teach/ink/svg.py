@@ -45,16 +45,8 @@ def read_svg(root: Element) -> tuple[Recording, ...]:
     Raises:
         RecordingError: Nothing drawn, or a length, a transform, a style or a path that cannot be read.
     """
-    matrix, view = root_view(root)
-    shapes = list(_shapes(root, Styles(root), None, UP, view))
-    curves = sum(len(path) for path, _, _ in shapes)
-    if curves > MOST:
-        raise RecordingError(f"draws {curves} segments, but a letter has at most {MOST}; simplify the drawing.")
-    count = int(np.clip(MOST_POINTS / max(curves, 1), *POINTS))
-    page = _page(UP @ matrix, view)
     with np.errstate(all="ignore"):  # what is no number is refused below
-        drawn = [(list(strokes_of(path, matrix, count)), flat) for path, matrix, flat in shapes]
-        strokes = [points for part, flat in drawn if not (flat and _is_paper(part, page)) for points in part]
+        strokes = _drawn(root)
     if not strokes:
         raise RecordingError("draws nothing: there is no path in it. Convert text and objects to paths.")
     check_size(strokes)
@@ -66,6 +58,19 @@ def read_svg(root: Element) -> tuple[Recording, ...]:
         origin = origin * [1, -1]
     line = None if baseline is None or origin is None else float(baseline[0])
     return (flat_recording(in_time(strokes), None, origin, character=character, writer=writer, baseline=line),)
+
+
+def _drawn(root: Element) -> list[Array]:
+    """The strokes of a drawing, points (K, 2) each [m]."""
+    matrix, view = root_view(root)
+    shapes = list(_shapes(root, Styles(root), None, UP, view))
+    curves = sum(len(path) for path, _, _ in shapes)
+    if curves > MOST:
+        raise RecordingError(f"draws {curves} segments, but a letter has at most {MOST}; simplify the drawing.")
+    count = int(np.clip(MOST_POINTS / max(curves, 1), *POINTS))
+    page = _page(UP @ matrix, view)
+    drawn = [(list(strokes_of(path, matrix, count)), flat) for path, matrix, flat in shapes]
+    return [points for part, flat in drawn if not (flat and _is_paper(part, page)) for points in part]
 
 
 def _shapes(element: Element, styles: Styles, above: Look | None, matrix: Array, view: View) -> Iterator[Shape]:

@@ -230,6 +230,14 @@ def test_times_that_were_rounded_come_from_the_frames(tmp_path):
     assert abs(late.t[0] - whole.t[0] - 12.34) < 0.005
 
 
+def test_hundredths_of_a_second_do_not_make_a_hand_uneven(tmp_path):
+    pen = Pen().rest(1.5).draw(bar()).hop((0.0, 0.0)).draw(bowl_of_d()).rest(1.5)
+    t, page = pen.sampled(60)
+    path = motive(tmp_path / "D_w07.csv", t, lab(page), times="{:.2f}", empty_last=False)
+    edited(path, lambda lines: [lines[0].replace("120.000000", "60"), *lines[1:]])
+    assert np.allclose(np.diff(read_recording(path).t), 1 / 60, atol=1e-9)
+
+
 @pytest.mark.parametrize("change", [("120.000000", "99"), ("120.000000", "fast"), ("Capture Frame Rate", "Comment")])
 def test_rounded_times_that_nothing_explains_want_more_decimals(tmp_path, change):
     t, world = hand()
