@@ -7,33 +7,37 @@ const INK_WIDTH = 3.6;
 const KEY_STEP = 0.002;
 const KEY_LEAP = 0.01;
 const KEY_SPEED = 0.05;
+const EDGE = 2; // px that a pen may be over the edge before it has left the sheet
 const KEY_WAYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] };
 
 /**
- * `view()` is the sheet's, `onStroke(points, kind)` is called at each lift, `onKeys(pen, words)` while keys write,
- * `onLost(words)` where a stroke was interrupted, `home()` gives where the key Home leads. Gives {node}.
+ * `view()` is the sheet's, `onStroke(points, kind, outside)` is called at each lift (`outside` counts what lay beyond
+ * the edge), `onKeys(pen, words)` while keys write, `onLost(words)` where a stroke was interrupted, `home()` gives where
+ * the key Home leads. Gives {node, drop(words)}: a stroke that is being written is taken away.
  */
 function inkCanvas({ view, onStroke, onKeys, onLost, onBegin, home }) {
   const node = make("canvas", { class: "dt-ink", tabindex: 0, role: "application", "aria-roledescription": "writing pad" });
   const wet = wetInk(node, view);
   const hand = { stroke: null, penSeen: -Infinity };
 
-  /** Where an event is on the sheet; beyond its edge the ink follows the edge. */
+  /** Where an event is on the sheet; beyond its edge the ink follows the edge, and that is counted. */
   const rowOf = (event, pressure) => {
     const [box, now] = [node.getBoundingClientRect(), view()];
-    const part = (value, from, size) => Math.min(Math.max((value - from) / size, 0), 1);
-    const at = [part(event.clientX, box.left, box.width) * now.w, part(event.clientY, box.top, box.height) * now.h];
-    return [event.timeStamp / 1000, ...now.metres(at), pressure];
+    const [x, y] = [event.clientX - box.left, event.clientY - box.top];
+    const [inX, inY] = [Math.min(Math.max(x, 0), box.width), Math.min(Math.max(y, 0), box.height)];
+    if (Math.max(Math.abs(x - inX), Math.abs(y - inY)) > EDGE) hand.stroke.outside += 1;
+    return [event.timeStamp / 1000, ...now.metres([(inX / box.width) * now.w, (inY / box.height) * now.h]), pressure];
   };
-  const begin = (id, kind) => ((hand.stroke = { id, kind, rows: [] }), wet.add(hand.stroke), onBegin());
+  const begin = (id, kind) => ((hand.stroke = { id, kind, rows: [], outside: 0 }), wet.add(hand.stroke), onBegin());
   const add = (row) => (hand.stroke.rows.push(row), wet.lengthen(hand.stroke));
   const lift = () => {
     const stroke = hand.stroke;
     hand.stroke = null;
     setTimeout(() => wet.remove(stroke), DRIES);
-    onStroke(stroke.rows, stroke.kind);
+    onStroke(stroke.rows, stroke.kind, stroke.outside);
   };
   const drop = (words) => {
+    if (!hand.stroke) return;
     wet.remove(hand.stroke);
     hand.stroke = null;
     onLost(words);
@@ -75,7 +79,7 @@ function inkCanvas({ view, onStroke, onKeys, onLost, onBegin, home }) {
   });
   node.addEventListener("touchstart", (event) => event.preventDefault(), { passive: false });
   keyInk({ node, hand, view, begin, add, lift, drop, onKeys, home });
-  return { node };
+  return { node, drop };
 }
 
 /** Wet ink, a solid line: what is being written, and what was written in the last moment. */
@@ -131,10 +135,13 @@ function keyInk({ node, hand, view, begin, add, lift, drop, onKeys, home }) {
   };
   const go = (step) => {
     const [dx, dy] = [...held].map((key) => KEY_WAYS[key]).reduce((sum, way) => [sum[0] + way[0], sum[1] + way[1]], [0, 0]);
-    const [from, to] = [at, inside([at[0] + step * dx, at[1] + step * dy])];
+    const [from, wanted] = [at, [at[0] + step * dx, at[1] + step * dy]];
+    const to = inside(wanted);
     const far = Math.hypot(to[0] - from[0], to[1] - from[1]);
     at = to;
-    if (!isDown() || !far) return;
+    if (!isDown()) return;
+    if (Math.hypot(wanted[0] - to[0], wanted[1] - to[1]) > 1e-6) hand.stroke.outside += 1;
+    if (!far) return;
     const [begun, pieces] = [hand.stroke.rows.at(-1)[0], Math.ceil(far / 0.001)];
     for (let i = 1; i <= pieces; i += 1) add([begun + (i * far) / pieces / KEY_SPEED, ...from.map((v, axis) => v + (i / pieces) * (to[axis] - v)), 0.5]);
   };

@@ -29,6 +29,7 @@ function render({ model, el, host, signal }) {
   model.on("change:caught", () => (parts.caught.textContent = model.get("caught")));
   model.on("change:kept", () => drawKept(model, parts));
   model.on("change:character", () => (letters(), endShow(parts)));
+  model.on("change:character change:sheet", () => parts.dropInk("Another sheet: that stroke is gone.")); // its points would lie elsewhere
   model.on("change:work", () => (redrawWork(), tellWork(model, parts)));
   model.on("change:older", () => drawOlder(model, parts));
   model.on("change:scene", () => (showTable(model, parts), redrawScene().then(() => bringIntoSight(parts.table))));
@@ -78,8 +79,8 @@ function childSheet(model, parts) {
     view: sheet.view,
     home: () => robotStrokes(model, "model")[model.get("counts").length]?.[0] ?? [0, model.get("lines")[1]],
     onBegin: () => ((hint.hidden = true), (caught.textContent = "")),
-    onStroke: (rows, kind) => {
-      const n = tell(model, parts, { kind: "stroke", pointer: kind }, new Float64Array(rows.flat()).buffer);
+    onStroke: (rows, kind, outside) => {
+      const n = tell(model, parts, { kind: "stroke", pointer: kind, outside }, new Float64Array(rows.flat()).buffer);
       parts.pending.push({ n, points: rows.map((row) => row.slice(1, 3)) });
       drawPad(model, parts);
     },
@@ -93,7 +94,7 @@ function childSheet(model, parts) {
   const stack = make("div", { class: "dt-sheet" }, sheet.node, hint, ink.node);
   const hands = make("div", { class: "dt-hands" }, undo, again);
   parts.says.node.append(all);
-  return { left: make("div", {}, caption, stack, hands, spoken), sheet, ink: ink.node, hint, caught, undo, again, all };
+  return { left: make("div", {}, caption, stack, hands, spoken), sheet, ink: ink.node, dropInk: ink.drop, hint, caught, undo, again, all };
 }
 
 /** Where the robot shows its own letter, or what it has learned. */

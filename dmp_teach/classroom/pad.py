@@ -1,6 +1,5 @@
 """The writing pad: the robot shows a letter, somebody writes it, and the robot learns it and writes it again."""
 
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -8,12 +7,13 @@ import numpy as np
 import traitlets
 
 from dmp_teach.classroom import words
+from dmp_teach.classroom.keeping import Kept
 from dmp_teach.classroom.robot_panel import RobotPanel, bundle, bytes_of
-from dmp_teach.classroom.sheets import around, laid_on, sheet_of, writing_lines
-from dmp_teach.classroom.tries import Tries, Try, as_rows, free_name, free_writer
+from dmp_teach.classroom.sheets import around, laid_on, one_letter, sheet_of, writing_lines
+from dmp_teach.classroom.tries import Tries, Try, as_rows
 from dmp_teach.errors import RecordingError
 from dmp_teach.ink.alphabet import characters, recording_of
-from dmp_teach.ink.our_json import check_pseudonym, write_json
+from dmp_teach.ink.our_json import check_pseudonym
 from dmp_teach.ink.pad import pad_stroke
 from dmp_teach.ink.reader import read_recording
 from dmp_teach.ink.recording import Recording
@@ -39,7 +39,7 @@ def pad(character: str | None = "a", page: Page | None = None, writer: str | Non
         writer: A pseudonym such as "w01" for what is saved; None takes the first that is free.
 
     Raises:
-        RecordingError: No such letter, or a writer that is no pseudonym.
+        RecordingError: No such letter, a word, or a writer that is no pseudonym.
     """
     return Pad(character, page, writer)
 
@@ -76,14 +76,14 @@ class Pad(RobotPanel):
         self.writer = writer
         self._tries = Tries()
         self._done = False
-        self._saved: dict[Path, Recording] = {}
+        self._files = Kept()
         self._model: Recording | None = None
         super().__init__(page)
         self.choices = [["", "any", "any letter"], *([name, name, f"the letter {name}"] for name in characters())]
-        if character is None:
-            self._choose()
+        if character:
+            self.character = one_letter(character)
         else:
-            self.character = character
+            self._choose()
 
     # What the next cells ask ---------------------------------------------------------------------
 
@@ -109,12 +109,13 @@ class Pad(RobotPanel):
 
     # What the person does ------------------------------------------------------------------------
 
-    def add_stroke(self, points: Any, pressed: bool = False) -> None:
+    def add_stroke(self, points: Any, pressed: bool = False, outside: int = 0) -> None:
         """Put a stroke on the sheet.
 
         Args:
             points: A row for each event: time [s], right and up [m], pressure 0 to 1; shape (K, 4).
             pressed: Whether the pad can tell how hard the pen is pressed.
+            outside: How many of the points were beyond the sheet, and were put on its edge.
 
         Raises:
             RecordingError: Points that cannot be a stroke, or too many strokes; the sheet stays as it is.
@@ -127,18 +128,18 @@ class Pad(RobotPanel):
         if len(strokes) > _MOST_STROKES:
             raise RecordingError(f"One letter has at most {_MOST_STROKES} strokes: start again.")
         self._lay(Try.of(strokes, self._model, self.writer))
-        self.caught = words.caught(len(strokes), stroke)
+        self.caught = words.caught(len(strokes), stroke, outside)
 
     def undo(self) -> None:
-        """Take the last stroke off the sheet; from an empty sheet, go back to the try before."""
+        """Take the last stroke off the sheet; onto an empty sheet bring the try before, which stays among the tries."""
         now = self._tries.now
         if now is None:
-            self._tries.go_back(self._model)
-            self.caught = "Nothing to undo." if self._tries.now is None else "The try before."
+            self._tries.bring_back(self._model)
+            self.caught = "Nothing to undo." if self._tries.now is None else "The try before is on your sheet again."
         else:
-            left = now.strokes[:-1]
+            left, stays = now.strokes[:-1], " The try before stays." if self._tries.is_back else ""
             self._tries.now = Try.of(left, now.model, self.writer) if left else None
-            self.caught = f"Stroke {len(now.ink)} is gone." if left else "The sheet is empty."
+            self.caught = (f"Stroke {len(now.ink)} is gone." if left else "The sheet is empty.") + stays
         self._redraw()
 
     def start_again(self) -> None:
@@ -175,13 +176,8 @@ class Pad(RobotPanel):
             RecordingError: Nothing is written yet.
             PathError: The folder cannot be written.
         """
-        recording, folder = self.recording, Path.cwd()
-        path = next((path for path, saved in self._saved.items() if saved is recording), None)
-        if path is None:
-            self.writer = self.writer or recording.writer or free_writer(folder)
-            path = free_name(folder, recording, self.writer)
-            write_json(replace(recording, writer=self.writer), path)
-            self._saved[path] = self._tries.name_the_newest(self.writer).recording
+        path = self._files.save(self._tries, self.writer)
+        self.writer = self.writer or self.recording.writer
         self.kept = f"Saved as {path.name}, beside this notebook. Other tries are not kept."
         return path
 
@@ -189,10 +185,8 @@ class Pad(RobotPanel):
         """Remove every try from memory and every file that this pad has saved."""
         if self._job:
             self._job.stop()
-        names = ", ".join(path.name for path in self._saved)
-        for path in self._saved:
-            path.unlink(missing_ok=True)
-        self._saved, self._tries, self.motion, self._on_the_table = {}, Tries(), None, b""
+        names = self._files.forget()
+        self._tries, self.motion, self._on_the_table = Tries(), None, b""
         if self.scene is not None:
             self.scene.show(None)
         self._done, self.caught = False, ""
@@ -227,7 +221,8 @@ class Pad(RobotPanel):
         content = b"".join(map(bytes, buffers))
         if not content or len(content) % 32:
             raise RecordingError("A stroke came in pieces and was left out: write it again.")
-        self.add_stroke(np.frombuffer(content, "<f8").reshape(-1, 4), message.get("pointer") == "pen")
+        rows, outside = np.frombuffer(content, "<f8").reshape(-1, 4), message.get("outside")
+        self.add_stroke(rows, message.get("pointer") == "pen", outside if type(outside) is int else 0)
 
     def _lay(self, new: Try) -> None:
         """Put a try on the sheet, once the robot has learned it: what cannot be learned changes nothing."""
@@ -241,6 +236,11 @@ class Pad(RobotPanel):
         self._redraw()
 
     # What is seen --------------------------------------------------------------------------------
+
+    @traitlets.validate("character")
+    def _one_letter(self, proposal: Any) -> str:
+        """A word is refused before it is a letter."""
+        return one_letter(proposal["value"])
 
     @traitlets.observe("character")
     def _choose(self, change: Any = None) -> None:

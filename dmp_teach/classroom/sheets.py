@@ -1,14 +1,30 @@
 """The sheet that letters are written on: how large it is, where its lines are, and where a letter is laid on it."""
 
 from dataclasses import replace
+from unicodedata import normalize
 
 import numpy as np
 
+from dmp_teach.errors import RecordingError
 from dmp_teach.ink.alphabet import recording_of
 from dmp_teach.ink.recording import Recording
 from dmp_teach.trajectory import Array, Trajectory
 
 _FREE = (-0.02, -0.06, 0.14, 0.15)  # where nobody has chosen a letter [m]
+
+
+def one_letter(character: str) -> str:
+    """A letter as our alphabets name it, an accent not being a sign of its own; "" is any letter.
+
+    Raises:
+        RecordingError: More than one letter, or no letter at all.
+    """
+    if not isinstance(character, str):
+        raise RecordingError(f"character is {character!r}, but must be one letter, such as 'a', or None for any.")
+    letter = normalize("NFC", character)
+    if len(letter) > 1:
+        raise RecordingError(f"A pad takes one letter; for words use teach.word({letter[:20]!r}).")
+    return letter
 
 
 def writing_lines() -> list[float]:

@@ -2,9 +2,9 @@
 
 from dataclasses import dataclass, replace
 from functools import cached_property
-from itertools import count
-from pathlib import Path
 from typing import Any, Self
+
+import numpy as np
 
 from dmp_teach.classroom.words import beside, millimetres
 from dmp_teach.errors import LetterError, RecordingError
@@ -58,6 +58,12 @@ class Try:
         except LetterError:
             return None
 
+    @property
+    def size(self) -> float:
+        """How large the model is, the longer of its sides [m]."""
+        places = np.concatenate([stroke.position for stroke in self.model.strokes()])
+        return float(np.ptp(places, axis=0).max())
+
     def named(self, writer: str) -> Self:
         """The same, under a pseudonym."""
         return replace(self, recording=replace(self.recording, writer=writer))
@@ -74,7 +80,10 @@ class Try:
 
 
 class Tries:
-    """Every try in order, the one on the sheet last; nothing of it is written anywhere."""
+    """Every try in order, the one on the sheet last; nothing of it is written anywhere.
+
+    A try that was brought back stays in its place, too: whatever is then done to the sheet, it is not lost.
+    """
 
     def __init__(self) -> None:
         self._all: list[Try | None] = [None]  # None: the sheet is empty
@@ -100,46 +109,44 @@ class Tries:
     @property
     def recordings(self) -> tuple[Recording, ...]:
         """The ink of every try."""
-        return tuple(each.recording for each in self._all if each is not None)
+        return tuple(each.recording for each in self._each())
+
+    @property
+    def is_back(self) -> bool:
+        """Whether what is on the sheet is the try before, brought back and not changed since."""
+        return self.now is not None and self.now in self._all[:-1]
 
     def take_a_new_sheet(self) -> None:
         """The try on the sheet stays among the others."""
-        if self.now is not None:
+        if self.is_back:
+            self.now = None
+        elif self.now is not None:
             self._all.append(None)
 
-    def go_back(self, model: Recording | None) -> None:
-        """From an empty sheet to the try before, if that is a try of the same letter."""
+    def bring_back(self, model: Recording | None) -> None:
+        """Onto an empty sheet the try before, if that is a try of the same letter."""
         if len(self._all) > 1 and self._all[-2].model is model:
-            self._all.pop()
+            self.now = self._all[-2]
 
     def name_the_newest(self, writer: str) -> Try:
         """The newest try under a pseudonym, in the place of the one without."""
-        at = self._all.index(self.newest)
-        self._all[at] = named = self.newest.named(writer)
+        newest, named = self.newest, self.newest.named(writer)
+        self._all = [named if each is newest else each for each in self._all]
         return named
 
     def scored(self, model: Recording | None, done: bool) -> list[Try]:
         """The tries of one letter that have a score; that on the sheet only if it is done."""
-        tries = self._all if done else self._all[:-1]
-        return [each for each in tries if each is not None and each.model is model and each.score is not None]
+        tries = self._each(None if done else -1)
+        return [each for each in tries if each.model is model and each.score is not None]
 
-
-def free_writer(folder: Path) -> str:
-    """The first pseudonym, "w01", "w02" ..., that no file in the folder carries."""
-    taken = {part for file in folder.iterdir() for part in file.stem.split("_")}
-    return next(name for name in (f"w{n:02d}" for n in count(1)) if name not in taken)
-
-
-def free_name(folder: Path, recording: Recording, writer: str) -> Path:
-    """A name that no file has: "a_w01.json", then "a_w01_2.json"; capitals are told apart also where names are not."""
-    stem = f"{recording.character or 'ink'}_{writer}"
-    names = (folder / f"{stem}{'' if n == 1 else f'_{n}'}.json" for n in count(1))
-    return next(path for path in names if not path.exists())
+    def _each(self, end: int | None = None) -> list[Try]:
+        """Every try once, up to a place in the list."""
+        return list(dict.fromkeys(each for each in self._all[:end] if each is not None))
 
 
 def as_rows(tries: list[Try], first: int) -> list[dict[str, Any]]:
     """Tries with a score as the browser shows them; `first` is the number of the first one."""
-    words = [(millimetres(each.score.distance), beside(each.score.parts)) for each in tries]
+    words = [(millimetres(each.score.distance), beside(each.score, each.size)) for each in tries]
     return [
         {"number": n, "mm": mm, "word": word, "counts": [len(stroke) for stroke in each.ink]}
         for n, (each, (mm, word)) in enumerate(zip(tries, words, strict=True), first)

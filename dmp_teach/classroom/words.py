@@ -1,11 +1,9 @@
 """Numbers as a child reads them: one number, one sentence, and a thing of that size."""
 
-from collections.abc import Iterable
-
 import numpy as np
 
 from dmp_teach.ink.pad import PadStroke
-from dmp_teach.ink.score import Part, Score
+from dmp_teach.ink.score import WORDS, Score
 from dmp_teach.trajectory import Trajectory
 
 _THINGS = (
@@ -16,8 +14,9 @@ _THINGS = (
     (100.0, "the width of a hand"),
 )
 
-_APART = "This is how far they are apart on average. "
+_APART = "Your letter and the robot’s own are this far apart on average. "
 _ALIKE = "It looks the same as the robot’s. "
+_WITHIN = (0.2, 0.1, 0.04)  # of the letter's size: a distance up to which a try is "nearer", "close", "the same"
 _MOVEMENT = ("smooth", "tempo")  # faults in how it was written, which nobody sees on the paper
 
 
@@ -90,8 +89,10 @@ def largest_gap(demo: tuple[Trajectory, ...], robot: tuple[Trajectory, ...]) -> 
     return f"most near the {place} of stroke {stroke + 1}" if len(demo) > 1 else f"most near its {place}"
 
 
-def caught(number: int, stroke: PadStroke) -> str:
-    """What the pad saw of a stroke: "Stroke 2: 1.2 s, 84 points."."""
+def caught(number: int, stroke: PadStroke, outside: int = 0) -> str:
+    """What the pad saw of a stroke: "Stroke 2: 1.2 s, 84 points."; `outside` of its points were beyond the sheet."""
+    if outside > 0:
+        return "Your pen left the sheet: write a little smaller."
     if stroke.is_dot:
         return f"Stroke {number}: a dot."
     if stroke.is_blurred:
@@ -147,18 +148,30 @@ def _named(now: Score, is_coarse: bool) -> str:
 
 
 def compared(distance: float, before: float) -> str:
-    """A distance beside that of the try before [m]; no try is called bad."""
-    if distance > 1.05 * before:
-        return "A little further away this time."
-    return "Nearer than the try before." if distance < 0.95 * before else "As near as the try before."
+    """A distance beside that of the try before [m]; no try is called bad.
+
+    `look.md` has "a little further away this time": that is said of small changes, and up to half as far again.
+    """
+    if millimetres(distance) == millimetres(before) or 0.95 * before <= distance <= 1.05 * before:
+        return "As near as the try before."
+    if distance < before:
+        return "Nearer than the try before."
+    return f"{'A little further' if distance <= 1.5 * max(before, 0.001) else 'Further'} away this time."
 
 
-def beside(parts: Iterable[Part]) -> str:
-    """A try in a few words, from the row that differs the most: "close to the robot’s"."""
-    word = min(parts, key=lambda part: part.level).word
-    return {"far": "far from the robot’s", "nearer": "not far from the robot’s", "close": "close to the robot’s"}.get(
-        word, word
-    )
+def beside(score: Score, size: float) -> str:
+    """A try in a word or two, for its picture: "far", "not far", "close" or "the same".
+
+    It is the word of the row that differs the most, but no word says that a try is nearer than its number does: a
+    letter of twice the size is far from the robot's, though nothing but its size differs.
+
+    Args:
+        score: The try's score.
+        size: How large the robot's letter is [m].
+    """
+    by_distance = sum(score.distance <= part * size for part in _WITHIN)
+    level = min(by_distance, *(part.level for part in score.parts))
+    return WORDS[level].replace("nearer", "not far")
 
 
 def a(character: str) -> str:

@@ -27,6 +27,7 @@ DOT = 0.0015  # a pen that goes no farther than this made a dot [m] ...
 DOWN = 0.1  # ... and was down for at least this long [s]
 FEWEST = 6  # fewer points show no curve ...
 SMALL = 0.01  # ... unless it is as small as a comma [m]
+CUT = 0.0015  # a corner or a bend of which more than this is cut off is not what was written [m]
 SPARSE = 30.0  # fewer points in a second do not show how fast the pen went, only where [Hz]
 LARGEST = 1.0  # no pad is larger [m]
 LONGEST = 60.0  # nor does a stroke take longer [s]
@@ -41,11 +42,13 @@ class PadStroke:
         path: 2-D, evenly sampled, on the pad's clock, in metres of its sheet.
         pressure: How hard the pen was pressed, 0 to 1, shape (T,), or None where the pad cannot tell.
         points: How many points were caught.
+        unseen: How far the pen may have been from the line between two points, where the line turns most [m].
     """
 
     path: Trajectory
     pressure: Array | None
     points: int
+    unseen: float = 0.0
 
     @property
     def is_dot(self) -> bool:
@@ -54,8 +57,12 @@ class PadStroke:
 
     @property
     def is_blurred(self) -> bool:
-        """Whether the pen was too fast for the pad."""
-        return self.points < FEWEST and bool(np.ptp(self.path.position, axis=0).max() > SMALL)
+        """Whether the pen was too fast for the pad: bends are cut off, or there are hardly any points.
+
+        A quick straight line is seen well by few points; a quick bow is not.
+        """
+        is_small = bool(np.ptp(self.path.position, axis=0).max() <= SMALL)
+        return not is_small and (self.points < FEWEST or self.unseen > CUT)
 
     @property
     def is_coarse(self) -> bool:
@@ -79,7 +86,7 @@ def pad_stroke(points: ArrayLike, pressed: bool = False) -> PadStroke:
     t, rows = events[order, 0], events[order, 1:]
     last = np.append(np.diff(t) > 0, True)  # of two events at one time the later one holds
     t, rows = t[last], rows[last]
-    caught = len(t)
+    caught, unseen = len(t), _unseen(rows[:, :2])
     t = t[0] + np.concatenate([[0.0], np.cumsum(np.minimum(np.diff(t), JUMP))])
     t, rows = _with_rests(t, rows)
     if t[-1] - t[0] > LONGEST:
@@ -88,7 +95,7 @@ def pad_stroke(points: ArrayLike, pressed: bool = False) -> PadStroke:
     even = np.linspace(t[0], t[-1], round((t[-1] - t[0]) * RATE) + 1)
     drawn = PchipInterpolator(t, rows)(even)
     pressure = np.clip(drawn[:, 2], 0.0, 1.0) if pressed else None
-    return PadStroke(Trajectory(even, drawn[:, :2]), pressure, caught)
+    return PadStroke(Trajectory(even, drawn[:, :2]), pressure, caught, unseen)
 
 
 def pad_recording(strokes: Sequence[PadStroke], **about: str | float | None) -> Recording:
@@ -133,6 +140,21 @@ def _checked(points: ArrayLike) -> Array:
     if back > BACK:
         raise RecordingError(f"The pad's clock ran backwards by {back:.3g} s within a stroke; write it again.")
     return events
+
+
+def _unseen(places: Array) -> float:
+    """How much of the bends may be cut off by straight lines between points, shape (K, 2) [m].
+
+    A bow that turns by an angle a over a chord of length h rises h a / 8 above it.
+    """
+    chords = np.diff(places, axis=0)
+    lengths = np.linalg.norm(chords, axis=1)
+    chords, lengths = chords[lengths > 0], lengths[lengths > 0]
+    if len(lengths) < 2:
+        return 0.0
+    along = (chords[1:] * chords[:-1]).sum(axis=1) / (lengths[1:] * lengths[:-1])
+    turns = np.arccos(np.clip(along, -1.0, 1.0))
+    return float((np.maximum(lengths[1:], lengths[:-1]) * turns).max() / 8)
 
 
 def _with_rests(t: Array, rows: Array) -> tuple[Array, Array]:

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from traitlets import TraitError
 
 import dmp_teach
 from dmp_teach.classroom.pad import pad
@@ -91,6 +92,22 @@ def test_a_tap_is_a_dot_and_a_flick_too_fast_says_what_to_do(panel):
     assert len(panel.recording.strokes()) == 2
 
 
+def test_a_letter_that_is_dashed_off_is_too_fast_though_it_has_more_than_a_few_points(panel):
+    stroke = dmp_teach.recording_of("a").strokes()[0]
+    points = stroke.position[:: len(stroke) // 6]
+    send(panel, np.column_stack([np.linspace(3, 3.2, len(points)), points, np.full(len(points), 0.5)]))
+    assert panel.caught == "Stroke 1: too fast to see. Write a little slower."
+
+
+@pytest.mark.parametrize(
+    ("outside", "words"), [(0, "Stroke 1"), (3, "left the sheet: write a little smaller"), ("x", "Stroke 1")]
+)
+def test_a_pen_that_left_the_sheet_is_told_so(panel, outside, words):
+    send(panel, good(), outside=outside)
+    assert words in panel.caught
+    assert len(panel.counts) == 1
+
+
 def test_small_marks_need_few_points_and_a_dot_alone_is_no_letter(panel):
     send(panel, [[2, 0.01, 0.0, 0.5], [2.04, 0.012, 0.002, 0.5], [2.08, 0.015, 0.002, 0.5]])
     assert panel.caught == "Stroke 1: 0.1 s, 3 points."
@@ -119,22 +136,31 @@ def test_how_the_pen_moved_is_named_last_and_only_where_enough_points_tell(panel
     assert say(1.0, 6).endswith("It looks the same as the robot’s.")
 
 
-def test_a_worse_try_is_a_little_further_away_and_the_tries_stay_in_order(panel):
-    for size, after in ((1.1, None), (1.6, "further away this time"), (1.3, "Nearer"), (1.3, "As near as")):
+def test_a_worse_try_is_further_away_and_the_tries_stay_in_order(panel):
+    said = (
+        (1.1, None),
+        (1.6, "Further away this time"),
+        (1.3, "Nearer"),
+        (1.3, "As near as"),
+        (1.4, "A little further"),
+    )
+    for size, after in said:
         write(panel, stretch=(size, size))
         assert after is None or after in panel.message["strong"]
         send(panel, kind="again")
     heights = [np.ptp(recording.strokes()[0].position[:, 1]) for recording in panel.recordings]
-    assert np.allclose(heights, np.array([1.1, 1.6, 1.3, 1.3]) * heights[0] / 1.1, rtol=1e-6)
-    assert [each["number"] for each in panel.tries] == [1, 2, 3, 4]
-    for _ in range(4):
+    assert np.allclose(heights, np.array([1.1, 1.6, 1.3, 1.3, 1.4]) * heights[0] / 1.1, rtol=1e-6)
+    assert [each["number"] for each in panel.tries] == [1, 2, 3, 4, 5]
+    for _ in range(3):
         write(panel)
         send(panel, kind="again")
     assert [each["number"] for each in panel.tries] == [3, 4, 5, 6, 7, 8]
     assert sum(sum(each["counts"]) for each in panel.tries) == len(points(panel, "tried"))
 
 
-def test_undo_takes_stroke_after_stroke_and_then_brings_the_try_before(panel):
+def test_undo_takes_stroke_after_stroke_and_then_brings_the_try_before_which_is_never_lost(panel):
+    send(panel, kind="undo")
+    assert panel.caught == "Nothing to undo."
     write(panel, "D")
     send(panel, kind="again")
     write(panel, "D")
@@ -145,10 +171,28 @@ def test_undo_takes_stroke_after_stroke_and_then_brings_the_try_before(panel):
     assert len(panel.recordings) == 1
     send(panel, kind="undo")
     assert len(panel.counts) == 2
-    for _ in range(5):
+    assert panel.caught == "The try before is on your sheet again."
+    assert len(panel.recordings) == len(panel.tries) == 1
+    first = panel.recording
+    send(panel, kind="undo")
+    assert panel.caught == "Stroke 2 is gone. The try before stays."
+    for _ in range(7):
         send(panel, kind="undo")
-    assert panel.caught == "Nothing to undo."
-    assert panel.recordings == ()
+        assert panel.recordings[0] is first
+
+
+def test_what_is_done_to_a_try_that_was_brought_back_makes_another_try(panel, folder):
+    write(panel)
+    send(panel, kind="again")
+    send(panel, kind="undo")
+    send(panel, kind="again")
+    assert len(panel.recordings) == 1
+    send(panel, kind="undo")
+    assert panel.save().name == "a_w01.json"
+    assert [recording.writer for recording in panel.recordings] == ["w01"]
+    send(panel, good())
+    assert [len(recording.strokes()) for recording in panel.recordings] == [1, 2]
+    assert [each["number"] for each in panel.tries] == [1, 2]
 
 
 def test_another_letter_begins_on_an_empty_sheet_of_its_own_size(panel):
@@ -390,6 +434,17 @@ def test_no_message_ever_kills_the_panel(messages):
     write(panel, "i")
     assert panel.counts
     assert len(panel.parts) == 3
+
+
+def test_a_pad_takes_one_letter_and_an_accent_may_be_a_sign_of_its_own(panel):
+    for wrong, words in (("hello", r"teach.word\('hello'\)"), (5, "character is 5, but must be one letter")):
+        with pytest.raises(RecordingError, match=words):
+            pad(wrong)
+        with pytest.raises(TraitError if wrong == 5 else RecordingError):
+            panel.character = wrong
+        assert panel.character == "a"
+    assert pad("a\u0308").character == "\u00e4"
+    assert pad("").sheet == pad(None).sheet != []
 
 
 def test_a_letter_that_nobody_has_is_refused_by_name():

@@ -5,6 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+import dmp_teach
 from dmp_teach.classroom import words
 from dmp_teach.trajectory import Trajectory
 
@@ -69,3 +70,32 @@ def test_the_largest_gap_names_the_stroke_and_the_place():
     bent = Trajectory(t, np.where(np.arange(11)[:, None] == 9, 0.01, 0.0) * np.ones(2))
     assert words.largest_gap((straight, straight), (straight, bent)) == "most near the end of stroke 2"
     assert words.largest_gap((straight,), (bent,)) == "most near its end"
+
+
+def test_a_try_is_a_little_further_away_only_if_it_is():
+    for now, before, said in (
+        (0.012, 0.010, "A little further away this time."),
+        (0.022, 0.00003, "Further away this time."),
+        (0.016, 0.010, "Further away this time."),
+        (0.0004, 0.00003, "A little further away this time."),
+        (0.00004, 0.00001, "As near as the try before."),
+        (0.005, 0.010, "Nearer than the try before."),
+    ):
+        assert words.compared(now, before) == said
+
+
+@pytest.mark.parametrize("character", ["a", "D", "k"])
+def test_no_try_is_called_nearer_than_its_number_is(character):
+    model = dmp_teach.recording_of(character)
+    places = np.concatenate([stroke.position for stroke in model.strokes()])
+    size = np.ptp(places, axis=0).max()
+    rank = ["far", "not far", "close", "the same"]
+    found = []
+    for times in (1.0, 1.1, 1.3, 1.6, 2.0, 2.5, 3.0):
+        tried = [Trajectory(stroke.t, times * stroke.position) for stroke in model.strokes()]
+        found.append(rank.index(words.beside(dmp_teach.score(tried, model), size)))
+    assert found == sorted(found, reverse=True)
+    assert found[0] == 3
+    assert found[-1] == 0
+    mirrored = [Trajectory(stroke.t, stroke.position * [-1, 1]) for stroke in model.strokes()]
+    assert words.beside(dmp_teach.score(mirrored, model), size) == "far", "whatever its number"

@@ -10,7 +10,8 @@ from hypothesis import strategies as st
 
 import dmp_teach
 from dmp_teach.errors import RecordingError
-from dmp_teach.ink.pad import DOT, LIFT, LONGEST, RATE, pad_recording, pad_stroke
+from dmp_teach.ink.alphabet import characters
+from dmp_teach.ink.pad import DOT, FEWEST, LIFT, LONGEST, RATE, pad_recording, pad_stroke
 
 
 def events(seed=0, seconds=1.2, begin=5.0, size=0.05, pressure=0.5):
@@ -108,6 +109,36 @@ def test_a_stroke_too_fast_for_the_pad_is_kept_and_says_so(seconds):
     assert np.allclose(flick.path.position[-1], [0.06, 0.02])
     assert dmp_teach.Letter.learn(pad_recording([flick])).write()
     assert not pad_stroke(events()).is_blurred
+
+
+def sparsely(stroke, points):
+    """A stroke of our alphabet as a pad sees it that catches only some points."""
+    t = np.linspace(stroke.t[0], stroke.t[-1], points)
+    return np.column_stack([t, *(np.interp(t, stroke.t, axis) for axis in stroke.position.T), 0 * t])
+
+
+def test_a_bow_is_too_fast_where_its_points_cut_it_off_however_many_there_are():
+    (bow,) = dmp_teach.recording_of("a").strokes()
+    for points in (7, 12, 18):
+        assert pad_stroke(sparsely(bow, points)).is_blurred
+    bar = dmp_teach.recording_of("D").strokes()[0]
+    assert not pad_stroke(sparsely(bar, 7)).is_blurred, "a straight line is seen by few points"
+
+
+@pytest.mark.parametrize("rate", [20, 30, 60, 120])
+def test_no_letter_at_its_own_tempo_is_too_fast_also_for_a_slow_pad(rate):
+    for character in characters():
+        for stroke in dmp_teach.recording_of(character).strokes():
+            caught = pad_stroke(sparsely(stroke, max(FEWEST, round(rate * stroke.duration))))
+            assert not caught.is_blurred, character
+
+
+@given(uneven, st.floats(0.1, 3.0), st.floats(-3, 3))
+def test_what_is_cut_off_grows_with_the_ink_and_does_not_depend_on_its_place_or_turn(rows, size, angle):
+    other = rows.copy()
+    turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
+    other[:, 1:3] = 0.01 + size * rows[:, 1:3] @ turn
+    assert pad_stroke(other).unseen == pytest.approx(size * pad_stroke(rows).unseen, rel=1e-3, abs=1e-9)
 
 
 def test_pressure_is_kept_where_the_pad_can_tell_and_is_none_elsewhere():
