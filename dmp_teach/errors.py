@@ -31,6 +31,10 @@ class TeachError(Exception):
         super().__init__(*words)
         self.cure = cure
 
+    def _render_traceback_(self) -> "list[str]":
+        """What a notebook shows below the cell, as IPython asks for it: the sentence, without our insides."""
+        return [f"{type(self).__name__}: {self}"]
+
 
 class SettingError(TeachError, ValueError):
     """A setting is out of its range, or two settings do not go together."""
