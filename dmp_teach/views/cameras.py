@@ -23,6 +23,9 @@ _ROOM = 1.6
 _SHEET = 0.25
 """How much of the way from the letter's box to the sheet's corners is seen over the shoulder."""
 
+_VEIL = 0.3
+"""An arm that hides more of the letter than this at some moment of the writing is drawn faintly."""
+
 _CELLS = 24
 """Half the width of the coarse picture in which the hidden part of a letter is counted."""
 
@@ -37,7 +40,7 @@ class Camera:
         up: What points up in the picture (3,).
         wide: Tangent of half of the angle that must be seen from left to right.
         high: Tangent of half of the angle that must be seen from bottom to top.
-        see_through: True where the arm is drawn faintly, because it would hide the page.
+        see_through: True where the arm is drawn faintly, because it would hide the page, or much of the letter.
     """
 
     eye: tuple[float, float, float]
@@ -111,21 +114,22 @@ def _shoulder(page: Page, robot: Array, letter: Array, corners: Array) -> Camera
     """From where the robot's eyes are, the page's up pointing up.
 
     Of many directions the one from which the arm hides least of the letter, above all in the end, when it is read.
+    While it is written the hand is above it whatever the direction: then the arm is drawn faintly.
     """
     centre = corners.mean(axis=0)
     ahead = _HEAD - centre
     rise = np.arctan2(ahead[2], np.hypot(*ahead[:2]))
     level = np.array([*ahead[:2], 0.0]) / (np.hypot(*ahead[:2]) or 1.0)
     over = [moment[(moment - centre) @ page.normal > 0.005] for moment in robot]
-    best, least = None, np.inf
+    best, least, most_hidden = None, np.inf, 0.0
     for side, more in ((side, more) for more in _UPWARDS for side in _SIDEWAYS):
         direction = _direction(level, (0, 0, 1), side, min(rise + more, _STEEPEST))
         camera = _fit(centre, direction, page.X_world_page[:3, 1], corners, _ROOM)
         hidden = [_hidden(camera, moment, letter) for moment in over]
         cost = np.mean(hidden) + hidden[-1] + 0.2 * abs(side) + 1.5 * (1 - direction @ page.normal)
         if cost < least:
-            best, least = camera, cost
-    return best
+            best, least, most_hidden = camera, cost, max(hidden)
+    return replace(best, see_through=most_hidden > _VEIL)
 
 
 def _direction(ahead: Array, up: Array, side: float, rise: float) -> Array:

@@ -7,7 +7,7 @@ import numpy as np
 from dmp_teach.errors import SettingError
 from dmp_teach.robot.physics import Mesh, picture
 from dmp_teach.trajectory import Array
-from dmp_teach.views.cameras import known_camera
+from dmp_teach.views.cameras import Camera, known_camera
 from dmp_teach.views.force_strip import force_strip
 from dmp_teach.views.pressing import rgb
 from dmp_teach.views.ribbon import Ribbon
@@ -17,6 +17,7 @@ from dmp_teach.views.stage import Stage
 INK_COLOR, PLAN_COLOR = (0.0, 0.447, 0.698, 1.0), (0.62, 0.64, 0.67, 1.0)
 _SIZES = (64, 4000)
 _STRIP = 0.26  # of a run's picture shows the force
+_FAINT = 0.12  # as opaque is an arm that would hide the page, here and in scene_3d.js
 
 
 def png(stage: Stage, time: float | None, camera: str, width: int, height: int) -> bytes:
@@ -43,21 +44,24 @@ def png(stage: Stage, time: float | None, camera: str, width: int, height: int) 
     seen = stage.cameras[known_camera(camera)]
     under = None if stage.run is None else force_strip(stage.run, time, width, round(_STRIP * height))
     height -= 0 if under is None else len(under)
-    pixels = picture(
-        _meshes(stage, time, seen.see_through),
-        eye=seen.eye,
-        target=seen.target,
-        up=seen.up,
-        field_of_view=2 * np.degrees(np.arctan(seen.slope(width / height))),
-        width=width,
-        height=height,
-        lamp=lamp(stage.page),
-    )
+    pixels = _seen_by(seen, stage, time, width, height)
     return _encoded(pixels if under is None else np.vstack([pixels, under]))
 
 
+def _seen_by(camera: Camera, stage: Stage, time: float, width: int, height: int) -> Array:
+    """The pixels. The renderer knows nothing faint: a faint arm is a little of a picture with it, over one without."""
+    slope = camera.slope(width / height)
+    look = {"eye": camera.eye, "target": camera.target, "up": camera.up, "lamp": lamp(stage.page)}
+    look |= {"field_of_view": 2 * np.degrees(np.arctan(slope)), "width": width, "height": height}
+    pixels = picture(_meshes(stage, time, pen_only=False), **look)
+    if not camera.see_through:
+        return pixels
+    behind = picture(_meshes(stage, time, pen_only=True), **look)
+    return np.rint(_FAINT * pixels + (1 - _FAINT) * behind).astype(pixels.dtype)
+
+
 def _meshes(stage: Stage, time: float, pen_only: bool) -> list[Mesh]:
-    """Everything in the world at a time [s], the ink as far as it is written; the renderer knows nothing faint."""
+    """Everything in the world at a time [s], the ink as far as it is written."""
     shapes = (*stage.robot(time, pen_only), *stage.around)
     meshes = [(shape.vertices, shape.normals, shape.faces, shape.color) for shape in shapes]
     meshes.append(_flat(stage, stage.plan, PLAN_COLOR, stage.plan.faces))

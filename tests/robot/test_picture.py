@@ -49,6 +49,14 @@ def test_the_letter_grows_with_time(shown, tmp_path):
     assert amounts[0] + 20 < amounts[1] < amounts[2] - 20
 
 
+def test_an_arm_over_the_page_is_faint_in_a_picture_as_it_is_in_a_notebook(shown, tmp_path):
+    middle = np.s_[40:200, 60:300]
+    seen = np.asarray(Image.open(picture(shown, tmp_path, camera="page from above", time=1.0)))[middle].astype(int)
+    paper = np.median(seen.reshape(-1, 3), axis=0)
+    veiled = np.abs(seen - paper).max(axis=2)
+    assert ((veiled > 4) & (veiled < 40)).sum() > 500, "something faint lies over the paper"
+
+
 def test_without_a_motion_the_page_is_empty(tmp_path):
     empty = picture(SceneView(), tmp_path, camera="page from above")
     assert blue(empty) < 300, "nothing but the pen"

@@ -93,6 +93,21 @@ def test_the_camera_goes_round_an_arm_that_would_hide_the_letter():
     assert np.linalg.norm(np.array(other.eye) - free.eye) > 0.1
 
 
+def test_an_arm_that_hides_the_letter_from_everywhere_is_drawn_faintly_and_one_beside_it_is_not():
+    page = Page.table()
+    letter = page.to_world(np.random.default_rng(0).uniform(-0.03, 0.03, (40, 2)))
+    table = np.vstack([shape.vertices for shape in around(page)])
+    ways = np.random.default_rng(1).normal(size=(20_000, 3))
+    ways[:, 2] = np.abs(ways[:, 2])
+    roof = page.X_world_page[:3, 3] + 0.06 * ways / np.linalg.norm(ways, axis=1, keepdims=True)
+    aside = np.add(roof, (0.0, 0.5, 0.0))
+    for moments, faint in (([aside, roof, aside], True), ([aside, aside], False)):
+        seen = cameras(page, np.stack(moments), letter, table)
+        assert seen["over the shoulder"].see_through is faint
+        assert seen["page from above"].see_through
+        assert not seen["whole robot"].see_through
+
+
 def test_an_unknown_camera_is_answered_with_those_that_there_are():
     assert known_camera("Whole Robot") == "whole robot"
     with pytest.raises(SettingError, match="camera is 'behind', but must be one of: 'whole robot', 'over the shoul"):
