@@ -230,6 +230,21 @@ def test_a_server_that_cannot_start_is_explained(tmp_path, monkeypatch, capsys):
     assert "[C no such thing]" in capsys.readouterr().err
 
 
+def test_jupyters_settings_are_our_own_and_those_that_somebody_has_changed_stay(tmp_path):
+    around = lab.lab_environment(tmp_path, "secret")
+    assert (around["JUPYTER_CONFIG_DIR"], around["JUPYTER_TOKEN"]) == (str(tmp_path), "secret")
+    page, widgets = (tmp_path / "labconfig" / f"{name}.json" for name in ("page_config", "default_setting_overrides"))
+    assert json.loads(page.read_text())["disabledExtensions"] == {"@jupyterlab/apputils-extension:announcements": True}
+    assert json.loads(widgets.read_text()) == {"@jupyter-widgets/jupyterlab-manager:plugin": {"saveState": True}}
+    command = lab.lab_command("python", tmp_path, 1)
+    assert "--FileContentsManager.pre_save_hook=dmp_teach.classroom.saving.without_ink" in command
+    page.write_text("{}")
+    widgets.unlink()
+    lab.lab_environment(tmp_path, "secret")
+    assert page.read_text() == "{}"
+    assert widgets.exists()
+
+
 def test_a_port_in_use_is_refused():
     with socket.create_server(("127.0.0.1", 0)) as other:
         port = other.getsockname()[1]

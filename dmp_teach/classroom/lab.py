@@ -90,6 +90,7 @@ def lab_command(python, root, port):
         "ServerApp.log_level": "WARN",
         "ServerApp.allow_root": True,
         "ServerApp.kernel_websocket_connection_class": "dmp_teach.classroom.server.PromptConnection",
+        "FileContentsManager.pre_save_hook": "dmp_teach.classroom.saving.without_ink",
         "LabApp.default_url": "/lab/tree/" + FIRST_NOTEBOOK,
         "LabApp.extension_manager": "readonly",  # the other one asks an index on the network
         "LabApp.check_for_updates_class": "jupyterlab.NeverCheckForUpdate",
@@ -100,15 +101,26 @@ def lab_command(python, root, port):
 
 
 def lab_environment(state, token):
-    """The server's surroundings: its own settings folder, where Jupyter's question about news is switched off."""
-    page = Path(str(state)) / "labconfig" / "page_config.json"
-    if not page.exists():
-        page.parent.mkdir(parents=True, exist_ok=True)
-        off = {"@jupyterlab/apputils-extension:announcements": True}
-        page.write_text(json.dumps({"disabledExtensions": off, "buildCheck": False, "buildAvailable": False}))
+    """The server's surroundings: a settings folder of its own.
+
+    In it Jupyter's question about news is switched off, and panels stay in a saved notebook: as a sentence that says
+    how to wake them, without their ink (`saving.py`).
+    """
+    off = {"@jupyterlab/apputils-extension:announcements": True}
+    settle(state, "page_config.json", {"disabledExtensions": off, "buildCheck": False, "buildAvailable": False})
+    widgets = {"@jupyter-widgets/jupyterlab-manager:plugin": {"saveState": True}}
+    settle(state, "default_setting_overrides.json", widgets)
     return clean_environment(
         JUPYTER_CONFIG_DIR=str(state), JUPYTER_TOKEN=token, IPYTHONDIR=str(Path(str(state)) / "ipython")
     )
+
+
+def settle(state, name, content):
+    """Write a file of JupyterLab's settings, unless there is one."""
+    file = Path(str(state)) / "labconfig" / name
+    if not file.exists():
+        file.parent.mkdir(parents=True, exist_ok=True)
+        file.write_text(json.dumps(content))
 
 
 def watch(process, port, token):

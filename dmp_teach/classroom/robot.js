@@ -53,7 +53,7 @@ function fileButton(model) {
 function watch(model, root, parts) {
   let since = null;
   const asked = () => (since ??= performance.now());
-  const answered = () => (since = null);
+  const answered = () => (since = parts.awaitsRobot = null);
   model.on("change:asked", asked);
   model.on("change:answered change:work", answered);
   parts.waits = asked;
@@ -61,7 +61,9 @@ function watch(model, root, parts) {
   const timer = setInterval(() => {
     const waiting = since === null ? 0 : performance.now() - since;
     root.classList.toggle("dt-late", waiting > LATE);
+    if (parts.asleep.hidden === waiting < SLEEPY) return;
     parts.asleep.hidden = waiting < SLEEPY;
+    if (!parts.asleep.hidden && parts.awaitsRobot) bringIntoSight(parts.asleep); // a press has led elsewhere
   }, 100);
   return () => clearInterval(timer);
 }
@@ -73,6 +75,7 @@ function letRobotWrite(model, parts) {
   if (model.get("work").state === "working") return;
   bringIntoSight(parts.robotHost.parentElement);
   parts.waits();
+  parts.awaitsRobot = true;
   try {
     model.send({ kind: "write" });
   } catch (error) {
@@ -145,11 +148,9 @@ function workFooter(stop) {
 async function keepOutOfFiles(model, id) {
   const kept = await model.widget_manager?.get_model?.(id);
   if (!kept) return;
-  const state = kept.get_state.bind(kept);
-  kept.get_state = (...how) => ({ ...Object.fromEntries(Object.entries(state(...how)).filter(([name]) => name.startsWith("_"))), _esm: RESTING, _css: "" });
+  const [state, resting] = [kept.get_state.bind(kept), model.get("resting")];
+  kept.get_state = (...how) => ({ ...Object.fromEntries(Object.entries(state(...how)).filter(([name]) => name.startsWith("_"))), _esm: resting, _css: "" });
 }
-
-const RESTING = `export default { render: ({ el }) => { el.textContent = "This panel is resting. Run the cell above to wake it: Shift and Enter."; } };`;
 
 /** The 3-D view is a widget of its own; here it stands inside this card. */
 async function showRobot(model, host, el, signal) {

@@ -9,6 +9,7 @@ import anywidget
 import numpy as np
 import traitlets
 
+from dmp_teach.classroom.saving import RESTING
 from dmp_teach.classroom.writing import Job, StopPressed
 from dmp_teach.errors import ReachWarning, TeachError
 from dmp_teach.ink.recording import Recording
@@ -39,7 +40,8 @@ class RobotPanel(anywidget.AnyWidget):
     work = traitlets.Dict(_IDLE).tag(sync=True)
     older = traitlets.Bool(False).tag(sync=True)
     scene = anywidget.WidgetTrait().tag(sync=True)
-    own_id = traitlets.Unicode().tag(sync=True)  # by it the panel keeps itself out of saved notebooks
+    own_id = traitlets.Unicode().tag(sync=True)  # by it the panel keeps itself out of saved notebooks ...
+    resting = traitlets.Unicode(RESTING).tag(sync=True)  # ... and is kept as this
 
     def __init__(self, page: Page | None = None, **traits: Any):
         self.page = Page.table() if page is None else page

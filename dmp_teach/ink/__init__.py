@@ -13,7 +13,7 @@ Read in this order:
       svg             drawings (`svg_frames`, `svg_style`, `svg_shapes`; `pace`: when a hand would be where)
       our_json        what we write ourselves (`plain_json`: strictly, never run)
       for all         `opening` (bounded files), `markup` (XML from strangers), `flat` and `lifts` (ink without height)
-    writer          a recording becomes a file
+    writer          a recording becomes a file; `drawing`: a small picture for a notebook
     pad             events of a mouse, a finger or a stylus become a recording
     alphabet        our own letters
     score           how well a letter is written, in a sentence, by

@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.ink import cuts
+from dmp_teach.ink.drawing import svg_of
 from dmp_teach.ink.printed_rules import rule_named
 from dmp_teach.trajectory import Array, Trajectory, locked
 
@@ -139,6 +140,10 @@ class Recording:
         letter = "" if self.character is None else f"{self.character!r}, "
         writer = "" if self.writer is None else f"by {self.writer}, "
         return f"Recording({letter}{writer}{len(self.t)} samples, {self.duration:.3f} s)"
+
+    def _repr_svg_(self) -> str | None:
+        """Its strokes as a small picture, for a notebook."""
+        return svg_of(self.strokes(), repr(self), dotted=True, baseline=self.baseline)
 
 
 def _checked(spans: tuple[tuple[int, int], ...], samples: int) -> tuple[tuple[int, int], ...]:
