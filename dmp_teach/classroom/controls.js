@@ -63,9 +63,11 @@ function choice({ legend, options, value, onChange, kind = "" }) {
   return { node, show };
 }
 
-/** One of many: a list that opens. Its first line is its name, and is chosen where none of the others is. */
+/** One of many: a list that opens, in groups. Its first line is its name, and is chosen where none of the others is. */
 function list({ name, options, value, onChange }) {
-  const items = options.map((option) => make("option", { value: option.value }, option.label));
+  const groups = [...new Set(options.map((option) => option.group ?? ""))];
+  const inside = (label) => options.filter((option) => (option.group ?? "") === label).map((option) => make("option", { value: option.value, "aria-label": option.name }, option.label));
+  const items = groups.flatMap((label) => (label ? [make("optgroup", { label }, ...inside(label))] : inside(label)));
   const node = make("select", { class: "dt-list", "aria-label": name }, make("option", { value: "", disabled: true }, name), ...items);
   node.value = options.some((option) => option.value === value) ? value : "";
   node.addEventListener("change", () => onChange(node.value));
@@ -125,6 +127,9 @@ function button(words, { onClick, drawing = null, main = false } = {}) {
   return make("button", { type: "button", class: main ? "dt-button dt-main" : "dt-button", click: onClick }, drawing, make("span", {}, words));
 }
 
+/** Words that are read aloud are put there once: the same words again would be read again. */
+const put = (node, words) => node.textContent === words || (node.textContent = words);
+
 /** Words that are heard and not seen. */
 function spokenBox() {
   return make("div", { class: "dt-spoken", "aria-live": "polite", style: "position:absolute;width:1px;height:1px;overflow:hidden;clip-path:inset(50%)" });
@@ -142,7 +147,7 @@ function sentence() {
     number.replaceChildren(figure.replace("under ", "< "), make("small", {}, ` ${unit}`));
     words.replaceChildren(make("span", {}, text, make("b", {}, strong), after));
     clearTimeout(timer);
-    timer = setTimeout(() => (spoken.textContent = `${figure && `${figure} ${unit}. `}${text}${strong}${after}`), 500);
+    timer = setTimeout(() => put(spoken, `${figure && `${figure} ${unit}. `}${text}${strong}${after}`), 500);
   };
   return { node, show };
 }

@@ -8,10 +8,10 @@ import numpy as np
 import traitlets
 
 from dmp_teach.classroom import words
-from dmp_teach.classroom.robot_panel import RobotPanel, bundle, bytes_of
+from dmp_teach.classroom.robot_panel import RobotPanel, bundle, bytes_of, letter_choices
 from dmp_teach.dmp.settings import Settings, knob_of
 from dmp_teach.errors import RecordingError, SettingWarning
-from dmp_teach.ink.alphabet import characters, recording_of
+from dmp_teach.ink.alphabet import recording_of
 from dmp_teach.ink.reader import read_recording
 from dmp_teach.ink.recording import Recording
 from dmp_teach.letters.letter import Letter, rms_distance
@@ -69,7 +69,7 @@ class Explore(RobotPanel):
         self._demo: tuple[Trajectory, ...] = ()
         super().__init__(page, scene=SceneView(compact=True, camera="whole robot"), knobs=knobs)
         self._own: Recording | None = None
-        self.choices = [[name, name, f"the letter {name}"] for name in characters()]
+        self.choices = letter_choices()
         if recording is None:
             self.letter = "a"
         else:
@@ -84,7 +84,7 @@ class Explore(RobotPanel):
             raise RecordingError("There is no stroke in this recording: the pen never wrote.")
         self._own = own
         label = own.character or "?"
-        self.choices = [*(c for c in self.choices if c[0] != _OWN), [_OWN, f"{label}*", f"your own {label}"]]
+        self.choices = [*(c for c in self.choices if c[0] != _OWN), [_OWN, f"{label}*", f"your own {label}", ""]]
         self.near = [*_NEAR, _OWN]
         if self.letter == _OWN:
             self._choose()
@@ -150,7 +150,7 @@ class Explore(RobotPanel):
             self.message = words.goal_message(float(np.linalg.norm(shifts[stroke])), miss, error, only)
         else:
             self.message = words.fit_message(error, self.n_kernels, self.kernel_width)
-        name = next(name for key, _, name in self.choices if key == self.letter)
+        name = next(name for key, _, name, _ in self.choices if key == self.letter)
         self.title = words.letter_title(name, error, words.largest_gap(self._demo, taught))
 
 

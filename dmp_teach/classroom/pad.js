@@ -9,7 +9,7 @@ function render({ model, el, host, signal }) {
   const asleep = make("div", { class: "dt-asleep", hidden: true, role: "status" }, "The pad does not answer. If it stays so, run the cell above again: Shift and Enter.");
   root.append(
     parts.head, make("div", { class: "dt-stage" }, parts.left, parts.right), make("div", { class: "dt-says" }, parts.says.node, asleep),
-    parts.rows, parts.strip, parts.table, parts.footer,
+    parts.table, parts.rows, parts.strip, parts.footer,
   );
   el.append(root);
   parts.asleep = asleep;
@@ -73,7 +73,8 @@ function childSheet(model, parts) {
   const sheet = writingSheet();
   const caught = make("span", { class: "dt-caught", role: "status" });
   const spoken = spokenBox();
-  const hint = make("p", { class: "dt-hint", "aria-hidden": "true" });
+  const [hintWords, more] = [make("span"), make("span", { class: "dt-roomy" }, ", with finger, pen or mouse")];
+  const hint = make("p", { class: "dt-hint", "aria-hidden": "true" }, make("span", {}, hintWords, more));
   const speak = later((words) => (spoken.textContent = words), 500);
   const ink = inkCanvas({
     view: sheet.view,
@@ -94,7 +95,7 @@ function childSheet(model, parts) {
   const stack = make("div", { class: "dt-sheet" }, sheet.node, hint, ink.node);
   const hands = make("div", { class: "dt-hands" }, undo, again);
   parts.says.node.append(all);
-  return { left: make("div", {}, caption, stack, hands, spoken), sheet, ink: ink.node, dropInk: ink.drop, hint, caught, undo, again, all };
+  return { left: make("div", {}, caption, stack, hands, spoken), sheet, ink: ink.node, dropInk: ink.drop, hint, hintWords, caught, undo, again, all };
 }
 
 /** Where the robot shows its own letter, or what it has learned. */
@@ -108,7 +109,8 @@ function robotSheet(model, parts) {
     { value: "copy", label: "learned", name: "What the robot has learned from you" },
   ];
   const views = choice({ legend: "The robot’s sheet shows", options, value: "model", onChange: (value) => parts.robotView(value) });
-  const hint = make("p", { class: "dt-hint" });
+  const robotHint = make("span");
+  const hint = make("p", { class: "dt-hint" }, robotHint);
   const robotView = (value) => {
     endShow(parts);
     parts.seen = value;
@@ -118,7 +120,7 @@ function robotSheet(model, parts) {
   const head = make("div", { class: "dt-caption" }, make("b", {}, "The robot’s letter"), views.node);
   const stack = make("div", { class: "dt-sheet" }, sheet.node, hint, caption);
   const hands = make("div", { class: "dt-hands" }, show, write);
-  return { right: make("div", {}, head, stack, hands), robotPaper: sheet, robotCaption: caption, robotHint: hint, show, write, robotView, seen: "model" };
+  return { right: make("div", {}, head, stack, hands), robotPaper: sheet, robotCaption: caption, robotHint, show, write, robotView, seen: "model" };
 }
 
 function table() {
@@ -171,15 +173,12 @@ function drawPad(model, parts) {
   const letter = character ? `${anA(character)}` : "a letter";
   parts.sheet.draw({ box, lines, dots: written, line: [], numbered: written, pen: parts.pen, title: model.get("title") });
   parts.ink.setAttribute("aria-label", `${model.get("title")} Write ${letter} with finger, pen or mouse; or with keys: Space puts the pen down and lifts it, arrows move it, with Shift further, Home goes to the start.`);
-  parts.hint.textContent = `Write ${letter} here, with finger, pen or mouse`;
+  parts.hintWords.textContent = `Write ${letter} here`;
   parts.hint.hidden = written.length > 0 || Boolean(parts.pen);
   parts.all.hidden = !model.get("unfinished");
   parts.says.show(model.get("message"));
   if (!parts.playing) drawRobot(model, parts, { box, lines, written });
 }
-
-/** Words that are read aloud are put there once. */
-const put = (node, words) => node.textContent === words || (node.textContent = words);
 
 /** "an a", "a b": the name of the letter is what is heard. */
 const anA = (character) => `${"aefhilmnorsxAEFHILMNORSX8".includes(character) ? "an" : "a"} ${character}`;
@@ -188,12 +187,19 @@ function drawRobot(model, parts, { box, lines, written }) {
   const own = parts.seen === "model";
   const [strokes, learned] = [robotStrokes(model, own ? "model" : "robot"), model.get("counts").length > 0];
   const line = own || learned ? strokes : [];
-  const dots = own ? [] : strokesOf(model, "ink");
-  put(parts.robotCaption, own || !learned ? "" : "learned from your dots");
+  const isDone = learned && !model.get("unfinished");
+  const dots = own ? (isDone && line.length ? laidOn(model) : []) : strokesOf(model, "ink");
+  put(parts.robotCaption, dots.length ? (own ? "with your dots on it" : "learned from your dots") : "");
   parts.robotHint.textContent = line.length ? "" : own ? "Choose a letter, and the robot shows it" : "The robot learns from what you write";
   const name = own ? `The robot’s own ${model.get("character")}` : "What the robot learned from you";
   parts.robotPaper.draw({ box, lines, dots, line, numbered: line, title: line.length ? `${name}, ${line.length} stroke${line.length > 1 ? "s" : ""}.` : "The robot’s sheet is empty." });
   change(parts.show, { "aria-disabled": model.get("character") ? null : "true" });
+}
+
+/** The child's ink, laid on the robot's own letter as the number compares them. */
+function laidOn(model) {
+  const [right, up] = model.get("shift");
+  return strokesOf(model, "ink").map((points) => points.map(([x, y]) => [x + right, y + up]));
 }
 
 /** The robot is the teacher: its letter grows at its own tempo; people who ask for less movement get stills. */
@@ -232,8 +238,9 @@ function drawRows(model, parts) {
   const rows = model.get("parts");
   const circles = (level) => make("svg", { viewBox: "0 0 96 24", "aria-hidden": "true" }, ...[0, 1, 2, 3].map((i) => make("circle", { class: i <= level ? "dt-full" : "dt-open", cx: 12 + 24 * i, cy: 12, r: 9 })));
   const item = ({ name, level, word, reason }) => make("li", {}, make("span", {}, name), circles(level), make("b", {}, word), make("span", { class: "dt-reason" }, reason));
-  parts.rows.style.minHeight = rows.length ? "" : `${parts.rows.offsetHeight}px`; // their place stays: the sheet must not jump
-  parts.rows.hidden &&= !rows.length;
+  const waits = !rows.length && model.get("tries").length > 0; // between two tries their place stays: nothing jumps
+  parts.rows.style.minHeight = waits ? `${parts.rows.offsetHeight}px` : "";
+  parts.rows.hidden = !rows.length && !waits;
   parts.rows.replaceChildren(...rows.map(item));
 }
 
@@ -247,7 +254,7 @@ function drawTries(model, parts) {
     const sheet = writingSheet({ small: true });
     const dots = strokes.slice(at, (at += counts.length));
     sheet.draw({ box, lines, dots, line: own, title: `Try ${number}, ${mm} mm from the robot’s letter.` });
-    return make("li", {}, make("div", { class: "dt-caption" }, make("b", {}, `Try ${number}`), make("span", {}, `${mm} mm`)), sheet.node, make("span", {}, word));
+    return make("li", {}, make("div", { class: "dt-caption" }, make("b", {}, `Try ${number}`), make("span", {}, `${mm.replace("under ", "< ")} mm`)), sheet.node, make("span", {}, word));
   });
   parts.strip.replaceChildren(...items);
 }

@@ -8,7 +8,7 @@ import traitlets
 
 from dmp_teach.classroom import words
 from dmp_teach.classroom.keeping import Kept
-from dmp_teach.classroom.robot_panel import RobotPanel, bundle, bytes_of
+from dmp_teach.classroom.robot_panel import RobotPanel, bundle, bytes_of, letter_choices
 from dmp_teach.classroom.sheets import around, laid_on, one_letter, sheet_of, writing_lines
 from dmp_teach.classroom.tries import Tries, Try, as_rows
 from dmp_teach.errors import RecordingError
@@ -66,6 +66,7 @@ class Pad(RobotPanel):
     tries = traitlets.List().tag(sync=True)
     tried = traitlets.Bytes().tag(sync=True)
     title = traitlets.Unicode().tag(sync=True)
+    shift = traitlets.List([0.0, 0.0]).tag(sync=True)
     unfinished = traitlets.Bool(False).tag(sync=True)
     kept = traitlets.Unicode().tag(sync=True)
     drawing = traitlets.Int(0).tag(sync=True)
@@ -79,7 +80,7 @@ class Pad(RobotPanel):
         self._files = Kept()
         self._model: Recording | None = None
         super().__init__(page)
-        self.choices = [["", "any", "any letter"], *([name, name, f"the letter {name}"] for name in characters())]
+        self.choices = [["", "any", "any letter", ""], *letter_choices()]
         if character:
             self.character = one_letter(character)
         else:
@@ -265,6 +266,7 @@ class Pad(RobotPanel):
             scored = self._tries.scored(self._model, done=not self.unfinished)
             self._describe(now, [each for each in scored if each is not now])
             self._list_tries(scored)
+            self.shift = now.shift.tolist() if now in scored else [0.0, 0.0]
             self._mark_older()
             self.kept = ""
             self.drawing += 1
@@ -291,4 +293,4 @@ class Pad(RobotPanel):
         """The newest tries of this letter, with their numbers."""
         shown = scored[-_STRIP:]
         self.tries = as_rows(shown, len(scored) - len(shown) + 1)
-        self.tried = bytes_of(tuple(stroke for each in shown for stroke in each.ink))
+        self.tried = bytes_of(tuple(stroke for each in shown for stroke in each.laid))

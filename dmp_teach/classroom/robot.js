@@ -13,7 +13,7 @@ function legend(person, robot) {
 
 /** The letters that are near, as one bar, and the rest as a list. */
 function drawLetters(model, parts, { trait = "letter", onChange }) {
-  const options = model.get("choices").map(([value, label, name]) => ({ value, label, name: aloud(label, name) }));
+  const options = model.get("choices").map(([value, label, name, group]) => ({ value, label, group, name: aloud(label, name) }));
   const focused = parts.letters.contains(document.activeElement);
   const [near, more] = [options.filter((o) => model.get("near").includes(o.value)), options.filter((o) => !model.get("near").includes(o.value))];
   const bar = choice({ legend: "Letter", kind: "dt-letters", options: near, value: model.get(trait), onChange });
@@ -22,9 +22,9 @@ function drawLetters(model, parts, { trait = "letter", onChange }) {
   if (focused) (bar.node.querySelector("input:checked") ?? rest).focus();
 }
 
-/** Read aloud, m and M sound the same. */
+/** Read aloud, m and M sound the same, and so do é and É. */
 function aloud(label, name) {
-  return /^[A-Z]$/.test(label) ? `${name}, capital` : /^[a-z]$/.test(label) ? `${name}, small` : name;
+  return /^\p{Lu}$/u.test(label) ? `${name}, capital` : /^\p{Ll}$/u.test(label) ? `${name}, small` : name;
 }
 
 /** Bytes of float32 x, y, x, y ... [m], cut into strokes of `counts` points. */

@@ -12,6 +12,7 @@ import traitlets
 from dmp_teach.classroom.saving import RESTING
 from dmp_teach.classroom.writing import Job, StopPressed
 from dmp_teach.errors import ReachWarning, TeachError
+from dmp_teach.ink.alphabet import characters
 from dmp_teach.ink.recording import Recording
 from dmp_teach.robot.motion import Motion
 from dmp_teach.robot.page import Page
@@ -31,6 +32,19 @@ def bundle(*names: str) -> str:
 def bytes_of(strokes: tuple[Trajectory, ...]) -> bytes:
     """All points as float32 x, y, x, y ... [m], one stroke after the other."""
     return np.concatenate([np.empty((0, 2)), *(stroke.position for stroke in strokes)]).astype("<f4").tobytes()
+
+
+def letter_choices() -> list[list[str]]:
+    """The letters that we have, as a panel's list shows them: value, label, name and group."""
+
+    def of(letter: str) -> tuple[str, str]:
+        if letter.isdigit():
+            return "digit", "Digits"
+        if not letter.isascii():
+            return "letter", "With accents"
+        return "letter", "Small letters" if letter.islower() else "Capitals"
+
+    return [[letter, letter, f"the {what} {letter}", group] for letter in characters() for what, group in [of(letter)]]
 
 
 class RobotPanel(anywidget.AnyWidget):

@@ -9,10 +9,11 @@ import numpy as np
 from dmp_teach.classroom.words import beside, millimetres
 from dmp_teach.errors import LetterError, RecordingError
 from dmp_teach.ink.pad import PadStroke, pad_recording
+from dmp_teach.ink.points import spread
 from dmp_teach.ink.recording import Recording
-from dmp_teach.ink.score import Score, score
+from dmp_teach.ink.score import POINTS, Score, score
 from dmp_teach.letters.letter import Letter
-from dmp_teach.trajectory import Trajectory
+from dmp_teach.trajectory import Array, Trajectory
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,6 +64,21 @@ class Try:
         """How large the model is, the longer of its sides [m]."""
         places = np.concatenate([stroke.position for stroke in self.model.strokes()])
         return float(np.ptp(places, axis=0).max())
+
+    @cached_property
+    def shift(self) -> Array:
+        """What lays its ink on the model, as the score does: middle upon middle of the strokes that belong together."""
+        middles = []
+        for strokes, side in ((self.ink, "strokes"), (self.model.strokes(), "others")):
+            place, _, number, _ = spread(strokes, POINTS)
+            both = np.isin(number, [k for pair in self.score.matching.pairs for k in getattr(pair, side)])
+            middles.append(place[both].mean(axis=0))
+        return middles[1] - middles[0]
+
+    @property
+    def laid(self) -> tuple[Trajectory, ...]:
+        """Its ink, laid on the model."""
+        return tuple(replace(stroke, position=stroke.position + self.shift) for stroke in self.ink)
 
     def named(self, writer: str) -> Self:
         """The same, under a pseudonym."""

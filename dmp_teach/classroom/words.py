@@ -17,6 +17,7 @@ _THINGS = (
 _APART = "Your letter and the robot’s own are this far apart on average. "
 _ALIKE = "It looks the same as the robot’s. "
 _WITHIN = (0.2, 0.1, 0.04)  # of the letter's size: a distance up to which a try is "nearer", "close", "the same"
+_LITTLE = 0.0025  # two widths of a pen's line and a half [m]: so much further away is a little, however near it was
 _MOVEMENT = ("smooth", "tempo")  # faults in how it was written, which nobody sees on the paper
 
 
@@ -150,13 +151,14 @@ def _named(now: Score, is_coarse: bool) -> str:
 def compared(distance: float, before: float) -> str:
     """A distance beside that of the try before [m]; no try is called bad.
 
-    `look.md` has "a little further away this time": that is said of small changes, and up to half as far again.
+    "A little further away this time" is how the design puts every worse try; it is kept for those that are a little
+    further away, by half at most or by the width of a pen's line or two, because the number stands beside it.
     """
     if millimetres(distance) == millimetres(before) or 0.95 * before <= distance <= 1.05 * before:
         return "As near as the try before."
     if distance < before:
         return "Nearer than the try before."
-    return f"{'A little further' if distance <= 1.5 * max(before, 0.001) else 'Further'} away this time."
+    return f"{'A little further' if distance <= max(1.5 * before, before + _LITTLE) else 'Further'} away this time."
 
 
 def beside(score: Score, size: float) -> str:

@@ -8,9 +8,9 @@ import pytest
 
 import dmp_teach
 from tests.browser.conftest import TOKEN
+from tests.browser.pads import PAD, Sheet, by_mouse, caught, farthest, into_sight, letter, open_pad, press, strokes
 from tests.browser.test_lab import notebook_of
 
-PAD = "import dmp_teach as teach\npad = teach.pad()\npad"
 WET = """() => {
     const ink = document.querySelector('.dt-ink');
     const { data } = ink.getContext('2d').getImageData(0, 0, ink.width, ink.height);
@@ -35,70 +35,7 @@ LINE = ".dt-stage > div:last-child .dt-robot-line"
 
 @pytest.fixture
 def panel(open_notebook, lab):
-    """The pad in a notebook, scrolled into sight."""
-    (lab.folder / "pad.ipynb").write_text(notebook_of(PAD))
-
-    def open_panel(**context):
-        page = open_notebook("pad.ipynb", **context)
-        page.wait_for_selector(".dt-pad[data-dt-drawing]")
-        page.locator(".dt-stage").evaluate("node => node.scrollIntoView({ block: 'start' })")
-        page.wait_for_timeout(200)
-        return page
-
-    return open_panel
-
-
-def press(page, name):
-    page.locator(".dt-pad").get_by_role("button", name=name, exact=True).click()
-
-
-def strokes(page, number):
-    page.wait_for_selector(f".dt-pad[data-dt-strokes='{number}']")
-
-
-class Sheet:
-    """Where metres of the sheet are on the screen, from its two writing lines and its middle."""
-
-    def __init__(self, page, ask):
-        frame = page.locator(".dt-ink").bounding_box()
-        lines = [page.locator(f".dt-sheet .dt-{name}").first.bounding_box() for name in ("baseline", "midline")]
-        base, middle = (line["y"] + line["height"] / 2 for line in lines)
-        left, _, right, _ = json.loads(ast.literal_eval(ask(page, "__import__('json').dumps(pad.sheet)")))
-        height = float(ask(page, "pad.lines[1]"))
-        self.pixels = (base - middle) / height
-        self.origin = np.array([frame["x"] + frame["width"] / 2 - self.pixels * (left + right) / 2, base])
-
-    def on_screen(self, places):
-        return (self.origin + self.pixels * np.asarray(places) * [1, -1]).round().tolist()
-
-    def in_metres(self, pixels):
-        return (np.asarray(pixels) - self.origin) / self.pixels * [1, -1]
-
-
-def caught(page, ask, number=-1):
-    """The points of a stroke as Python has them [m]."""
-    asked = f"__import__('json').dumps(pad.recording.strokes()[{number}].position.tolist())"
-    return np.array(json.loads(ast.literal_eval(ask(page, asked))))
-
-
-def farthest(ink, drawn):
-    """How far two lines are from each other, at most, either way [m]."""
-    a, b = (np.linspace(line[:-1], line[1:], 9).reshape(-1, 2) for line in (ink, drawn))
-    apart = np.linalg.norm(a[:, None] - b[None], axis=2)
-    return max(apart.min(axis=0).max(), apart.min(axis=1).max())
-
-
-def letter(character="a", stroke=0, step=6, size=1.0):
-    return dmp_teach.recording_of(character).strokes()[stroke].position[::step] * size
-
-
-def by_mouse(page, pixels, pause=0):
-    """Draw; with a pause [ms] after each point as slowly as a hand: what is learned depends on the pace."""
-    page.mouse.move(*pixels[0])
-    page.mouse.down()
-    for place in pixels[1:]:
-        page.mouse.move(*place)
-        page.wait_for_timeout(pause)
+    return lambda **context: open_pad(open_notebook, lab, **context)
 
 
 def files(lab):
@@ -185,7 +122,7 @@ def test_a_saved_notebook_holds_no_ink_and_its_panel_says_how_to_wake_it(open_no
     (lab.folder / "kept.ipynb").write_text(notebook_of(*cells))
     page = open_notebook("kept.ipynb")
     page.wait_for_selector(".dt-pad[data-dt-drawing]")
-    page.locator(".dt-stage").evaluate("node => node.scrollIntoView({ block: 'start' })")
+    into_sight(page)
     by_mouse(page, Sheet(page, ask).on_screen(letter()), pause=15)
     page.mouse.up()
     strokes(page, 1)

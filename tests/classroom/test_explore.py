@@ -1,6 +1,7 @@
 """The start panel, by setting its values."""
 
 import asyncio
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -9,6 +10,7 @@ import dmp_teach
 from dmp_teach.classroom import robot_panel as room
 from dmp_teach.classroom.explore import explore
 from dmp_teach.classroom.writing import Job, StopPressed
+from dmp_teach.ink.alphabet import characters
 from dmp_teach.ink.our_json import read_json, write_json
 from dmp_teach.ink.recording import Recording
 
@@ -231,3 +233,22 @@ def test_a_file_opened_while_the_robot_plans_leaves_its_steps_in_sight(panel, tm
     panel._open_bytes("q.json", path.read_bytes())
     assert panel.work["state"] == "working"
     assert panel.title.startswith("Your own q")
+
+
+@pytest.mark.parametrize(("n", "thing"), [(5, "the width of a finger"), (40, "the thickness of a hair")])
+def test_what_the_first_notebook_says_of_the_guess_is_true(panel, n, thing):
+    panel.n_kernels, panel.kernel_width = n, 1.0
+    assert thing in panel.message["strong"]
+    text = (Path(__file__).parents[2] / "notebooks" / "00_start_here.ipynb").read_text(encoding="utf-8")
+    assert f"{thing}" in text[text.index("## What happened") :]
+
+
+def test_the_list_of_letters_has_groups_and_every_letter_that_we_have(panel):
+    groups = {}
+    for value, label, name, group in panel.choices:
+        assert value == label == name[-1]
+        groups.setdefault(group, []).append(value)
+    assert list(groups) == ["Small letters", "Capitals", "Digits", "With accents"]
+    assert [value for inside in groups.values() for value in inside] == list(characters())
+    for group, letter in (("Small letters", "b"), ("Capitals", "B"), ("Digits", "7"), ("With accents", "\u00e4")):
+        assert letter in groups[group]

@@ -77,7 +77,7 @@ def test_a_try_is_a_little_further_away_only_if_it_is():
         (0.012, 0.010, "A little further away this time."),
         (0.022, 0.00003, "Further away this time."),
         (0.016, 0.010, "Further away this time."),
-        (0.0004, 0.00003, "A little further away this time."),
+        (0.002, 0.00003, "A little further away this time."),
         (0.00004, 0.00001, "As near as the try before."),
         (0.005, 0.010, "Nearer than the try before."),
     ):
