@@ -35,6 +35,8 @@ def again(page):
 def test_on_tablets_no_heading_breaks_and_the_sheets_stand_side_by_side(panel, ask, shot):
     page = panel(viewport={"width": 1280, "height": 1200})
     page.evaluate("() => jupyterapp.shell.collapseLeft()")
+    page.wait_for_timeout(400)
+    into_sight(page)
     write(page, ask)
     for width in (690, 720, 780, 800, 880):
         page.set_viewport_size({"width": width, "height": 1200})
