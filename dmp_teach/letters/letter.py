@@ -15,6 +15,7 @@ from dmp_teach.dmp.joining import joined
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import LetterError, kind_of
+from dmp_teach.ink.drawing import svg_of
 from dmp_teach.ink.points import listed
 from dmp_teach.letters.learning import imitated
 from dmp_teach.letters.piece import Piece
@@ -201,6 +202,10 @@ class Letter:
         if self.made_of:
             return f"Letter({strokes}, {kernels} kernels, made of {', '.join(self.made_of)})"
         return f"Letter({strokes}, {kernels} kernels, {1000 * self.error:.2f} mm rms from the demonstration)"
+
+    def _repr_svg_(self) -> str | None:
+        """What it writes as a small picture, for a notebook."""
+        return svg_of(self.write(), repr(self), dotted=False)
 
     def _stretched(self, drawn: list[Trajectory], duration: float) -> tuple[Trajectory, ...]:
         """The same on a clock that runs evenly slower or faster, from the same beginning."""

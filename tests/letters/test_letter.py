@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import LetterError, TrajectoryError
+from dmp_teach.ink import drawing
 from dmp_teach.ink.alphabet import recording_of
 from dmp_teach.letters.letter import Letter, rms_distance
 from dmp_teach.trajectory import Trajectory
@@ -185,3 +186,11 @@ def test_a_letter_says_in_one_line_how_well_it_was_learned():
     learned = Letter.learn(recording_of("D"))
     assert f"{1000 * learned.error:.2f} mm rms" in repr(learned)
     assert repr(learned).startswith("Letter(2 strokes, ")
+
+
+def test_a_letter_below_a_cell_is_the_robots_line():
+    letter = Letter.learn(recording_of("D"))
+    picture = letter._repr_svg_()
+    assert drawing.ROBOT in picture
+    assert picture.count("<circle") == 2
+    assert repr(letter) in picture.replace("&gt;", ">")
