@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from dmp_teach.ink.faults import UNSEEN
 from dmp_teach.ink.pad import PadStroke
 from dmp_teach.ink.score import WORDS, Score
 from dmp_teach.trajectory import Trajectory
@@ -18,7 +19,6 @@ _APART = "Your letter and the robot’s own are this far apart on average. "
 _ALIKE = "It looks the same as the robot’s. "
 _WITHIN = (0.2, 0.1, 0.04)  # of the letter's size: a distance up to which a try is "nearer", "close", "the same"
 _LITTLE = 0.0025  # two widths of a pen's line and a half [m]: so much further away is a little, however near it was
-_MOVEMENT = ("smooth", "tempo")  # faults in how it was written, which nobody sees on the paper
 
 
 def millimetres(metres: float) -> str:
@@ -140,11 +140,12 @@ def try_message(now: Score, before: Score | None, is_coarse: bool = False) -> di
 
 
 def _named(now: Score, is_coarse: bool) -> str:
-    """The largest fault that is seen on the sheet, or else one of the movement, where that is known."""
-    large = [fault for fault in now.faults if fault.steps > 1]
-    seen = [fault.sentence for fault in large if fault.name not in _MOVEMENT]
-    moved = [_ALIKE + fault.sentence for fault in large if fault.name in _MOVEMENT and not is_coarse]
-    first = next(iter(seen + moved), _ALIKE.strip())
+    """The fault that the score names; one of the movement only where that is known."""
+    fault = next((each for each in now.faults if each.sentence == now.sentence), None)
+    unseen = fault is not None and fault.name in UNSEEN
+    if fault is None or (unseen and is_coarse):
+        return _ALIKE.strip()
+    first = f"{_ALIKE}{fault.sentence}" if unseen else fault.sentence
     return first.replace("the model's", "the robot’s").replace("the model", "the robot’s")
 
 
