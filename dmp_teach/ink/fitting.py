@@ -112,7 +112,7 @@ def fitted(matching: Matching, written: Sequence[Trajectory], model: Sequence[Tr
     shapes = [float(np.sqrt((a.mean() + b.mean()) / 2)) / unit for a, b in far]
     worst = max(range(len(inks)), key=lambda k: far[k][1].max())
     point = found.inks[worst].yours[int(np.argmax(far[worst][1]))]
-    gap = 0.0 if trim is None else _gap(lines[trim.pair], trim, unit if not trim.missing else size)
+    gap = 0.0 if trim is None else _gap(lines[trim.pair], trim, size * (1 if trim.missing else whole.scale))
     return Fit(
         *_read(linear, scale), found.places() / unit, np.array(shapes), _rms(far) / unit, (point, worst), trim, gap
     )
