@@ -8,6 +8,8 @@ from dmp_teach.classroom.tries import Tries
 from dmp_teach.ink.our_json import write_json
 from dmp_teach.ink.recording import Recording
 
+LONGEST = 8  # signs of what was written that stand in a file's name; other signs, as "/", never do
+
 
 class Kept:
     """The files that a pad has written, and which recording is in each."""
@@ -52,6 +54,7 @@ def free_writer(folder: Path) -> str:
 
 def free_name(folder: Path, recording: Recording, writer: str) -> Path:
     """A name that no file has: "a_w01.json", then "a_w01_2.json"; capitals are told apart also where names are not."""
-    stem = f"{recording.character or 'ink'}_{writer}"
+    character = recording.character or ""
+    stem = f"{character if character.isalnum() and len(character) <= LONGEST else 'ink'}_{writer}"
     names = (folder / f"{stem}{'' if n == 1 else f'_{n}'}.json" for n in count(1))
     return next(path for path in names if not path.exists())

@@ -1,4 +1,6 @@
-"""What a notebook keeps of ink when it is saved: nothing.
+"""What a notebook keeps of our panels and of our small pictures of ink when it is saved: nothing that was written.
+
+Figures that somebody draws of ink, and numbers that are printed, are outputs like any other, and stay.
 
 JupyterLab, as our launcher starts it, keeps the state of widgets in a saved notebook, so that a panel whose kernel has
 ended says how to wake it. `without_ink` runs in the server before a notebook is written, whatever the browser sends.
@@ -30,8 +32,9 @@ def without_ink(model: dict[str, Any], **_: Any) -> None:
             each["state"] = {name: state[name] for name in state if name.startswith("_")}
             each["state"].update(_esm=RESTING, _css="")
             each["buffers"] = []
-        if MARK in "".join(_words(each.get(_SVG))):
-            del each[_SVG]
+        for name in (_SVG, "svg"):  # as notebooks of format 3 have it
+            if MARK in "".join(_words(each.get(name))):
+                del each[name]
 
 
 def _dicts(value: Any) -> Iterator[dict[str, Any]]:

@@ -22,7 +22,7 @@ _SOLID = f'stroke="{ROBOT}" stroke-width="3"'
 
 
 def svg_of(strokes: Iterable[Trajectory], title: str, dotted: bool, baseline: float | None = None) -> str | None:
-    """Ink as an SVG on a small sheet, with a circle where each stroke begins; None where there is no ink.
+    """Ink as an SVG on a small sheet, with a circle where each stroke begins; None where there is no ink on a page.
 
     Args:
         strokes: In the order in which they are written; of more than 2 dimensions the first two are drawn [m].
@@ -31,7 +31,7 @@ def svg_of(strokes: Iterable[Trajectory], title: str, dotted: bool, baseline: fl
         baseline: The y of the line that the letter stands on [m], or None.
     """
     paths = [stroke.position[:, :2] for stroke in strokes]
-    if not paths:
+    if not paths or any(path.shape[1] < 2 for path in paths):
         return None
     points = np.concatenate(paths)
     low, high = points.min(axis=0), points.max(axis=0)

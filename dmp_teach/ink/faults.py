@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -43,6 +43,7 @@ TIMES = {
     3 / 4: "three quarters as",
 }
 TIMES |= {3 / 2: "one and a half times as", 2: "twice as", 3: "three times as", 4: "four times as"}
+DOT = 0.1  # of the letter's size: what is smaller, and lacks a stroke, is a dot of it
 LITTLE = 2.5  # up to so many steps a fault is "a little"
 
 
@@ -65,8 +66,10 @@ class Fault:
 
 def faults(matching: Matching, fit: Fit, written: Movement, model: Movement, strokes: Sequence[Trajectory]):
     """All faults, the largest first; `strokes` are the model's."""
+    sizes = [max(each.width, each.height) for each in (written, model)]
+    nothing = bool(matching.missing) and sizes[0] < DOT * sizes[1]  # a dot has no size, width or lean
     found = [
-        *_of_the_whole(matching, fit),
+        *(replace(each, steps=0.0) if nothing else each for each in _of_the_whole(matching, fit)),
         *_of_strokes(matching, model),
         *_of_order(matching, written, model),
         *_of_shape(matching, fit, strokes),
@@ -111,13 +114,11 @@ def _of_strokes(matching: Matching, model: Movement) -> Iterator[Fault]:
         words = f"{_the(matching.missing[0], model.strokes)} is missing"
         yield Fault("missing", PLAIN["missing"], f"{_sentence(words)}", words)
     elif matching.missing:
-        words = f"{NUMBERS[min(10, len(matching.missing))]} strokes are missing"
+        words = f"{_count(len(matching.missing), True)} are missing"
         yield Fault("missing", PLAIN["missing"] + 1, _sentence(words), words)
     if matching.extra:
         count = len(matching.extra)
-        words = (
-            "there is one stroke too many" if count == 1 else f"there are {NUMBERS[min(10, count)]} strokes too many"
-        )
+        words = f"there {'is' if count == 1 else 'are'} {_count(count, True)} too many"
         yield Fault("extra", PLAIN["extra"], _sentence(words), words.split(" ", 2)[2])
 
 
@@ -249,7 +250,10 @@ def _the(number: int, of: int) -> str:
 
 def _nth(number: int) -> str:
     """Which stroke, from 0, in words."""
-    return ORDINALS[number] if number < len(ORDINALS) else f"{number + 1}th"
+    if number < len(ORDINALS):
+        return ORDINALS[number]
+    teen = (number + 1) % 100 // 10 == 1
+    return f"{number + 1}{'th' if teen else {1: 'st', 2: 'nd', 3: 'rd'}.get((number + 1) % 10, 'th')}"
 
 
 def _count(strokes: int, noun: bool = False) -> str:

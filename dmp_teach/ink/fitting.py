@@ -179,7 +179,7 @@ def _inks(matching: Matching, written: Sequence[Trajectory], model: Sequence[Tra
 def _refined(inks: Sequence[_Ink], lines: Sequence[Line], linear: Array, scale: float, rounds: int) -> _Found:
     """The fit from a linear part (2, 2) on, after so many rounds of asking which points belong together."""
     shifts = np.array([ink.mine.mean(axis=0) - linear @ ink.yours.mean(axis=0) for ink in inks])
-    unit = scale * rms_radius(centred(np.concatenate([ink.yours for ink in inks])))
+    unit = scale * rms_radius(centred(np.concatenate([ink.yours for ink in inks]))) or 1.0
     for _ in range(rounds):
         nearest = [_nearest(ink, linear, shift, unit) for ink, shift in zip(inks, shifts, strict=True)]
         pairs = [

@@ -26,6 +26,7 @@ STRANGE = 0.9  # strokes that are farther from each other are no partners [radii
 DOT = 0.3  # a shorter stroke is a dot, and nobody sees which way it went [radii: a tenth of the height]
 SPLIT = 0.5  # strokes that do the work of others: each of them lies this near to those [radii] ...
 LONGER = 1.5  # ... and neither side is so many times as long: a line drawn twice is not a line in two pieces
+WORK = 0.55  # and so much of a stroke's length is done by who does its work, too
 PARTED = 0.25  # two pairs are one, cut at other places, if that leaves less than this of what they cost
 COARSE = 2  # every second point is enough to see how a letter leans
 SLANTS = np.array([[[width, 0], [lean, 1]] for width in (0.5, 0.7, 1, 1.4, 2) for lean in np.linspace(-1, 1, 9)])
@@ -236,7 +237,8 @@ class _Costs:
                 continue
             before, after = self.of(groups[a]) + self.of(groups[b]), self.of(both)
             alone = not all(groups[a] + groups[b])
-            if alone and self._has_dot(groups[a] if not all(groups[a]) else groups[b]):
+            lone, mate = (groups[a], groups[b]) if not all(groups[a]) else (groups[b], groups[a])
+            if alone and (self._has_dot(lone) or not self._does_work_of(mate, lone)):
                 continue
             if after < before * (1 if alone else PARTED) and self._near(both) and before - after > gain:
                 best, gain = (a, b, both), before - after
@@ -255,6 +257,17 @@ class _Costs:
         mine, yours = map(list, group)
         there = self.near[0][:, yours].min(axis=1), self.near[1][mine].min(axis=0)
         return all(there[side][self.inks[side].of([k])].mean() < SPLIT**2 for side in (0, 1) for k in group[side])
+
+    def _does_work_of(self, mate: Group, lone: Group) -> bool:
+        """Whether some ink across from a lone stroke is nearer to it than to the strokes that it was given to.
+
+        An O lies near to the accent over it, but all of its ink is an O's: nobody wrote the accent.
+        """
+        side = 0 if lone[0] else 1
+        near = self.near[0] if side else self.near[1].T
+        across = near[self.inks[1 - side].of(mate[1 - side])]
+        nearer = across[:, list(lone[side])].min(axis=1) < across[:, list(mate[side])].min(axis=1, initial=np.inf)
+        return bool(nearer.sum() >= WORK * self.inks[side].of(lone[side]).sum())
 
     def _has_dot(self, group: Group) -> bool:
         """Whether a stroke of a group is a dot: no line does the work of a line and a dot."""

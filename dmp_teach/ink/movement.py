@@ -13,6 +13,7 @@ from dmp_teach.trajectory import Array, Trajectory
 RATE = 100.0  # of the clock on which every movement is looked at [Hz]
 CUTOFF = 8.0  # a hand trembles at 4 to 8 Hz and writes slower; what is faster is the camera's or the pad's noise [Hz]
 PEAK = 0.1  # a peak of speed stands this much of the highest one over the valleys beside it
+MOST = 360_000  # samples of a stroke: an hour
 SHORT = 5  # samples of even the quickest tap
 SAMPLES = 64  # along a stroke, for its slant
 FINE = 0.01  # of the letter's size: between points on which a line is seen to be shaky ...
@@ -123,8 +124,8 @@ def _velocity(stroke: Trajectory) -> tuple[Array, float]:
 
     So a recording's rate and noise hardly count.
     """
-    samples = max(SHORT, int(stroke.duration * RATE) + 1)
-    clock = stroke.t[0] + min(1 / RATE, stroke.duration / (samples - 1)) * np.arange(samples)
+    samples = max(SHORT, int(min(stroke.duration * RATE, MOST)) + 1)
+    clock = stroke.t[0] + stroke.duration / (samples - 1) * np.arange(samples)
     path = np.column_stack([np.interp(clock, stroke.t, axis) for axis in stroke.position.T])
     path = sosfiltfilt(_low_pass(), path, axis=0, padlen=min(30, samples - 1))
     dt = float(clock[1] - clock[0])

@@ -143,7 +143,10 @@ class Recording:
 
     def _repr_svg_(self) -> str | None:
         """Its strokes as a small picture, for a notebook."""
-        return svg_of(self.strokes(), repr(self), dotted=True, baseline=self.baseline)
+        try:
+            return svg_of(self.strokes(), repr(self), dotted=True, baseline=self.baseline)
+        except RecordingError:  # nothing was written: its one line says more
+            return None
 
 
 def _checked(spans: tuple[tuple[int, int], ...], samples: int) -> tuple[tuple[int, int], ...]:

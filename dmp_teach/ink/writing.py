@@ -61,7 +61,7 @@ def _is_swing(motion: Motion, kept: list[tuple[int, int]], first: tuple[int, int
     ways = [motion.speed[slice(*each)].sum() for each in kept]
     if begin > 0 or a == 0 or not lift - 1 <= b <= lift or ways[0] >= SWING * max(ways):
         return False
-    rise = motion.raw[b - 1 : b + round(RISES / motion.dt)]
+    rise = motion.raw[b - 1 : b + max(1, round(RISES / motion.dt))]
     return bool(np.abs(np.diff(rise)).max() < 0.8 * np.ptp(rise))
 
 

@@ -116,6 +116,7 @@ class Letter:
 
         Raises:
             LetterError: No recipe, letters that are not on the shelf, or one that cannot be taken apart; says which.
+            SettingError: A similarity is to lead a closed stroke.
         """
         from dmp_teach.letters.recipes import made  # noqa: PLC0415 (it composes letters itself)
 
@@ -282,6 +283,11 @@ def _strokes_of(recording: Any) -> tuple[Trajectory, ...]:
         what = kind_of(wrong[0]) if wrong else "nothing"
         raise LetterError(f"A letter is learned from a recording or from strokes (Trajectory), but got {what}.")
     for number, (before, after) in enumerate(pairwise(strokes), start=1):
+        if after.dimensions != before.dimensions:
+            raise LetterError(
+                f"Stroke {number} has {after.dimensions} dimensions, but stroke {number - 1} has {before.dimensions}; "
+                "all strokes of a letter have as many."
+            )
         if after.t[0] < before.t[-1]:
             raise LetterError(
                 f"Stroke {number} begins at {after.t[0]} s, before stroke {number - 1} ends at {before.t[-1]} s; "

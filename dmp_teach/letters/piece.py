@@ -83,14 +83,11 @@ class Piece:
         Raises:
             LetterError: No such height.
         """
-        if isinstance(part, bool) or not isinstance(part, int | float):
+        if isinstance(part, bool) or not isinstance(part, int | float) or not 0 <= part <= 1:
             raise LetterError(f"There is no height {part!r} on {self.name}; give a part from 0 (bottom) to 1 (top).")
-        (_, low), (_, high) = self.at("bottom"), self.at("top")
-        y = low + part * (high - low)
-        found = crossings(self.drawn.position, y)
-        if not len(found):
-            raise LetterError(f"There is no height {part!r} on {self.name}; give a part from 0 (bottom) to 1 (top).")
-        return np.array([found[-1], y])
+        low, high = self.at("bottom")[1], self.at("top")[1]
+        y = min(low + part * (high - low), high)
+        return np.array([crossings(self.drawn.position, y)[-1], y])
 
     def moved(self, by: ArrayLike) -> Self:
         """The stroke as it is, elsewhere.
@@ -222,7 +219,8 @@ class Piece:
 
     def _learned(self, shown: Trajectory, number: str) -> Self:
         """Another demonstration, learned as finely as this one."""
-        settings = replace(self.primitive.settings, n_kernels=None, alpha=None)
+        own, share = self.primitive.settings, shown.duration / self.primitive.duration
+        settings = replace(own, n_kernels=min(max(round(own.n_kernels * share), 1), len(shown) - 1), alpha=None)
         return type(self)(DMP.imitate(shown, settings), shown, self.character, number, self.writer)
 
     def follows(self, before: "Piece") -> bool:

@@ -24,7 +24,7 @@ from typing import Any
 
 import numpy as np
 
-from dmp_teach.errors import LetterError, kind_of
+from dmp_teach.errors import LetterError, SettingError, kind_of
 from dmp_teach.letters.letter import Letter
 from dmp_teach.letters.piece import Piece
 from dmp_teach.letters.roles import strokes_in_role
@@ -106,6 +106,8 @@ def made(character: str, shelf: Shelf, transform: str | None = None, recipe: str
     """A letter by its recipe; arguments and errors as `Letter.make`."""
     if not isinstance(shelf, Shelf):
         raise LetterError(f"A letter is made from a Shelf, but got {kind_of(shelf)}; use Shelf.of(recordings).")
+    if not isinstance(character, str):
+        raise LetterError(f"character is {character!r}, but must be the letter to make, such as 'P'.")
     if not isinstance(recipe, str | None):
         raise LetterError(f"recipe is {recipe!r}, but must be a line of strokes, such as 'D bar, D bowl'.")
     hows = [how for _, how in recipes(character)] if recipe is None else [recipe]
@@ -119,11 +121,11 @@ def made(character: str, shelf: Shelf, transform: str | None = None, recipe: str
         wanted = ", or ".join(" and ".join(needed(how)) for how in hows)
         have = ", ".join(shelf.letters)
         raise LetterError(f"{character!r} is made of {wanted}, but this shelf has {have}: put the missing ones on it.")
-    refused: list[LetterError] = []
+    refused: list[LetterError | SettingError] = []
     for how in at_hand:
         try:
             return Letter.compose(cooked(how, shelf, transform))
-        except LetterError as error:
+        except (LetterError, SettingError) as error:
             refused.append(error)
     raise refused[0]
 

@@ -81,7 +81,7 @@ ROLES: dict[str, tuple[Callable[[Pieces], Pieces], str]] = {
     "stem": (_stem, "the longest stroke: an i without its dot"),
     "down": (_down, "what leads down from the top of the longest stroke: an l without its loop and its hook"),
     "dot": (_dot, "the shortest of several strokes"),
-    "bar": (_bar, "a straight stroke that leads up or down, beside a bowl"),
+    "bar": (_bar, "a straight stroke that leads up or down, alone or beside a bowl"),
     "bowl": (_bowl, "the bowl beside a bar"),
     "left": (_left, "the left one of parts that meet in a corner: the stem of an n"),
     "right": (_right, "the right one of parts that meet in a corner: the hump of an n"),

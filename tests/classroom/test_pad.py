@@ -2,6 +2,8 @@
 
 import asyncio
 import json
+import re
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -12,6 +14,7 @@ from traitlets import TraitError
 import dmp_teach
 from dmp_teach.classroom.pad import pad
 from dmp_teach.errors import RecordingError, TeachError
+from dmp_teach.ink.alphabet import recording_of
 from dmp_teach.ink.our_json import read_json, write_json
 
 
@@ -285,6 +288,17 @@ def test_another_writer_takes_the_next_free_pseudonym_unless_given_one(folder):
         assert panel.save().name == name
     with pytest.raises(RecordingError, match="pseudonym"):
         pad(writer="Anna Meyer")
+
+
+@pytest.mark.parametrize("character", ["../escaped", "/", "?", "a/b", "..", "CON:", "eighteen letters ", "\\"])
+def test_whatever_was_written_a_file_lies_beside_the_notebook(folder, character):
+    panel = pad(None)
+    panel.load(replace(recording_of("a"), character=character))
+    file = panel.save()
+    assert file.parent == folder
+    assert re.fullmatch(r"ink_w\d\d\.json|ink_writer-1\.json", file.name)
+    assert [each.name for each in folder.iterdir()] == [file.name]
+    assert not [each for each in folder.parent.iterdir() if each.suffix == ".json"]
 
 
 def test_what_was_there_is_never_overwritten(panel, folder):

@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 
 from dmp_teach import Letter, recording_of, score
 from dmp_teach.errors import LetterError
-from dmp_teach.ink.alphabet import alphabets
-from dmp_teach.ink.faults import PLAIN, STEPS
+from dmp_teach.ink.alphabet import alphabets, characters, signs
+from dmp_teach.ink.faults import PLAIN, STEPS, _nth
 from dmp_teach.ink.reader import read_recording
 from dmp_teach.trajectory import Trajectory
 from tests.ink import faulty
@@ -304,3 +304,42 @@ def test_a_line_where_a_round_letter_should_be_is_another_shape_and_no_small_let
     assert found.sentence.startswith("The shape is quite different")
     assert found.parts[0].word == "far"
     assert 0.4 < found.size < 1.5
+
+
+def left_out(alphabet):
+    """Every letter and sign of several strokes with each of its strokes left out, as far as that leaves a score."""
+    for character in [*characters(alphabet), *signs()]:
+        model = strokes(character, alphabet)
+        for number in range(len(model) if len(model) > 1 else 0):
+            written = faulty.without(model, number)
+            if any(np.ptp(stroke.position, axis=0).max() > 0 for stroke in written):
+                yield character, score(written, model)
+
+
+def test_a_stroke_that_was_left_out_is_missing_also_an_accent():
+    """But for capitals of the slanted hand, whose accents stand close and along their letter."""
+    for alphabet, unseen in zip(alphabets(), (1, 6), strict=True):
+        found = list(left_out(alphabet))
+        assert len(found) > 200
+        assert sum(not each.matching.missing for _, each in found) <= unseen
+
+
+def test_of_a_dot_nobody_says_that_it_is_a_small_letter():
+    model = strokes("!")
+    dot = [stroke for stroke in model if np.ptp(stroke.position, axis=0).max() < 0.01]
+    assert score(dot, model).sentence.endswith("stroke is missing.")
+
+
+def test_many_strokes_are_counted():
+    model = strokes("l")
+    many = faulty.after_each_other(
+        [Trajectory(np.arange(20) / 100, s.position[:20] + 0.2 * k) for k in range(26) for s in model]
+    )
+    assert re.search(r"^(There are 2\d strokes too many|It is)", score([*model, *many], model).sentence)
+    assert [_nth(number) for number in (0, 10, 20, 21, 22, 110)] == ["first", "11th", "21st", "22nd", "23rd", "111th"]
+
+
+def test_a_clock_in_microseconds_takes_no_memory():
+    model = strokes("a")
+    slow = [Trajectory(s.t * 1e6, s.position) for s in model]
+    assert np.isfinite(score(slow, model).written.smoothness)

@@ -1,5 +1,7 @@
 """Laws of strokes: how many, in which order, and where they begin and end."""
 
+from contextlib import suppress
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -356,3 +358,12 @@ def test_pressure_is_kept_locked_and_within_0_and_1():
     for odd in (-0.1, 1.1, np.nan, np.inf):
         with pytest.raises(RecordingError, match=r"pressure\[2\] is .*, but must be between 0 and 1"):
             Recording(t, page, pressure=[0, 1, odd, 0])
+
+
+@pytest.mark.parametrize("rate", [1.0, 3.0, 10.0])
+def test_a_slow_clock_gives_strokes_or_a_sentence(rate):
+    for seed in range(40):
+        random = np.random.default_rng(seed)
+        path = np.cumsum(random.normal(0, 0.02, (100, 3)), axis=0)
+        with suppress(RecordingError):
+            assert find_strokes(np.arange(100) / rate, path)

@@ -194,3 +194,11 @@ def test_a_letter_below_a_cell_is_the_robots_line():
     assert drawing.ROBOT in picture
     assert picture.count("<circle") == 2
     assert repr(letter) in picture.replace("&gt;", ">")
+
+
+def test_strokes_of_a_letter_have_as_many_dimensions():
+    t = np.linspace(0, 1, 50)
+    flat, high = Trajectory(t, np.column_stack([t, t**2])), Trajectory(t + 2, np.column_stack([t, t**2, t]))
+    with pytest.raises(LetterError, match="Stroke 1 has 3 dimensions, but stroke 0 has 2; all strokes of a letter"):
+        Letter.learn((flat, high))
+    assert Letter.learn((Trajectory(t, t[:, None]),))._repr_svg_() is None

@@ -122,6 +122,29 @@ def test_a_stroke_that_is_written_back_has_the_same_ink(shelves):
     np.testing.assert_allclose(back.drawn.position[::-1], piece.drawn.position, atol=1e-3)
 
 
+def test_parts_of_a_quick_letter_are_learned_as_finely_as_the_letter():
+    for character in "nmh":
+        (slow,) = recording_of(character).strokes()
+        quick = Trajectory((slow.t - slow.t[0]) / 5, slow.position)
+        (piece,) = Shelf.of({character: (quick,)})[character]
+        size = np.ptp(quick.position, axis=0).max()
+        for part in (*piece.cut(), piece.backwards()):
+            assert np.abs(part.drawn.position - part.shown.position).max() < 0.05 * size, character
+
+
+def test_every_letter_has_a_top_and_a_bottom():
+    for alphabet in alphabets():
+        for character in characters(alphabet):
+            for piece in Shelf.of([recording_of(character, alphabet)]):
+                assert piece.height(1.0)[1] == pytest.approx(piece.at("top")[1])
+                assert piece.height(0.0)[1] == pytest.approx(piece.at("bottom")[1])
+
+
+def test_no_letter_is_made_of_no_name():
+    with pytest.raises(LetterError, match="character is None, but must be the letter to make, such as 'P'"):
+        Letter.make(None, Shelf.of([recording_of("D")]))
+
+
 def test_last_is_the_order_of_writing_and_not_of_the_recipe(shelves):
     letter = Letter.make("p", shelves["round"], recipe="o all last, D bar put upper at 1:left/1:top meet 1:left")
     assert letter.made_of == ("D.1", "o.1")
