@@ -5,6 +5,7 @@ one plane; in the air it does not, and it is never under the paper.
 """
 
 from dataclasses import dataclass
+from typing import Self
 
 import numpy as np
 
@@ -73,9 +74,10 @@ def find_page(t: Array, points: Array, up: str = "+y", right: str = "-x") -> Pag
     """
     level = level_axes(up, right)
     flat = points @ level
-    moving = _moving(t, flat)
-    _check_side(t, _frame(level, *_fit(_sheet(moving, level))).of(points)[:, 2], up)
-    plane = _fit(_sheet(moving, level, up))
+    sheets = _Sheets.tried(_moving(t, flat))
+    _check_side(t, _frame(level, *_fit(sheets.nearest(sheets.cost))).of(points)[:, 2], up)
+    sheets.check_up(level, up)
+    plane = _fit(sheets.nearest(sheets.cost + SUNK * sheets.under))
     for _ in range(REFITS):
         plane = _fit(flat[_ink(t, _frame(level, *plane).of(points))])
     return _frame(level, *plane)
@@ -107,40 +109,65 @@ def _ink(t: Array, points: Array) -> Array:
     return np.concatenate([np.arange(a, b) for a, b in find_strokes(t, points)])
 
 
-def _sheet(flat: Array, level: Array, up: str | None = None) -> Array:
-    """The moving samples (K, 3) near the plane that most of them are near, and that is not steep without need.
+@dataclass(frozen=True)
+class _Sheets:
+    """Planes that the page may lie in.
 
-    With `up`, a pen is never under its paper; without, the plane may be one that is seen from below.
+    Args:
+        flat: The moving samples, shape (K, 3) [m].
+        normals: Of the planes, up, shape (P, 3).
+        miss: How far over each plane each sample is, shape (P, K) [m].
+        cost: Which share of the samples is off each plane, shape (P,).
     """
-    a, b, c = flat[np.random.default_rng(0).integers(0, len(flat), (3, DRAWS))]
-    normals = np.cross(b - a, c - a)
-    length = np.linalg.norm(normals, axis=1)
-    heights = np.quantile(flat[:, 2], np.linspace(0, 0.6, 20))[:, None] * [0.0, 0.0, 1.0]
-    points = np.vstack([heights, a[length > 0]])
-    normals = np.vstack([np.tile([0.0, 0.0, 1.0], (20, 1)), normals[length > 0] / length[length > 0, None]])
-    normals *= np.where(normals[:, 2:] < 0, -1.0, 1.0)
-    miss = normals @ flat.T - (normals * points).sum(axis=1)[:, None]
-    cost = np.minimum((miss / WANDER) ** 2, 1).mean(axis=1)
-    under, over = ((side > UNDER).mean(axis=1) for side in (-miss, miss))
-    flatness = normals[:, 2]
-    slope = np.sqrt(1 - np.minimum(flatness, 1) ** 2) / np.maximum(flatness, 1e-9)
-    gentle, sided = flatness > np.cos(STEEPEST), cost if up is None else cost + SUNK * under
-    if up is not None:
-        steep = (cost + SUNK * np.minimum(under, over))[~gentle]
-        _check_up(sided[gentle].min(), steep, normals[~gentle] @ level.T, up)
-    best = np.argmin(np.where(gentle, sided + PRIOR * (slope / LIKELY_SLOPE) ** 2, np.inf))
-    return flat[np.abs(miss[best]) < WANDER]
 
+    flat: Array
+    normals: Array
+    miss: Array
+    cost: Array
 
-def _check_up(gentle: float, steep: Array, normals: Array, up: str) -> None:
-    """Raise if one of the steep planes (P,), with these normals (P, 3), explains the ink that no gentle one does."""
-    if len(steep) and steep.min() < gentle - STEEP:
-        normal = normals[np.argmin(steep)]
-        tilt = np.degrees(np.arccos(min(1.0, abs(normal @ AXES[up]))))
-        axis = "xyz"[int(np.argmax(np.abs(normal)))]
-        raise RecordingError(
-            f"The ink lies {tilt:.0f} degrees from level, so up={up!r} cannot be right; try up='+{axis}' or '-{axis}'."
-        )
+    @classmethod
+    def tried(cls, flat: Array) -> Self:
+        """Level ones, and those through three samples, drawn by lot but always the same."""
+        a, b, c = flat[np.random.default_rng(0).integers(0, len(flat), (3, DRAWS))]
+        normals = np.cross(b - a, c - a)
+        length = np.linalg.norm(normals, axis=1)
+        heights = np.quantile(flat[:, 2], np.linspace(0, 0.6, 20))[:, None] * [0.0, 0.0, 1.0]
+        points = np.vstack([heights, a[length > 0]])
+        normals = np.vstack([np.tile([0.0, 0.0, 1.0], (20, 1)), normals[length > 0] / length[length > 0, None]])
+        normals *= np.where(normals[:, 2:] < 0, -1.0, 1.0)
+        miss = normals @ flat.T - (normals * points).sum(axis=1)[:, None]
+        return cls(flat, normals, miss, np.minimum((miss / WANDER) ** 2, 1).mean(axis=1))
+
+    @property
+    def under(self) -> Array:
+        """Which share of the samples is far under each plane, where no pen is, shape (P,)."""
+        return (-self.miss > UNDER).mean(axis=1)
+
+    @property
+    def gentle(self) -> np.ndarray:
+        """Which planes are no steeper than a desk can be, shape (P,)."""
+        return self.normals[:, 2] > np.cos(STEEPEST)
+
+    def nearest(self, cost: Array) -> Array:
+        """The samples near the cheapest plane that is not steep without need."""
+        flatness = self.normals[:, 2]
+        slope = np.sqrt(1 - np.minimum(flatness, 1) ** 2) / np.maximum(flatness, 1e-9)
+        best = np.argmin(np.where(self.gentle, cost + PRIOR * (slope / LIKELY_SLOPE) ** 2, np.inf))
+        return self.flat[np.abs(self.miss[best]) < WANDER]
+
+    def check_up(self, level: Array, up: str) -> None:
+        """Raise if a steep plane, from whichever side, explains the ink that no gentle one does."""
+        over = (self.miss > UNDER).mean(axis=1)
+        gentle = (self.cost + SUNK * self.under)[self.gentle].min()
+        steep = (self.cost + SUNK * np.minimum(self.under, over))[~self.gentle]
+        if len(steep) and steep.min() < gentle - STEEP:
+            normal = level @ self.normals[~self.gentle][np.argmin(steep)]
+            tilt = np.degrees(np.arccos(min(1.0, abs(normal @ AXES[up]))))
+            axis = "xyz"[int(np.argmax(np.abs(normal)))]
+            raise RecordingError(
+                f"The ink lies {tilt:.0f} degrees from level, so up={up!r} cannot be right; try up='+{axis}' or "
+                f"'-{axis}'."
+            )
 
 
 def _fit(flat: Array) -> tuple[Array, float]:
