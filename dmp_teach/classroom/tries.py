@@ -4,14 +4,12 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any, Self
 
-import numpy as np
-
 from dmp_teach.classroom.words import beside, millimetres
 from dmp_teach.errors import LetterError, RecordingError
 from dmp_teach.ink.pad import PadStroke, pad_recording
-from dmp_teach.ink.points import spread
+from dmp_teach.ink.points import size_of
 from dmp_teach.ink.recording import Recording
-from dmp_teach.ink.score import POINTS, Score, score
+from dmp_teach.ink.score import Score, laid_middle, score
 from dmp_teach.letters.letter import Letter
 from dmp_teach.trajectory import Array, Trajectory
 
@@ -62,18 +60,15 @@ class Try:
     @property
     def size(self) -> float:
         """How large the model is, the longer of its sides [m]."""
-        places = np.concatenate([stroke.position for stroke in self.model.strokes()])
-        return float(np.ptp(places, axis=0).max())
+        return size_of(self.model.strokes())
 
     @cached_property
     def shift(self) -> Array:
         """What lays its ink on the model, as the score does: middle upon middle of the strokes that belong together."""
-        middles = []
-        for strokes, side in ((self.ink, "strokes"), (self.model.strokes(), "others")):
-            place, _, number, _ = spread(strokes, POINTS)
-            both = np.isin(number, [k for pair in self.score.matching.pairs for k in getattr(pair, side)])
-            middles.append(place[both].mean(axis=0))
-        return middles[1] - middles[0]
+        matching = self.score.matching
+        _, mine = laid_middle(self.ink, matching, "strokes")
+        _, models = laid_middle(self.model.strokes(), matching, "others")
+        return models - mine
 
     @property
     def laid(self) -> tuple[Trajectory, ...]:

@@ -4,7 +4,7 @@ import numpy as np
 
 from dmp_teach.ink.faults import UNSEEN
 from dmp_teach.ink.pad import PadStroke
-from dmp_teach.ink.score import WORDS, Score
+from dmp_teach.ink.score import WORDS, Score, named
 from dmp_teach.trajectory import Trajectory
 
 _THINGS = (
@@ -141,7 +141,7 @@ def try_message(now: Score, before: Score | None, is_coarse: bool = False) -> di
 
 def _named(now: Score, is_coarse: bool) -> str:
     """The fault that the score names; one of the movement only where that is known."""
-    fault = next((each for each in now.faults if each.sentence == now.sentence), None)
+    fault = named(now.faults)
     unseen = fault is not None and fault.name in UNSEEN
     if fault is None or (unseen and is_coarse):
         return _ALIKE.strip()

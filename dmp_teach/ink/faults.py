@@ -9,6 +9,7 @@ import numpy as np
 from dmp_teach.ink.fitting import Fit
 from dmp_teach.ink.matching import Matching
 from dmp_teach.ink.movement import Movement
+from dmp_teach.ink.points import size_of
 from dmp_teach.trajectory import Array, Trajectory
 
 STEPS = {
@@ -182,7 +183,7 @@ def _piece(matching: Matching, fit: Fit, strokes: Sequence[Trajectory]) -> Fault
 
 def _of_loops(matching: Matching, fit: Fit, strokes: Sequence[Trajectory]) -> Iterator[Fault]:
     """Rings that are not closed: two points one after the other are farther apart where their ends are."""
-    size = float(np.ptp(np.concatenate([stroke.position for stroke in strokes]), axis=0).max())
+    size = size_of(strokes)
     for pair in matching.pairs:
         if pair.laid.loop:
             mine, yours = (np.linalg.norm(line - np.roll(line, 1, axis=0), axis=1) for line in pair.laid.lines)

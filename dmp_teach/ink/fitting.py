@@ -2,12 +2,13 @@
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 
 from dmp_teach.ink.mapping import centred, linear_map, ratio
 from dmp_teach.ink.matching import Matching, squared, undone
-from dmp_teach.ink.points import features, rms_radius, spread
+from dmp_teach.ink.points import features, rms_radius, size_of, spread
 from dmp_teach.ink.trimming import PLAIN, Line, Trim, ink_without, likely, line_without
 from dmp_teach.trajectory import Array, Trajectory
 
@@ -76,10 +77,11 @@ class _Found:
     def cost(self, size: float) -> float:
         """How far it is from the writing, and a little of how much it changes the model."""
         unit = self.scale * size
-        changed = ((self.linear / self.scale - np.eye(2)) ** 2).sum() + (self.places() ** 2).sum() / unit**2
+        changed = ((self.linear / self.scale - np.eye(2)) ** 2).sum() + (self.places**2).sum() / unit**2
         changed += 0.0 if self.trim is None else self.trim.part**2
         return (_rms(self.far) / unit) ** 2 + PLAIN * float(changed)
 
+    @cached_property
     def places(self) -> Array:
         """How far each pair's ink is from its place, shape (N, 2) [m].
 
@@ -103,7 +105,7 @@ def fitted(matching: Matching, written: Sequence[Trajectory], model: Sequence[Tr
     nearer: so it is the ink that is compared, and not how it was drawn.
     """
     inks = _inks(matching, written, model)
-    size = float(np.ptp(np.concatenate([stroke.position for stroke in model]), axis=0).max())
+    size = size_of(model)
     lines = [pair.laid.lines for pair in matching.pairs]
     whole = _laid_over(inks, lines, size, (0, ROUNDS))
     found = _trimmed(matching, inks, lines, size, whole)
@@ -114,7 +116,7 @@ def fitted(matching: Matching, written: Sequence[Trajectory], model: Sequence[Tr
     point = found.inks[worst].yours[int(np.argmax(far[worst][1]))]
     gap = 0.0 if trim is None else _gap(lines[trim.pair], trim, size * (1 if trim.missing else whole.scale))
     return Fit(
-        *_read(linear, scale), found.places() / unit, np.array(shapes), _rms(far) / unit, (point, worst), trim, gap
+        *_read(linear, scale), found.places / unit, np.array(shapes), _rms(far) / unit, (point, worst), trim, gap
     )
 
 
@@ -189,13 +191,18 @@ def _refined(inks: Sequence[_Ink], lines: Sequence[Line], linear: Array, scale: 
         linear = linear_map(*(np.concatenate([centred(pair[side]) for pair in pairs]) for side in (0, 1)), scale)
         shifts = np.array([a.mean(axis=0) - linear @ b.mean(axis=0) for a, b in pairs])
     there = [ink.yours @ linear.T + shift for ink, shift in zip(inks, shifts, strict=True)]
-    far = [(_off(ink.mine, line), _off(line, ink.mine)) for ink, line in zip(inks, there, strict=True)]
+    far = [_off_each_other(ink.mine, line) for ink, line in zip(inks, there, strict=True)]
     return _Found(inks, lines, linear, shifts, far, scale)
 
 
-def _off(points: Array, line: Array) -> Array:
-    """Squared distance of points (P, 2) from a line through points (Q, 2), shape (P,)."""
-    vertex = squared(points, line).argmin(axis=1)
+def _off_each_other(mine: Array, yours: Array) -> tuple[Array, Array]:
+    """Squared distances of points (P, 2) from the line through others (Q, 2), and the reverse."""
+    apart = squared(mine, yours)
+    return _off(mine, yours, apart.argmin(axis=1)), _off(yours, mine, apart.argmin(axis=0))
+
+
+def _off(points: Array, line: Array, vertex: np.ndarray) -> Array:
+    """Squared distance of points (P, 2) from a line through points (Q, 2), given which of these is nearest, (P,)."""
     pieces = np.clip(vertex + np.array([[-1], [0]]), 0, len(line) - 2)
     begin, along = line[pieces], line[pieces + 1] - line[pieces]
     away, long = points - begin, (along**2).sum(axis=2)

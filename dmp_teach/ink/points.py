@@ -91,6 +91,11 @@ def features(place: Array, along: Array) -> Array:
     return np.concatenate([place, np.stack([DIRECTION * (x * x - y * y), DIRECTION * 2 * x * y], axis=-1)], axis=-1)
 
 
+def size_of(strokes: Iterable[Trajectory]) -> float:
+    """The larger side of the box around strokes [m]."""
+    return float(np.ptp(np.concatenate([stroke.position for stroke in strokes]), axis=0).max())
+
+
 def rms_radius(centred: Array) -> float:
     """Root mean square distance from the origin of points (P, 2)."""
     return float(np.sqrt(np.einsum("pd,pd->", centred, centred) / len(centred)))

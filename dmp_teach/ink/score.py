@@ -16,8 +16,8 @@ from dmp_teach.ink.fitting import fitted
 from dmp_teach.ink.mapping import ratio
 from dmp_teach.ink.matching import Matching, matched, squared
 from dmp_teach.ink.movement import Movement, measured
-from dmp_teach.ink.points import spread, strokes_of
-from dmp_teach.trajectory import Trajectory
+from dmp_teach.ink.points import size_of, spread, strokes_of
+from dmp_teach.trajectory import Array, Trajectory
 
 POINTS = 96  # over all the ink, for how far apart it is
 WORDS = ("far", "nearer", "close", "the same")
@@ -107,11 +107,10 @@ def score(written: Any, model: Any) -> Score:
     fit = fitted(matching, mine, yours)
     movements = measured(mine), measured(yours)
     found = faults(matching, fit, *movements, yours)
-    points, others = (
-        np.concatenate([getattr(pair.laid, side) for pair in matching.pairs]) for side in ("points", "others")
-    )
+    points, others = map(np.concatenate, zip(*(pair.laid.lines for pair in matching.pairs), strict=True))
+    first = named(found)
     return Score(
-        _sentence(found),
+        "It looks the same as the model." if first is None else first.sentence,
         tuple(_part(name, found) for name in ROWS),
         found,
         matching,
@@ -130,13 +129,26 @@ def score(written: Any, model: Any) -> Score:
     )
 
 
-def _sentence(found: Sequence[Fault]) -> str:
-    """The largest fault that is seen in the ink, or else one of the movement, or that there is none to see."""
+def named(found: Sequence[Fault]) -> Fault | None:
+    """The largest fault that is seen in the ink, or else one of the movement; None where there is none to see."""
     for seen, least in ((True, 1.0), (False, SURELY)):
         for fault in found:
             if (fault.name not in UNSEEN) is seen and fault.steps > least:
-                return fault.sentence
-    return "It looks the same as the model."
+                return fault
+    return None
+
+
+def laid_middle(strokes: Sequence[Trajectory], matching: Matching, side: str) -> tuple[Array, Array]:
+    """Points over all ink (P, 2), and the middle (2,) of those that have a partner, by which letters are laid together.
+
+    Args:
+        strokes: Of one side.
+        matching: Which strokes belong together.
+        side: "strokes" for the writing, "others" for its model.
+    """
+    place, _, number, _ = spread(strokes, POINTS)
+    both = np.isin(number, [k for pair in matching.pairs for k in getattr(pair, side)])
+    return place, place[both].mean(axis=0)
 
 
 def _part(name: str, found: Sequence[Fault]) -> Part:
@@ -148,19 +160,15 @@ def _part(name: str, found: Sequence[Fault]) -> Part:
 
 def _apart(mine: Sequence[Trajectory], yours: Sequence[Trajectory], matching: Matching) -> float:
     """Root mean square distance of every point of ink from the nearest of the other, both ways [m]."""
-    inks = []
-    for strokes, side in ((mine, "strokes"), (yours, "others")):
-        place, _, number, _ = spread(strokes, POINTS)
-        both = np.isin(number, [k for pair in matching.pairs for k in getattr(pair, side)])
-        inks.append(place - place[both].mean(axis=0))
-    far = squared(*inks)
+    sides = laid_middle(mine, matching, "strokes"), laid_middle(yours, matching, "others")
+    far = squared(*(place - middle for place, middle in sides))
     return float(np.sqrt((far.min(axis=0).mean() + far.min(axis=1).mean()) / 2))
 
 
 def _warped(matching: Matching, model: Sequence[Trajectory]) -> float:
     """Warping distance of the strokes that belong together, the letters of one size in one place."""
-    mine, yours = (np.stack([getattr(pair.laid, side) for pair in matching.pairs]) for side in ("points", "others"))
+    mine, yours = (np.stack(lines) for lines in zip(*(pair.laid.lines for pair in matching.pairs), strict=True))
     mine, yours = mine - mine.mean(axis=(0, 1)), yours - yours.mean(axis=(0, 1))
     mine /= ratio(mine, yours)
-    size = np.ptp(np.concatenate([stroke.position for stroke in model]), axis=0).max()
-    return float(np.sqrt(np.mean([warped(a, b) ** 2 for a, b in zip(mine, yours, strict=True)])) / size)
+    apart = [warped(a, b) ** 2 for a, b in zip(mine, yours, strict=True)]
+    return float(np.sqrt(np.mean(apart)) / size_of(model))

@@ -6,6 +6,7 @@ import numpy as np
 
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
+from dmp_teach.ink.points import size_of
 from dmp_teach.trajectory import Trajectory
 
 NEAR = 0.02  # a letter that is drawn within this share of its size looks like the one that was shown
@@ -25,8 +26,8 @@ def imitated(strokes: Sequence[Trajectory], settings: Settings | None = None) ->
     """
     if settings is not None:
         return tuple(DMP.imitate(stroke, settings) for stroke in strokes)
-    size = float(np.ptp(np.concatenate([stroke.position for stroke in strokes]), axis=0).max())
-    return tuple(_finely(stroke, NEAR * size) for stroke in strokes)
+    near = NEAR * size_of(strokes)
+    return tuple(_finely(stroke, near) for stroke in strokes)
 
 
 def _finely(stroke: Trajectory, near: float) -> DMP:

@@ -5,10 +5,9 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
-import numpy as np
-
 from dmp_teach.errors import RecordingError, kind_of
 from dmp_teach.ink.alphabet import alphabets, recording_of
+from dmp_teach.ink.points import size_of
 from dmp_teach.ink.reader import read_recording
 from dmp_teach.ink.recording import Recording
 from dmp_teach.trajectory import Trajectory
@@ -39,7 +38,7 @@ class Written:
     @property
     def size(self) -> float:
         """The larger side of the letter's bounding box [m]."""
-        return float(np.ptp(np.concatenate([stroke.position for stroke in self.strokes]), axis=0).max())
+        return size_of(self.strokes)
 
 
 @dataclass(frozen=True)
