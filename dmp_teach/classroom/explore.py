@@ -8,6 +8,7 @@ import numpy as np
 import traitlets
 
 from dmp_teach.classroom import words
+from dmp_teach.classroom.modules import bundle as bundled
 from dmp_teach.classroom.robot_panel import RobotPanel, bundle, bytes_of, letter_choices
 from dmp_teach.dmp.settings import Settings, knob_of
 from dmp_teach.errors import RecordingError, SettingWarning
@@ -41,7 +42,7 @@ def explore(recording: Recording | str | Path | None = None, page: Page | None =
 class Explore(RobotPanel):
     """The panel. Its knobs are traits: `n_kernels`, `kernel_width` [1/N], `stroke`, `goal_x` and `goal_y` [m]."""
 
-    _esm = bundle("controls.js", "robot.js", "paper.js", "explore.js")
+    _esm = bundled(Path(__file__).with_name("explore.js"))
     _css = read_beside("tokens.css") + bundle("panel.css", "paper.css")
 
     choices = traitlets.List().tag(sync=True)

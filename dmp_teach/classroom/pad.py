@@ -7,6 +7,7 @@ import numpy as np
 import traitlets
 
 from dmp_teach.classroom import words
+from dmp_teach.classroom.modules import bundle as bundled
 from dmp_teach.classroom.keeping import Kept
 from dmp_teach.classroom.robot_panel import RobotPanel, bundle, bytes_of, letter_choices
 from dmp_teach.classroom.sheets import around, laid_on, one_letter, sheet_of, writing_lines
@@ -47,7 +48,7 @@ def pad(character: str | None = "a", page: Page | None = None, writer: str | Non
 class Pad(RobotPanel):
     """The panel. The letter to be written is the trait `character`, "" for any."""
 
-    _esm = bundle("controls.js", "robot.js", "paper.js", "sheets.js", "ink.js", "pad.js")
+    _esm = bundled(Path(__file__).with_name("pad.js"))
     _css = read_beside("tokens.css") + bundle("panel.css", "paper.css", "pad.css")
 
     choices = traitlets.List().tag(sync=True)
