@@ -12,14 +12,14 @@ from numpy.typing import ArrayLike
 from dmp_teach.errors import ReachError, ReachWarning
 from dmp_teach.robot.arm import JOINTS, Solver, solver_here
 from dmp_teach.robot.clearance import LEAST, Near, nearest
-from dmp_teach.robot.cure import elsewhere
+from dmp_teach.robot.cure import cure_for, elsewhere
 from dmp_teach.robot.motion import Motion
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.place import place
 from dmp_teach.robot.plan import PenPlan, way_over
-from dmp_teach.robot.reach import stance_for
+from dmp_teach.robot.reach import Unreachable, stance_for
 from dmp_teach.robot.speed import Clock
-from dmp_teach.robot.stance import STRAINED, THROUGH, TILT, TIP, TOUCHING, Stance, examined
+from dmp_teach.robot.stance import STRAINED, TILT, TIP, Stance, examined
 from dmp_teach.robot.torque import too_heavy
 from dmp_teach.trajectory import Array, Trajectory
 
@@ -78,27 +78,46 @@ class Fetch:
         Where the arm is nearly stretched out a `ReachWarning`, and a note, say how far to move the page.
         """
         report = progress or _silent
-        placed = place(strokes, page, at, size)
-        solver = solver_here()
-        report("reach", 0.0)
-        ink = _ink(placed)
+        placed, solver = place(strokes, page, at, size), solver_here()
         try:
-            stance = stance_for(solver, page, ink)
-        except ReachError as error:
-            raise _proven(solver, page, placed, _in_time(solver, page, placed, error)) from None
-        if stance.effort >= STRAINED:
-            warnings.warn(next(note for note in stance.notes if "stretched" in note), ReachWarning, stacklevel=2)
-        report("reach", 1.0)
-        try:
-            return _planned(solver, stance, page, placed, report)
-        except ReachError as error:
-            raise _cured(solver, page, placed, error) from None
+            motion, strained = _written(solver, page, placed, progress or _silent)
+        except Unreachable as error:
+            raise _refusal(solver, page, placed, error) from None
+        if strained:
+            warnings.warn(strained, ReachWarning, stacklevel=2)
+        return motion
+
+
+def _written(
+    solver: Solver, page: Page, placed: tuple[Trajectory, ...], report: Progress = _silent
+) -> tuple[Motion, str]:
+    """The motion, and a warning where the arm is nearly stretched out; `Unreachable` says only what is wrong."""
+    report("reach", 0.0)
+    stance = stance_for(solver, page, _ink(placed))
+    report("reach", 1.0)
+    motion = _planned(solver, stance, page, placed, report)
+    strained = stance.effort >= STRAINED
+    return motion, next((note for note in stance.notes if strained and "stretched" in note), "")
+
+
+def _refusal(solver: Solver, page: Page, placed: tuple[Trajectory, ...], error: Unreachable) -> ReachError:
+    """What is wrong, and the first page on which the same ink has been planned."""
+    problem = _in_time(solver, page, placed) or error.problem if error.collides else error.problem
+    ink = _ink(placed)
+    area = ink.min(axis=0), ink.max(axis=0)
+    cure = cure_for(solver, page, area)
+    suggested = [cure.page] if cure.fits and repr(cure.page) != repr(page) else []
+    for other in [*suggested, *elsewhere(page, area)]:
+        with suppress(Unreachable):
+            _written(solver, other, placed)
+            return ReachError(f"{problem} Try {other!r}.", cure=other)
+    return ReachError(f"{problem} {'Write smaller, or move the page.' if cure.fits else cure}")
 
 
 def _planned(
     solver: Solver, stance: Stance, page: Page, placed: tuple[Trajectory, ...], report: Progress = _silent
 ) -> Motion:
-    """The motion from a stance; a ReachError says what is wrong with it, but not what to do."""
+    """The motion from a stance; `Unreachable` says what is wrong with it."""
     plan, q, poses, slowed = _joints_for(solver, stance, page, placed, report)
     _check_tip(poses["pen_tip"], plan, page)
     close = _checked_clear(poses, page)
@@ -113,28 +132,6 @@ def _planned(
         strokes=placed,
     )
     return replace(motion, notes=(*slowed, *too_heavy(motion, solver.model), *close, *stance.notes))
-
-
-def _proven(solver: Solver, page: Page, placed: tuple[Trajectory, ...], error: ReachError) -> ReachError:
-    """A refusal whose page has been written on, in a plan: a stance sees only places, not the way between them."""
-    if error.cure is None:
-        return error
-    ink = _ink(placed)
-    try:
-        _planned(solver, stance_for(solver, error.cure, ink), error.cure, placed)
-    except ReachError:
-        return _cured(solver, page, placed, ReachError(str(error).removesuffix(f" Try {error.cure!r}.")))
-    return error
-
-
-def _cured(solver: Solver, page: Page, placed: tuple[Trajectory, ...], error: ReachError) -> ReachError:
-    """An error of `_planned` with a page for which the same ink has been planned without one, if there is any."""
-    ink = _ink(placed)
-    for other in elsewhere(page, (ink.min(axis=0), ink.max(axis=0))):
-        with suppress(ReachError):
-            _planned(solver, stance_for(solver, other, ink), other, placed)
-            return ReachError(f"{error} Try {other!r}.", cure=other)
-    return ReachError(f"{error} Write smaller, or move the page.")
 
 
 def _joints_for(
@@ -160,7 +157,7 @@ def _joints_for(
         if np.linalg.norm(poses["pen_tip"][:, :3, 3] - path, axis=1).max() < _NEAR or solves == _SOLVES:
             return plan, q, poses, clock.notes
         solves += 1
-    raise ReachError(
+    raise Unreachable(
         f"However slowly the pen goes, {JOINTS[int(solver.speeds(q).max(axis=0).argmax())]} would have to hurry: here "
         "the arm must change its posture."
     )
@@ -174,7 +171,7 @@ def _check_tip(X_world_tip: Array, plan: PenPlan, page: Page) -> None:
     if lost.any():
         row = int(np.argmax(lost))
         x, y, _ = 1000 * plan.position[row]
-        raise ReachError(
+        raise Unreachable(
             f"The arm loses the pen's path after {plan.t[row]:.2f} s, {x:.0f} mm right and {y:.0f} mm up from the "
             f"page's centre: {1000 * miss[row]:.1f} mm beside it, {np.degrees(tilt[row]):.1f} degrees off the upright."
         )
@@ -184,7 +181,7 @@ def _checked_clear(poses: Mapping[str, Array], page: Page) -> tuple[str, ...]:
     """A note where the arm comes near to the robot or to what the page lies on; an error where it comes too near."""
     first, closest = nearest(poses, page)
     if first is not None:
-        raise ReachError(_told(first))
+        raise Unreachable(_told(first))
     return () if closest is None else (closest.note,)
 
 
@@ -193,25 +190,20 @@ def _ink(placed: tuple[Trajectory, ...]) -> Array:
     return np.concatenate([stroke.position for stroke in placed])
 
 
-def _in_time(solver: Solver, page: Page, placed: tuple[Trajectory, ...], error: ReachError) -> ReachError:
-    """An error of `stance_for` with the moment and the depth, where its reason is that the arm touches something."""
+def _in_time(solver: Solver, page: Page, placed: tuple[Trajectory, ...]) -> str:
+    """When the arm comes against something, and how deep; empty where the plan does not show it."""
     ink = _ink(placed)
     stance = examined(solver, page, ink.min(axis=0), ink.max(axis=0))
-    trouble = stance.trouble
-    if not (trouble.startswith(TOUCHING) or trouble.endswith(THROUGH)) or trouble not in str(error):
-        return error
     plan = way_over(placed).plan()
     q = solver.follow(stance.q, page.normal, page.to_world(plan.position), _silent)
     first, closest = nearest(solver.model.link_poses(q, JOINTS), page, _FORESEEN)
     near = first or closest
-    if near is None:
-        return error
-    return ReachError(str(error).replace(trouble, _told(near)), cure=error.cure)
+    return "" if near is None else _told(near)
 
 
 def _told(near: Near) -> str:
     """What comes too near to what, and when."""
     if near.other == "page":
         return str(near)
-    touching = TOUCHING if near.distance < LEAST else "The arm would come too near to the robot:"
+    touching = "The arm would touch the robot:" if near.distance < LEAST else "The arm would come too near to the robot:"
     return f"{touching} a{str(near)[1:]}"

@@ -4,12 +4,24 @@ from dataclasses import replace
 
 import numpy as np
 
-from dmp_teach.errors import ReachError
 from dmp_teach.robot.arm import Solver
 from dmp_teach.robot.cure import Area, Cure, cure_for, in_the_floor, whole
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.stance import POSTURES, STRAINED, TIP, Stance, examined, in_the_body, rim
 from dmp_teach.trajectory import Array
+
+
+class Unreachable(Exception):
+    """The arm cannot write this ink on this page.
+
+    Args:
+        problem: What is wrong, in a sentence.
+        collides: Whether it is that the arm touches something, so that a plan can say when and how deep.
+    """
+
+    def __init__(self, problem: str, collides: bool = False) -> None:
+        super().__init__(problem)
+        self.problem, self.collides = problem, collides
 
 
 def stance_for(solver: Solver, page: Page, ink: Array) -> Stance:
@@ -21,7 +33,7 @@ def stance_for(solver: Solver, page: Page, ink: Array) -> Stance:
         ink: Points of the ink on the page, shape (N, 2) [m].
 
     Raises:
-        ReachError: A part of the ink is out of reach; says which, by how much, and which page works.
+        Unreachable: A part of the ink is out of reach; says which, and by how much.
     """
     area = ink.min(axis=0), ink.max(axis=0)
     mistake = in_the_body(page) or in_the_floor(page)
@@ -29,9 +41,8 @@ def stance_for(solver: Solver, page: Page, ink: Array) -> Stance:
     stance = examined(solver, page, *area) if everything.trouble else everything
     if mistake or stance.trouble:
         odd = f"The page {odd}. " if (odd := _astray(page)) else ""
-        why = mistake or f"{odd}{_shortfall(solver, page, area) or stance.trouble}"
-        cure = cure_for(solver, page, area)
-        raise ReachError(f"{why} {cure}", cure=cure.page if cure.fits else None)
+        short = "" if mistake else _shortfall(solver, page, area)
+        raise Unreachable(mistake or f"{odd}{short or stance.trouble}", stance.collides and not (mistake or short))
     notes = ()
     if stance is not everything:
         notes += ("the arm reaches this ink, but not all of the page",)

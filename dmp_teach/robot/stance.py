@@ -36,12 +36,6 @@ POSTURES = locked([_TABLE, np.multiply(_TABLE, _MIRROR), _BOARD, np.multiply(_BO
 STRAINED = 2.5
 """A stance that asks more than this of a joint's speed limit is nearly stretched out."""
 
-TOUCHING = "The arm would touch the robot:"
-"""How the trouble begins where the arm comes against the robot."""
-
-THROUGH = "would go through what the page lies on."
-"""How it ends where the arm comes against the table or the board."""
-
 _COMFORTABLE = 1.6  # of a joint's limit, at SWIFT in the worst place: good enough to stop looking
 _STOP = 0.02  # this near to its stop a joint is at it [rad], and then ...
 _JAMMED = STRAINED - 0.01  # ... the effort is at least this
@@ -67,6 +61,7 @@ class Stance:
         effort: The greatest speed of a joint as a part of its limit where a pen at `SWIFT` asks most of it.
         trouble: Why the arm cannot write here; empty where it can.
         notes: What the writer should know.
+        collides: Whether the trouble is that the arm touches the robot or what the page lies on.
     """
 
     q: Array
@@ -74,6 +69,7 @@ class Stance:
     effort: float
     trouble: str = ""
     notes: tuple[str, ...] = ()
+    collides: bool = False
 
 
 def examined(solver: Solver, page: Page, low: Array, high: Array, quick: bool = False) -> Stance:
@@ -132,14 +128,14 @@ def _tried(solver: Solver, posture: Array, page: Page, low: Array, high: Array) 
     solver.settle(page.to_world(middle))
     q = solver.joints()
     if trouble := _trouble(solver, page, middle):
-        return Stance(q, middle, np.inf, trouble)
+        return Stance(q, middle, np.inf, *trouble)
     solver.stand(q, page.normal, torso=False)
     effort, before, joints, jacobians = 0.0, None, [], []
     for place in [*rim(low, high).values(), middle]:
         for spot in (place, place + np.array([0, 0, HOVER])):
             solver.glide(page.to_world(spot))
             if trouble := _trouble(solver, page, spot):
-                return Stance(q, middle, np.inf, trouble)
+                return Stance(q, middle, np.inf, *trouble)
             joints.append(solver.joints())
             jacobians.append(solver.jacobian())
         here = place, joints[-1]
@@ -176,20 +172,20 @@ def rim(low: Array, high: Array) -> dict[str, Array]:
     }
 
 
-def _trouble(solver: Solver, page: Page, spot: Array) -> str:
-    """What is wrong where the arm stands now, in a sentence; empty if nothing is."""
+def _trouble(solver: Solver, page: Page, spot: Array) -> tuple[str, tuple[str, ...], bool] | None:
+    """What is wrong where the arm stands now: a sentence, no notes, and whether it collides; None if nothing is."""
     X = solver.pen()
     miss = np.linalg.norm(X[:3, 3] - page.to_world(spot))
     tilt = np.arccos(np.clip(-X[:3, 2] @ page.normal, -1, 1))
     if not (miss <= TIP and tilt <= TILT):
-        return "The arm cannot get from one end of the ink to the other without changing its posture."
+        return "The arm cannot get from one end of the ink to the other without changing its posture.", (), False
     for link in _FOREARM:
         if page.to_page(solver.place_of(link))[2] < _CLEAR:
-            return f"The arm's {plain(link)} {THROUGH}"
+            return f"The arm's {plain(link)} would go through what the page lies on.", (), True
     for pair in sorted(solver.touching()):
         if not _neighbours(*(link.removesuffix("_link") for link in pair)):
-            return f"{TOUCHING} its {plain(pair[0])} and its {plain(pair[1])}."
-    return ""
+            return f"The arm would touch the robot: its {plain(pair[0])} and its {plain(pair[1])}.", (), True
+    return None
 
 
 def _neighbours(one: str, other: str) -> bool:

@@ -10,6 +10,7 @@ from dmp_teach.robot.arm import JOINTS
 from dmp_teach.robot.clearance import AROUND, LEAST, THIN, Near, nearest, plain
 from dmp_teach.robot.fetch import Fetch
 from dmp_teach.robot.page import Page
+from dmp_teach.robot.reach import Unreachable
 from dmp_teach.robot.solids import Clearances
 from tests.robot import ink
 from tests.robot.ink import LETTER, law
@@ -85,7 +86,7 @@ WRONG = {
 
 
 def raised(words):
-    raise ReachError(words)
+    raise Unreachable(words)
 
 
 @pytest.mark.parametrize(
