@@ -60,11 +60,15 @@ def _angles(chord: np.ndarray, first: float | None, last: float | None) -> np.nd
     psi = np.concatenate([[0], np.angle(chord[1:] / chord[:-1]), [0]])
     A, b = np.zeros((n + 1, n + 1)), np.zeros(n + 1)
     for k in range(1, n):
-        inner = k + 1 < n  # phi of the next point is -psi - theta there, and the unknown itself at the end
+        inner = (
+            k + 1 < n
+        )  # phi of the next point is -psi - theta there, and the unknown itself at the end
         A[k, k - 1], A[k, k] = 2 / d[k - 1], 4 / d[k] + 4 / d[k - 1]
         A[k, k + 1] = 2 / d[k] if inner else -2 / d[k]
         b[k] = -4 * psi[k] / d[k - 1] - (2 * psi[k + 1] / d[k] if inner else 0)
-    sign = 1 if n > 1 else -1  # with a single chord, the neighbour's angle is the unknown at the other end
+    sign = (
+        1 if n > 1 else -1
+    )  # with a single chord, the neighbour's angle is the unknown at the other end
     A[0, 0] = A[n, n] = 1
     if first is None:
         A[0, 1], b[0] = sign, -psi[1] if n > 1 else 0

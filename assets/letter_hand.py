@@ -50,7 +50,9 @@ class Hand:
     lift: float
 
 
-def write(character: str, strokes: Letter, hand: Hand) -> tuple[np.ndarray, list[tuple[float, float]]]:
+def write(
+    character: str, strokes: Letter, hand: Hand
+) -> tuple[np.ndarray, list[tuple[float, float]]]:
     """One letter as it is written, and when each of its strokes is on the paper.
 
     Args:
@@ -79,7 +81,9 @@ def write(character: str, strokes: Letter, hand: Hand) -> tuple[np.ndarray, list
 def _moved(plan: np.ndarray, rest: int, hand: Hand, chance: random.Random) -> np.ndarray:
     """The plan (N, 3) as the arm carries it out, seen by a camera: samples (T, 4), to the micrometre."""
     plan = np.pad(plan, ((rest, rest + 1 - len(plan) % FINE), (0, 0)), mode="edge")
-    moved = gaussian_filter1d(plan, hand.softness * RATE * FINE, axis=0, mode="nearest", truncate=3.0)[::FINE]
+    moved = gaussian_filter1d(
+        plan, hand.softness * RATE * FINE, axis=0, mode="nearest", truncate=3.0
+    )[::FINE]
     t = np.arange(len(moved)) / RATE
     moved[:, 2] += _wave(t, 0.0002, (2.3, 0.9), chance)
     moved[:, 0] -= moved[:, 0].min()
@@ -92,14 +96,20 @@ def _on_paper(points: list[Point], hand: Hand, chance: random.Random) -> np.ndar
     speed = _speeds(drawn, hand)
     path = np.vstack(drawn)
     way = _way(path)
-    path = path + np.column_stack([_wave(way, hand.wobble, (0.23, 0.14, 0.09), chance) for _ in "xy"])
+    path = path + np.column_stack(
+        [_wave(way, hand.wobble, (0.23, 0.14, 0.09), chance) for _ in "xy"]
+    )
     speed = speed * np.exp(_wave(way, 0.05, (0.13, 0.08), chance))
     when = np.concatenate([[0], np.cumsum(2 * np.diff(way) / (speed[1:] + speed[:-1]))])
     t = np.arange(0, when[-1], 1 / (RATE * FINE))
-    return np.column_stack([np.interp(t, when, path[:, 0]), np.interp(t, when, path[:, 1]), np.zeros(len(t))])
+    return np.column_stack(
+        [np.interp(t, when, path[:, 0]), np.interp(t, when, path[:, 1]), np.zeros(len(t))]
+    )
 
 
-def _through_air(start: np.ndarray, goal: np.ndarray, hand: Hand, chance: random.Random) -> np.ndarray:
+def _through_air(
+    start: np.ndarray, goal: np.ndarray, hand: Hand, chance: random.Random
+) -> np.ndarray:
     """A lift (N, 3): up and down again, over to the next stroke on the way."""
     far = float(np.linalg.norm(goal - start))
     lasts = min(0.58, 0.36 + far + chance.uniform(-0.02, 0.02))
@@ -131,7 +141,9 @@ def _speeds(drawn: list[np.ndarray], hand: Hand) -> np.ndarray:
 def _power_law(piece: np.ndarray, hand: Hand) -> np.ndarray:
     """The speed that the bends of a piece (N, 2) allow, shape (N,) [m/s]."""
     ahead = np.gradient(piece, axis=0)
-    heading = gaussian_filter1d(np.unwrap(np.arctan2(ahead[:, 1], ahead[:, 0])), 0.003 / STEP, mode="nearest")
+    heading = gaussian_filter1d(
+        np.unwrap(np.arctan2(ahead[:, 1], ahead[:, 0])), 0.003 / STEP, mode="nearest"
+    )
     bend = np.abs(np.gradient(heading, STEP))
     return hand.pace * (BEND * (bend + 1 / FLAT)) ** (-1 / 3)
 
@@ -160,7 +172,11 @@ def _minimum_jerk(s: np.ndarray) -> np.ndarray:
     return s**3 * (10 - 15 * s + 6 * s**2)
 
 
-def _wave(s: np.ndarray, size: float, lengths: Iterable[float], chance: random.Random) -> np.ndarray:
+def _wave(
+    s: np.ndarray, size: float, lengths: Iterable[float], chance: random.Random
+) -> np.ndarray:
     """A slow wobble of about `size`: a few sines of these wavelengths, of random phase and strength."""
     parts = [(length, chance.uniform(0, math.tau), chance.uniform(0.5, 1.0)) for length in lengths]
-    return size * sum(strength * np.sin(math.tau * s / length + phase) for length, phase, strength in parts)
+    return size * sum(
+        strength * np.sin(math.tau * s / length + phase) for length, phase, strength in parts
+    )

@@ -4,7 +4,12 @@ import numpy as np
 from meshing import Array
 
 BLUE, WHITE, RED = (0.086, 0.506, 0.767), (0.96, 0.96, 0.96), (0.8, 0.02, 0.02)
-GREY, DARK, BLACK, LENS = (0.356, 0.361, 0.376), (0.16, 0.165, 0.175), (0.05, 0.05, 0.055), (0.22, 0.25, 0.30)
+GREY, DARK, BLACK, LENS = (
+    (0.356, 0.361, 0.376),
+    (0.16, 0.165, 0.175),
+    (0.05, 0.05, 0.055),
+    (0.22, 0.25, 0.30),
+)
 
 
 def smooth(x: float) -> float:

@@ -20,16 +20,36 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent))  # the script also runs where dmp_teach is not installed
 
 from dmp_teach.ink.alphabet import file_name  # noqa: E402
-from dmp_teach.ink.our_json import write_json  # noqa: E402
 from dmp_teach.ink.recording import Recording  # noqa: E402
+from dmp_teach.ink.recording_json import write_json  # noqa: E402
 
 ALPHABETS = {
     "round": (
-        Hand("writer-1", 0.072, 0.98, slant=0.03, pace=0.112, haste=1.1, softness=0.035, wobble=0.0006, lift=0.022),
+        Hand(
+            "writer-1",
+            0.072,
+            0.98,
+            slant=0.03,
+            pace=0.112,
+            haste=1.1,
+            softness=0.035,
+            wobble=0.0006,
+            lift=0.022,
+        ),
         ROUND | DIGITS | accented(ROUND, 0) | SIGNS,
     ),
     "slanted": (
-        Hand("writer-2", 0.062, 0.76, slant=0.26, pace=0.132, haste=1.4, softness=0.032, wobble=0.0005, lift=0.026),
+        Hand(
+            "writer-2",
+            0.062,
+            0.76,
+            slant=0.26,
+            pace=0.132,
+            haste=1.4,
+            softness=0.032,
+            wobble=0.0005,
+            lift=0.026,
+        ),
         SLANTED | DIGITS | accented(SLANTED, 1) | SIGNS,
     ),
 }

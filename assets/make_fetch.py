@@ -69,10 +69,16 @@ def inertia_of(row: dict[str, str]) -> tuple[float, tuple, dict[str, float]]:
     if not row["mass"]:
         return 0.001, (0, 0, 0), box_inertia(0.001, (0.02, 0.02, 0.02))
     mass, com = float(row["mass"]), (row["com_x"], row["com_y"], row["com_z"])
-    if row["link"].endswith("finger_link"):  # the published one is flat: two of its three numbers are zero
+    if row["link"].endswith(
+        "finger_link"
+    ):  # the published one is flat: two of its three numbers are zero
         size = tuple(float(row[f"{axis}max"]) - float(row[f"{axis}min"]) for axis in "xyz")
         return mass, com, box_inertia(mass, size)
-    return mass, com, {name: float(row[name]) for name in ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")}
+    return (
+        mass,
+        com,
+        {name: float(row[name]) for name in ("ixx", "ixy", "ixz", "iyy", "iyz", "izz")},
+    )
 
 
 def add_collisions(link: ET.Element) -> None:
@@ -82,7 +88,9 @@ def add_collisions(link: ET.Element) -> None:
         add_origin(collision, xyz, rpy)
         names = {"box": ("size",), "cylinder": ("radius", "length"), "sphere": ("radius",)}[kind]
         values = [words(*size)] if kind == "box" else [words(value) for value in size]
-        ET.SubElement(ET.SubElement(collision, "geometry"), kind, dict(zip(names, values, strict=True)))
+        ET.SubElement(
+            ET.SubElement(collision, "geometry"), kind, dict(zip(names, values, strict=True))
+        )
 
 
 def add_visuals(link: ET.Element) -> None:
@@ -90,8 +98,14 @@ def add_visuals(link: ET.Element) -> None:
     for piece, (color, _) in SHELLS.get(link.get("name"), {}).items():
         visual = ET.SubElement(link, "visual")
         add_origin(visual)
-        ET.SubElement(ET.SubElement(visual, "geometry"), "mesh", filename=f"meshes/{file_of(link.get('name'), piece)}")
-        material = ET.SubElement(visual, "material", name="_".join(f"{round(255 * part):02x}" for part in color))
+        ET.SubElement(
+            ET.SubElement(visual, "geometry"),
+            "mesh",
+            filename=f"meshes/{file_of(link.get('name'), piece)}",
+        )
+        material = ET.SubElement(
+            visual, "material", name="_".join(f"{round(255 * part):02x}" for part in color)
+        )
         ET.SubElement(material, "color", rgba=words(*color, 1.0))
 
 
@@ -118,7 +132,9 @@ def add_joint(robot: ET.Element, row: dict[str, str]) -> None:
 
 def extra_joints(sprung: bool) -> list[dict[str, str]]:
     """What we add: the pen in its holder, and the skirt of the bellows."""
-    blank = dict.fromkeys(("x", "y", "z", "roll", "pitch", "yaw", "ax", "ay", "az", "lower", "upper"), "")
+    blank = dict.fromkeys(
+        ("x", "y", "z", "roll", "pitch", "yaw", "ax", "ay", "az", "lower", "upper"), ""
+    )
     blank |= {"type": "fixed", "effort": "", "velocity": "", "damping": ""}
     hold = {"joint": "pen_holder_joint", "parent": "gripper_link", "child": "pen_holder_link"}
     hold |= {"pitch": math.pi / 2 + PEN_TILT}
@@ -127,7 +143,11 @@ def extra_joints(sprung: bool) -> list[dict[str, str]]:
         pen |= {"joint": "pen_slide_joint", "type": "prismatic", "z": PRESSED, "az": 1.0}
         pen |= {"lower": -SLIDE, "upper": 0.0, "effort": 10.0, "velocity": 1.0}
     tip = {"joint": "pen_tip_joint", "parent": "pen_link", "child": "pen_tip", "z": PEN_LENGTH}
-    skirt = {"joint": "bellows_skirt_joint", "parent": "torso_fixed_link", "child": "bellows_skirt_link"}
+    skirt = {
+        "joint": "bellows_skirt_joint",
+        "parent": "torso_fixed_link",
+        "child": "bellows_skirt_link",
+    }
     return [blank | row for row in (hold, pen, tip, skirt)]
 
 
@@ -142,7 +162,9 @@ def urdf(sprung: bool) -> str:
         add_collisions(link)
     for name, (mass, middle, radius, length) in PEN_LINKS.items():
         link = ET.SubElement(robot, "link", name=name)
-        add_inertial(link, mass, (0, 0, middle), box_inertia(mass, (2 * radius, 2 * radius, length)))
+        add_inertial(
+            link, mass, (0, 0, middle), box_inertia(mass, (2 * radius, 2 * radius, length))
+        )
         add_visuals(link)
         add_collisions(link)
     skirt = ET.SubElement(robot, "link", name="bellows_skirt_link")
@@ -151,13 +173,20 @@ def urdf(sprung: bool) -> str:
     for row in read("fetch_joints.csv") + extra_joints(sprung):
         add_joint(robot, row)
     ET.indent(robot)
-    return '<?xml version="1.0" encoding="utf-8"?>\n' + ET.tostring(robot, encoding="unicode") + "\n"
+    return (
+        '<?xml version="1.0" encoding="utf-8"?>\n' + ET.tostring(robot, encoding="unicode") + "\n"
+    )
 
 
 def main() -> None:
     """Write both robots and their shells."""
     parser = argparse.ArgumentParser(description="Make fetch.urdf, fetch_sprung.urdf and meshes/.")
-    parser.add_argument("--out", type=Path, default=HERE, help="the folder to write to (default: beside this script)")
+    parser.add_argument(
+        "--out",
+        type=Path,
+        default=HERE,
+        help="the folder to write to (default: beside this script)",
+    )
     out = parser.parse_args().out
     (out / "meshes").mkdir(parents=True, exist_ok=True)
     for link, pieces in SHELLS.items():

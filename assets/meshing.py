@@ -46,7 +46,9 @@ def loft(rings: ArrayLike) -> Mesh:
     count, around = rings.shape[:2]
     first = np.arange(count * around).reshape(count, around)
     a, b, c, d = first[:-1], np.roll(first, -1, 1)[:-1], first[1:], np.roll(first, -1, 1)[1:]
-    sides = np.concatenate([np.stack(corners, -1).reshape(-1, 3) for corners in ((a, b, d), (a, d, c))])
+    sides = np.concatenate(
+        [np.stack(corners, -1).reshape(-1, 3) for corners in ((a, b, d), (a, d, c))]
+    )
     start, end = count * around, count * around + 1
     lids = [
         np.stack([np.full(around, start), np.roll(first[0], -1), first[0]], -1),
@@ -60,7 +62,9 @@ def lathe(profile: Sequence[tuple[float, float]], around: int = 32) -> Mesh:
     """A profile of (radius, height) turned about z."""
     angles = np.arange(around) * 2 * np.pi / around
     circle = np.stack([np.cos(angles), np.sin(angles)], -1)
-    return loft([np.column_stack([radius * circle, np.full(around, height)]) for radius, height in profile])
+    return loft(
+        [np.column_stack([radius * circle, np.full(around, height)]) for radius, height in profile]
+    )
 
 
 def superellipse(a: float, b: float, power: float = 2.0, around: int = 32) -> Array:
@@ -70,15 +74,21 @@ def superellipse(a: float, b: float, power: float = 2.0, around: int = 32) -> Ar
     """
     angles = np.arange(around) * 2 * np.pi / around
     c, s = np.round([np.cos(angles), np.sin(angles)], 12)
-    return np.stack([a * np.sign(c) * np.abs(c) ** (2 / power), b * np.sign(s) * np.abs(s) ** (2 / power)], -1)
+    return np.stack(
+        [a * np.sign(c) * np.abs(c) ** (2 / power), b * np.sign(s) * np.abs(s) ** (2 / power)], -1
+    )
 
 
-def rounded(low: tuple[float, float], high: tuple[float, float], radii: Sequence[float], steps: int = 4) -> Array:
+def rounded(
+    low: tuple[float, float], high: tuple[float, float], radii: Sequence[float], steps: int = 4
+) -> Array:
     """A rectangle with round corners, from the upper right counter-clockwise, shape (4 (steps + 1), 2)."""
     points = []
     for corner, radius in enumerate(np.broadcast_to(radii, 4)):
         sx, sy = ((1, 1), (-1, 1), (-1, -1), (1, -1))[corner]
-        centre = np.array([high[0] if sx > 0 else low[0], high[1] if sy > 0 else low[1]]) - radius * np.array([sx, sy])
+        centre = np.array(
+            [high[0] if sx > 0 else low[0], high[1] if sy > 0 else low[1]]
+        ) - radius * np.array([sx, sy])
         angles = np.pi / 2 * (corner + np.linspace(0, 1, steps + 1))
         points.append(centre + radius * np.stack([np.cos(angles), np.sin(angles)], -1))
     return np.concatenate(points)
@@ -90,7 +100,12 @@ def extrude(outline: Array, profile: Sequence[tuple[float, float]]) -> Mesh:
     normal = np.stack([edge[:, 1], -edge[:, 0]], -1) / np.linalg.norm(edge, axis=1, keepdims=True)
     corner = normal + np.roll(normal, 1, 0)
     corner = corner / (0.5 * (corner**2).sum(axis=1, keepdims=True))
-    return loft([np.column_stack([outline - inset * corner, np.full(len(outline), h)]) for inset, h in profile])
+    return loft(
+        [
+            np.column_stack([outline - inset * corner, np.full(len(outline), h)])
+            for inset, h in profile
+        ]
+    )
 
 
 def sections(rows: Iterable[tuple[float, ...]], around: int = 32) -> Mesh:
@@ -143,7 +158,9 @@ def _settled(values: Array, digits: int) -> Array:
 
 def _welded(vertices: Array, faces: NDArray[np.int64]) -> tuple[Array, NDArray[np.int64]]:
     """Points at one place made one, and triangles without area dropped."""
-    _, first, where = np.unique(np.round(vertices, 7) + 0.0, axis=0, return_index=True, return_inverse=True)
+    _, first, where = np.unique(
+        np.round(vertices, 7) + 0.0, axis=0, return_index=True, return_inverse=True
+    )
     faces = where.reshape(-1)[faces]
     keep = (faces != np.roll(faces, 1, axis=1)).all(axis=1)
     return vertices[first], faces[keep]

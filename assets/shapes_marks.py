@@ -50,12 +50,17 @@ WIDE = (1.0, 1.25)  # how wide each hand draws a mark: the letters of the slante
 
 def accented(shapes: dict[str, Letter], hand: int) -> dict[str, Letter]:
     """The letters of one hand with their marks: 0 is the round hand, 1 the slanted one."""
-    return {character: _marked(shapes, *normalize("NFD", character), hand) for character in ACCENTED}
+    return {
+        character: _marked(shapes, *normalize("NFD", character), hand) for character in ACCENTED
+    }
 
 
 def _marked(shapes: dict[str, Letter], base: str, mark: str, hand: int) -> Letter:
     """The strokes of a letter, and then those of its mark."""
     letter = shapes[base][:1] if base == "i" else shapes[base]
     x, y = OVER[base][hand], RISE if base.isupper() and mark != BELOW else 0.0
-    drawn = [[(WIDE[hand] * px + x, py + y, *headings) for px, py, *headings in stroke] for stroke in MARKS[mark]]
+    drawn = [
+        [(WIDE[hand] * px + x, py + y, *headings) for px, py, *headings in stroke]
+        for stroke in MARKS[mark]
+    ]
     return letter + drawn

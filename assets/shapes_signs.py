@@ -11,7 +11,10 @@ TURNED_TOP = 1.00  # of a sign that stands on its head: its dot is where a small
 def on_its_head(sign: Letter, wide: float) -> Letter:
     """A sign after half a turn, lower, each stroke still written from its top; `wide` is the sum of its sides."""
     high = TURNED_TOP + min(point[1] for stroke in sign for point in stroke)
-    return [[(wide - x, high - y, *headings[::-1]) for x, y, *headings in reversed(stroke)] for stroke in sign]
+    return [
+        [(wide - x, high - y, *headings[::-1]) for x, y, *headings in reversed(stroke)]
+        for stroke in sign
+    ]
 
 
 # fmt: off

@@ -12,9 +12,23 @@ AROUND = 32
 def drum(radius: float, out: float, inner: float) -> Mesh:
     """Half of a bending joint, on +y: from the seam to a cap with a ring in it at y = out; a spindle towards -y."""
     r, b = radius, 0.009
-    profile = [(0.0, -inner), (0.84 * r, -inner), (0.84 * r, SEAM), (r - 0.0015, SEAM), (r, SEAM + 0.0015)]
-    profile += [(r - b + b * np.cos(a), out - b + b * np.sin(a)) for a in np.radians([0, 30, 60, 90])]
-    profile += [(0.74 * r, out), (0.71 * r, out - 0.002), (0.66 * r, out - 0.002), (0.63 * r, out), (0.0, out)]
+    profile = [
+        (0.0, -inner),
+        (0.84 * r, -inner),
+        (0.84 * r, SEAM),
+        (r - 0.0015, SEAM),
+        (r, SEAM + 0.0015),
+    ]
+    profile += [
+        (r - b + b * np.cos(a), out - b + b * np.sin(a)) for a in np.radians([0, 30, 60, 90])
+    ]
+    profile += [
+        (0.74 * r, out),
+        (0.71 * r, out - 0.002),
+        (0.66 * r, out - 0.002),
+        (0.63 * r, out),
+        (0.0, out),
+    ]
     return lathe(profile, AROUND).turned("yzx")
 
 
@@ -37,13 +51,18 @@ def tube_end(x: float) -> list[tuple[float, ...]]:
 
 def tube_start(x: float) -> list[tuple[float, ...]]:
     """The sections that begin a tube at x with a small bevel."""
-    return [(x, 0.0, 0.0, RADIUS - 0.0015, RADIUS - 0.0015, 2.0), (x + 0.0020, 0.0, 0.0, RADIUS, RADIUS, 2.0)]
+    return [
+        (x, 0.0, 0.0, RADIUS - 0.0015, RADIUS - 0.0015, 2.0),
+        (x + 0.0020, 0.0, 0.0, RADIUS, RADIUS, 2.0),
+    ]
 
 
 def bends(radius: float, out: float, length: float) -> Mesh:
     """A link that bends about its own y: its half of the drum on +y, then a tube along x."""
     end = min(0.105, length - 0.012)
-    return drum(radius, out, -SEAM) + sections(neck(out, radius, 0.030, end) + tube_end(length), AROUND)
+    return drum(radius, out, -SEAM) + sections(
+        neck(out, radius, 0.030, end) + tube_end(length), AROUND
+    )
 
 
 def turns(start: float, elbow: float, out: float) -> Mesh:
@@ -62,7 +81,9 @@ def shoulder_pan() -> Mesh:
     rows = []
     for x in np.linspace(0.0, 0.117, 8):
         s = smooth(x / 0.100)
-        rows.append((x, -0.032 * s, 0.010 + 0.050 * s, 0.046 - 0.016 * s, 0.048 + 0.006 * s, 2.6 + 1.6 * s))
+        rows.append(
+            (x, -0.032 * s, 0.010 + 0.050 * s, 0.046 - 0.016 * s, 0.048 + 0.006 * s, 2.6 + 1.6 * s)
+        )
     return lathe(post, AROUND) + half + sections(rows, 24)
 
 
@@ -98,19 +119,43 @@ def finger() -> Mesh:
 
 def pen() -> dict:
     """A pen that looks along its z; its nib ends at `pen_tip`, 95 mm out, which carries the last 2 mm."""
-    barrel = [(0.0, -0.031), (0.0030, -0.031), (0.0050, -0.028), (0.0050, 0.066), (0.0044, 0.068), (0.0, 0.068)]
-    nib = [(0.0, 0.064), (0.0040, 0.066), (0.0040, 0.071), (0.0017, 0.086), (0.0009, 0.0935), (0.0, 0.0935)]
+    barrel = [
+        (0.0, -0.031),
+        (0.0030, -0.031),
+        (0.0050, -0.028),
+        (0.0050, 0.066),
+        (0.0044, 0.068),
+        (0.0, 0.068),
+    ]
+    nib = [
+        (0.0, 0.064),
+        (0.0040, 0.066),
+        (0.0040, 0.071),
+        (0.0017, 0.086),
+        (0.0009, 0.0935),
+        (0.0, 0.0935),
+    ]
     cap = [(0.0, -0.036), (0.0034, -0.036), (0.0040, -0.034), (0.0040, -0.030), (0.0, -0.030)]
     ball = [(0.0, -0.002), (0.0008, -0.002), (0.0007, -0.0006), (0.0004, -0.0001), (0.0, 0.0)]
     return {
-        "pen_link": {"barrel": (BLUE, lathe(barrel, 16)), "nib": (DARK, lathe(nib, 16) + lathe(cap, 16))},
+        "pen_link": {
+            "barrel": (BLUE, lathe(barrel, 16)),
+            "nib": (DARK, lathe(nib, 16) + lathe(cap, 16)),
+        },
         "pen_tip": {"ball": (BLACK, lathe(ball, 8))},
     }
 
 
 def arm_shells() -> dict:
     """Link to name of the piece to its colour and its mesh."""
-    sleeve = [(0.0, -0.015), (0.0068, -0.015), (0.008, -0.0138), (0.008, 0.0138), (0.0068, 0.015), (0.0, 0.015)]
+    sleeve = [
+        (0.0, -0.015),
+        (0.0068, -0.015),
+        (0.008, -0.0138),
+        (0.008, 0.0138),
+        (0.0068, 0.015),
+        (0.0, 0.015),
+    ]
     right = finger()
     return {
         "shoulder_pan_link": {"shell": (WHITE, shoulder_pan())},

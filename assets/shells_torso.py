@@ -38,7 +38,9 @@ def trunk() -> Mesh:
     """The white torso: a shell around the column, shoulders, an overhang below the neck, a chin for the arm."""
     rings = []
     for height, back, front, half, power in TRUNK:
-        outline = superellipse((front - back) / 2, half, power, 40) + np.array([(front + back) / 2, 0.0])
+        outline = superellipse((front - back) / 2, half, power, 40) + np.array(
+            [(front + back) / 2, 0.0]
+        )
         rings.append(np.column_stack([outline, np.full(40, height)]))
     return loft(rings) + chin()
 
@@ -47,7 +49,9 @@ def chin() -> Mesh:
     """The shelf in front of the chest on which the shoulder turns."""
     rings = []
     for height, front, half in CHIN:
-        outline = rounded((0.0, -half), (front, half), [half - 0.0005, 0.004, 0.004, half - 0.0005], 7)
+        outline = rounded(
+            (0.0, -half), (front, half), [half - 0.0005, 0.004, 0.004, half - 0.0005], 7
+        )
         rings.append(np.column_stack([outline, np.full(len(outline), height)]))
     return loft(rings)
 
@@ -72,13 +76,20 @@ def pleats(low: float, high: float, count: int, inset: float) -> Mesh:
 
 def flanges() -> Mesh:
     """The two frames that hold the ends of the bellows."""
-    low, high = (extrude(bellows_outline(), [(0, height), (0, height + 0.004)]) for height in (-0.2983, 0.0242))
+    low, high = (
+        extrude(bellows_outline(), [(0, height), (0, height + 0.004)])
+        for height in (-0.2983, 0.0242)
+    )
     return low + high
 
 
 def head_pan() -> dict:
     """A horseshoe around the back of the head, filled behind it, on a neck, with the pivots of the head."""
-    flank, end, deep = 0.1262, 0.1425, 0.1181  # of its centre line: half width, ends, depth behind x = 0.01
+    flank, end, deep = (
+        0.1262,
+        0.1425,
+        0.1181,
+    )  # of its centre line: half width, ends, depth behind x = 0.01
     rings = []
     for angle in np.radians([84, 65, 45, 22, 0]):  # the round end on +y, seen from the side
         rings.append(upright(end + 0.055 * np.sin(angle), flank, (0.0, 1.0), 0.055 * np.cos(angle)))
@@ -90,9 +101,15 @@ def head_pan() -> dict:
     back = upright(0.010 - deep, 0.0, (-1.0, 0.0), 0.055)
     other = [ring * (1, -1, 1) for ring in rings[::-1]]
     inside = superellipse(0.0955, 0.114, 2.3, 32) + np.array([-0.0125, 0.0])
-    seat = extrude(inside, [(0.012, 0.001), (0, 0.006), (0, 0.090), (0.003, 0.0945), (0.012, 0.097)])
+    seat = extrude(
+        inside, [(0.012, 0.001), (0, 0.006), (0, 0.090), (0.003, 0.0945), (0.012, 0.097)]
+    )
     neck = lathe([(0, -0.003), (0.062, -0.003), (0.066, 0.004), (0, 0.004)], 28)
-    pivots = lathe([(0, -0.112), (0.026, -0.112), (0.026, 0.112), (0, 0.112)], 20).turned("yzx").at(end, 0, 0.058)
+    pivots = (
+        lathe([(0, -0.112), (0.026, -0.112), (0.026, 0.112), (0, 0.112)], 20)
+        .turned("yzx")
+        .at(end, 0, 0.058)
+    )
     return {"shell": (GREY, loft([*rings, back, *other]) + seat + neck), "pivots": (DARK, pivots)}
 
 
@@ -109,7 +126,14 @@ def head_tilt() -> dict:
         outline = superellipse(0.0545 - shrink, 0.055 - shrink, 3.4, 28)
         rings.append(np.column_stack([outline[:, 0] - 0.0005, np.full(28, y), outline[:, 1]]))
     panel = rounded((-0.086, -0.004), (0.086, 0.040), [0.014], 4)
-    lens = [(0.0, 0.0), (0.0095, 0.0), (0.0095, 0.0008), (0.007, 0.0012), (0.005, 0.0004), (0.0, 0.0001)]
+    lens = [
+        (0.0, 0.0),
+        (0.0095, 0.0),
+        (0.0095, 0.0008),
+        (0.007, 0.0012),
+        (0.005, 0.0004),
+        (0.0, 0.0001),
+    ]
     eyes = [lathe(lens, 16).turned("zxy").at(0.0546, y, 0.018) for y in (0.020, 0.045, -0.040)]
     return {
         "shell": (BLUE, loft(rings + [ring * (1, -1, 1) for ring in rings[::-1]])),

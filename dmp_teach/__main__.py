@@ -14,27 +14,51 @@ import sys
 import time
 from pathlib import Path
 
-from dmp_teach.classroom.lab import ROOT, WINDOWS, answer_signals, clean_environment, end_family, lab, say
 from dmp_teach.errors import SetupError
+from dmp_teach.launcher.lab import (
+    ROOT,
+    WINDOWS,
+    answer_signals,
+    clean_environment,
+    end_family,
+    lab,
+    say,
+)
 
 VENV = ROOT / ".venv"
 PINS = ROOT / "environment.txt"
-VERSIONS = ("3.11", "3.12", "3.13")  # in order of preference: pybullet has no wheels for newer than 3.11
+VERSIONS = (
+    "3.11",
+    "3.12",
+    "3.13",
+)  # in order of preference: pybullet has no wheels for newer than 3.11
 
 # How pip and uv say that they reach nobody.
-NO_NETWORK = ("ConnectionError", "NewConnection", "Timeout", "timed out", "Temporary failure", "ProxyError", "SSLError")
+NO_NETWORK = (
+    "ConnectionError",
+    "NewConnection",
+    "Timeout",
+    "timed out",
+    "Temporary failure",
+    "ProxyError",
+    "SSLError",
+)
 NO_NETWORK += ("Failed to fetch", "dns error", "error sending request", "Network is unreachable")
 
 
 def main(arguments=None):
     """Read the command line and do what it says; returns the exit code."""
-    parser = argparse.ArgumentParser(prog="python3 -m dmp_teach", description="Teach a robot to write.")
+    parser = argparse.ArgumentParser(
+        prog="python3 -m dmp_teach", description="Teach a robot to write."
+    )
     commands = parser.add_subparsers(dest="command", metavar="lab | test")
     commands.required = True
     lab_parser = commands.add_parser("lab", help="open the notebooks in JupyterLab")
     lab_parser.add_argument("--no-browser", action="store_true", help="only say where it is")
     lab_parser.add_argument("--port", type=int, help="the port to use, instead of any free one")
-    commands.add_parser("test", help="run every test; whatever follows goes to pytest", add_help=False)
+    commands.add_parser(
+        "test", help="run every test; whatever follows goes to pytest", add_help=False
+    )
     options, rest = parser.parse_known_args(arguments)
     if rest and options.command == "lab":
         parser.error("lab does not know " + " ".join(rest))
@@ -67,16 +91,22 @@ def prepare():
         return str(python)
     say("Setting up in .venv (once, about 2 minutes and 1.5 GB) ...")
     began = time.time()
-    if done is None:  # nothing yet, or an unfinished one: begin it anew, what was downloaded is kept elsewhere
+    if (
+        done is None
+    ):  # nothing yet, or an unfinished one: begin it anew, what was downloaded is kept elsewhere
         make_venv()
     else:
         stamp.unlink()
     install(str(python))
-    place = subprocess.check_output([str(python), "-c", "import sysconfig; print(sysconfig.get_path('purelib'))"])
+    place = subprocess.check_output(
+        [str(python), "-c", "import sysconfig; print(sysconfig.get_path('purelib'))"]
+    )
     place = Path(place.decode().strip())
     (place / "dmp_teach.pth").write_text(os.path.relpath(str(ROOT), str(place)) + "\n")
     stamp.write_text(pins)
-    say("Ready after {:.0f} seconds. The next start needs none of this.".format(time.time() - began))
+    say(
+        "Ready after {:.0f} seconds. The next start needs none of this.".format(time.time() - began)
+    )
     return str(python)
 
 
@@ -95,7 +125,9 @@ def make_venv():
             )
         )
     elif subprocess.call([python, "-c", "import ensurepip, venv"], stderr=subprocess.DEVNULL) != 0:
-        version = subprocess.check_output([python, "-c", "import sys; print('%d.%d' % sys.version_info[:2])"])
+        version = subprocess.check_output(
+            [python, "-c", "import sys; print('%d.%d' % sys.version_info[:2])"]
+        )
         raise SetupError(
             "This Python cannot make environments. Type  sudo apt install python{}-venv  and then this again.".format(
                 version.decode().strip()
@@ -104,7 +136,9 @@ def make_venv():
     else:
         command = [python, "-m", "venv", str(VENV)]
     if subprocess.call(command, env=installer_environment()) != 0:
-        raise SetupError("The environment .venv could not be made; the lines above say why. Is this computer online?")
+        raise SetupError(
+            "The environment .venv could not be made; the lines above say why. Is this computer online?"
+        )
 
 
 def find_python():
@@ -117,7 +151,9 @@ def find_python():
         if found and answers([found], version):
             return found
         if WINDOWS and answers(["py", "-" + version], version):
-            path = subprocess.check_output(["py", "-" + version, "-c", "import sys; print(sys.executable)"])
+            path = subprocess.check_output(
+                ["py", "-" + version, "-c", "import sys; print(sys.executable)"]
+            )
             return path.decode().strip()
     return None
 
@@ -136,7 +172,16 @@ def install(python):
     if shutil.which("uv"):
         command = ["uv", "pip", "install", "--python", python, "-r", str(PINS)]
     else:
-        command = [python, "-m", "pip", "install", "--disable-pip-version-check", "--no-input", "-r", str(PINS)]
+        command = [
+            python,
+            "-m",
+            "pip",
+            "install",
+            "--disable-pip-version-check",
+            "--no-input",
+            "-r",
+            str(PINS),
+        ]
     process = subprocess.Popen(
         command,
         stdin=subprocess.DEVNULL,
@@ -160,7 +205,9 @@ def install(python):
             process.terminate()
     if process.wait() != 0:
         noise = (" + ", "  ", "Collecting", "Ignoring", "Requirement already", "WARNING: Retrying")
-        told = "".join(line for line in heard[-30:] if not line.startswith(noise) or line.startswith("  cause"))
+        told = "".join(
+            line for line in heard[-30:] if not line.startswith(noise) or line.startswith("  cause")
+        )
         raise SetupError(told + "\n" + advice("".join(heard)))
 
 
@@ -175,7 +222,9 @@ def advice(heard):
 
 def installer_environment():
     """Our surroundings for pip and uv; uv trusts what this computer trusts, as schools' networks often need."""
-    trusted = WINDOWS or sys.platform == "darwin" or Path("/etc/ssl/certs/ca-certificates.crt").exists()
+    trusted = (
+        WINDOWS or sys.platform == "darwin" or Path("/etc/ssl/certs/ca-certificates.crt").exists()
+    )
     return dict({"UV_SYSTEM_CERTS": "1"} if trusted else {}, **clean_environment())
 
 
@@ -189,7 +238,9 @@ def run_tests(python, arguments):
             codes.append(process.wait())
         except KeyboardInterrupt:
             try:
-                process.wait(timeout=10)  # pytest has heard the same Ctrl-C and is putting things away
+                process.wait(
+                    timeout=10
+                )  # pytest has heard the same Ctrl-C and is putting things away
             except subprocess.TimeoutExpired:
                 end_family(python, process)
             raise

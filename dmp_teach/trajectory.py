@@ -1,5 +1,7 @@
 """The value that flows through the house: where a pen is, and when."""
 
+from __future__ import annotations
+
 import math
 from dataclasses import dataclass
 from typing import Any, Self
@@ -116,7 +118,9 @@ def _check(t: Array, position: Array) -> None:
         if bad.any():
             row = int(np.argmax(bad))
             value = t[row] if name == "t" else position[row]
-            raise TrajectoryError(f"{name}[{row}] is {value}, but must be finite; fill or cut the gap first.")
+            raise TrajectoryError(
+                f"{name}[{row}] is {value}, but must be finite; fill or cut the gap first."
+            )
     stuck = np.diff(t) <= 0
     if stuck.any():
         row = int(np.argmax(stuck)) + 1

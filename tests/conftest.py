@@ -10,8 +10,16 @@ STRICT = os.environ.get("CI", "").lower() == "true"
 def hold_to_it(report):
     """Turn a skip into a failure, where continuous integration promises that everything was tried."""
     reason = report.longrepr[2] if isinstance(report.longrepr, tuple) else str(report.longrepr)
-    if STRICT and report.skipped and not hasattr(report, "wasxfail") and "no recordings here" not in reason:
-        report.outcome, report.longrepr = "failed", f"Nothing may be skipped under CI=true, but this was: {reason}"
+    if (
+        STRICT
+        and report.skipped
+        and not hasattr(report, "wasxfail")
+        and "no recordings here" not in reason
+    ):
+        report.outcome, report.longrepr = (
+            "failed",
+            f"Nothing may be skipped under CI=true, but this was: {reason}",
+        )
     return report
 
 

@@ -5,9 +5,12 @@ from pathlib import Path
 
 import pytest
 
-FOLDER = Path(os.environ.get("DMP_TEACH_RECORDINGS", Path(__file__).parents[2] / "shared" / "data" / "mocap"))
+FOLDER = Path(
+    os.environ.get("DMP_TEACH_RECORDINGS", Path(__file__).parents[2] / "shared" / "data" / "mocap")
+)
 RECORDINGS = sorted(FOLDER.glob("*.csv"))
 
 needs_recordings = pytest.mark.skipif(
-    not RECORDINGS, reason="no recordings here: set DMP_TEACH_RECORDINGS to a folder of Motive CSV files"
+    not RECORDINGS,
+    reason="no recordings here: set DMP_TEACH_RECORDINGS to a folder of Motive CSV files",
 )

@@ -9,12 +9,35 @@ import pytest
 from packaging.requirements import Requirement
 
 ROOT = Path(__file__).parents[1]
-PINS = [Requirement(line) for line in (ROOT / "environment.txt").read_text().splitlines() if not line.startswith("#")]
-LINUX = {"sys_platform": "linux", "platform_system": "Linux", "os_name": "posix", "platform_machine": "x86_64"}
-WINDOWS = {"sys_platform": "win32", "platform_system": "Windows", "os_name": "nt", "platform_machine": "AMD64"}
-MAC = {"sys_platform": "darwin", "platform_system": "Darwin", "os_name": "posix", "platform_machine": "arm64"}
+PINS = [
+    Requirement(line)
+    for line in (ROOT / "environment.txt").read_text().splitlines()
+    if not line.startswith("#")
+]
+LINUX = {
+    "sys_platform": "linux",
+    "platform_system": "Linux",
+    "os_name": "posix",
+    "platform_machine": "x86_64",
+}
+WINDOWS = {
+    "sys_platform": "win32",
+    "platform_system": "Windows",
+    "os_name": "nt",
+    "platform_machine": "AMD64",
+}
+MAC = {
+    "sys_platform": "darwin",
+    "platform_system": "Darwin",
+    "os_name": "posix",
+    "platform_machine": "arm64",
+}
 COMPUTERS = {
-    f"{name}-{version}": {**computer, "python_version": version, "python_full_version": version + ".9"}
+    f"{name}-{version}": {
+        **computer,
+        "python_version": version,
+        "python_full_version": version + ".9",
+    }
     for name, computer in {
         "linux": LINUX,
         "arm": {**LINUX, "platform_machine": "aarch64"},
@@ -54,10 +77,17 @@ def test_the_pins_are_what_pyproject_asks_for(computer):
 
 
 def test_a_computer_without_wheels_is_not_asked_to_build():
-    names = {computer: {pin.name for pin in PINS if wanted(pin, COMPUTERS[computer])} for computer in COMPUTERS}
+    names = {
+        computer: {pin.name for pin in PINS if wanted(pin, COMPUTERS[computer])}
+        for computer in COMPUTERS
+    }
     assert {"placo", "pybullet"} <= names["linux-3.11"]
     assert "pybullet" not in names["linux-3.12"] | names["arm-3.11"] | names["mac-3.11"]
-    assert not {name for name in names["windows-3.11"] if name.startswith(("placo", "pin", "cmeel", "pybullet"))}
+    assert not {
+        name
+        for name in names["windows-3.11"]
+        if name.startswith(("placo", "pin", "cmeel", "pybullet"))
+    }
 
 
 def test_every_pin_names_one_version_of_an_index_that_it_does_not_name():
@@ -79,7 +109,9 @@ def test_every_licence_agrees_with_ours(name):
         about = metadata(name)
     except PackageNotFoundError:
         return  # for another kind of computer
-    classifiers = [line for line in about.get_all("Classifier") or [] if line.startswith("License ::")]
+    classifiers = [
+        line for line in about.get_all("Classifier") or [] if line.startswith("License ::")
+    ]
     said = " ".join([about.get("License-Expression") or "", *classifiers]).strip()
     said = said or (about.get("License") or "").strip()[:200] or SAID_ELSEWHERE.get(name, "")
     assert name in SAID_ELSEWHERE or re.search(FREE, said, re.IGNORECASE), said

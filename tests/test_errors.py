@@ -12,22 +12,22 @@ from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import SettingError, kind_of
 from dmp_teach.ink.alphabet import recording_of
-from dmp_teach.letters.alike import learned_alike
-from dmp_teach.letters.learning import imitated
+from dmp_teach.letters.compose.shelf import Shelf
+from dmp_teach.letters.kernel_choice import imitated
 from dmp_teach.letters.letter import Letter
-from dmp_teach.letters.lines import lines
-from dmp_teach.letters.shelf import Shelf
 from dmp_teach.letters.styles import Style
-from dmp_teach.letters.words import word
-from dmp_teach.studies.against import against_original
-from dmp_teach.studies.beginnings import first_moments
-from dmp_teach.studies.choose import choose_kernels, choose_width
-from dmp_teach.studies.closeness import goals_near_start
-from dmp_teach.studies.goals import goal_change_1d, goal_change_2d
-from dmp_teach.studies.new_letters import p_from_d
-from dmp_teach.studies.redraw import four_widths, redrawn
-from dmp_teach.studies.shapes import any_shape
-from dmp_teach.studies.variants import rms_error
+from dmp_teach.letters.styles_basis import learned_alike
+from dmp_teach.letters.text.lines import lines
+from dmp_teach.letters.text.words import word
+from dmp_teach.studies.experiments.d_to_p import p_from_d
+from dmp_teach.studies.experiments.goal_change import goal_change_1d, goal_change_2d
+from dmp_teach.studies.experiments.goal_near_start import goals_near_start
+from dmp_teach.studies.experiments.initial_acceleration import first_moments
+from dmp_teach.studies.experiments.random_ink import any_shape
+from dmp_teach.studies.experiments.redraw import four_widths, redrawn
+from dmp_teach.studies.experiments.star_vs_original import against_original
+from dmp_teach.studies.experiments.validation import choose_kernels, choose_width
+from dmp_teach.studies.experiments.variants import rms_error
 
 D, STROKE = recording_of("D"), recording_of("D").strokes()[1]
 LEARNED = Letter.learn(D)
@@ -63,9 +63,10 @@ INSIDE = {
 
 
 def takes_settings(thing):
-    return (inspect.isfunction(thing) or inspect.ismethod(thing)) and {"settings", "original"} & set(
-        inspect.signature(thing).parameters
-    )
+    return (inspect.isfunction(thing) or inspect.ismethod(thing)) and {
+        "settings",
+        "original",
+    } & set(inspect.signature(thing).parameters)
 
 
 def names():
@@ -91,16 +92,27 @@ def test_whatever_takes_settings_is_asked_here():
 @pytest.mark.parametrize("ask", TAKE_SETTINGS, ids=lambda ask: ask.__qualname__)
 def test_what_is_no_settings_is_refused_with_those_that_are(ask, wrong):
     for name in {"settings", "original"} & set(inspect.signature(ask).parameters):
-        with pytest.raises(SettingError, match=rf"{name} is .*, but must be Settings.* such as .*Settings\.star\(\)"):
+        with pytest.raises(
+            SettingError,
+            match=rf"{name} is .*, but must be Settings.* such as .*Settings\.star\(\)",
+        ):
             ask(*TAKE_SETTINGS[ask], **{name: wrong})
 
 
 def test_the_refusal_is_a_sentence():
-    with pytest.raises(SettingError, match=r"^settings is 'star', but must be Settings, such as Settings\.star\(\)\.$"):
+    with pytest.raises(
+        SettingError,
+        match=r"^settings is 'star', but must be Settings, such as Settings\.star\(\)\.$",
+    ):
         word("hi", settings="star")
-    with pytest.raises(SettingError, match=r"^settings\['mine'\] is 'star', but must be Settings, such as"):
+    with pytest.raises(
+        SettingError, match=r"^settings\['mine'\] is 'star', but must be Settings, such as"
+    ):
         redrawn(D, settings={"mine": "star"})
-    with pytest.raises(SettingError, match=r"^settings is 'star', but must be Settings by their names, such as \{'DMP"):
+    with pytest.raises(
+        SettingError,
+        match=r"^settings is 'star', but must be Settings by their names, such as \{'DMP",
+    ):
         p_from_d(D, settings="star")
 
 

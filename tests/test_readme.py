@@ -12,7 +12,9 @@ README = (ROOT / "README.md").read_text(encoding="utf-8")
 def test_the_quick_start_prints_what_the_readme_says(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     code = re.search(r"```python\n(.*?)```", README, re.DOTALL).group(1)
-    shown = re.findall(r">>> (\w+)\n(.+)", re.search(r"```text\n(.*?)```", README, re.DOTALL).group(1))
+    shown = re.findall(
+        r">>> (\w+)\n(.+)", re.search(r"```text\n(.*?)```", README, re.DOTALL).group(1)
+    )
     names = {}
     exec(code, names)
     assert len(shown) == 3
@@ -29,7 +31,15 @@ def test_what_is_one_line_works_as_it_stands(tmp_path, monkeypatch):
     a1, a2, D = (teach.recording_of(*which) for which in (("a",), ("a", "slanted"), ("D",)))
     letter = teach.Letter.learn(a1)
     teach.write_recording(a1, "a.svg")
-    names = {"teach": teach, "recording": a1, "a1": a1, "a2": a2, "D": D, "letter": letter, "strokes": letter.write()}
+    names = {
+        "teach": teach,
+        "recording": a1,
+        "a1": a1,
+        "a2": a2,
+        "D": D,
+        "letter": letter,
+        "strokes": letter.write(),
+    }
     table = README.split("What else is one line")[1].split("## ")[0]
     lines = re.findall(r"`((?:pad = )?(?:teach|letter)\.[^`]*\)[.\w]*)`", table)
     tried = [line for line in lines if re.search(r"\w+(?=\()", line).group() not in SLOW]

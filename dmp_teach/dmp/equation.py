@@ -1,15 +1,17 @@
 """The differential equation of a primitive, laid out over the steps of one movement."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 
 from dmp_teach.dmp.fit import forcing
+from dmp_teach.dmp.integrators import Spring
 from dmp_teach.dmp.kernels import Cells, Kernels, Overlap
 from dmp_teach.dmp.phase import Phase
 from dmp_teach.dmp.settings import Settings
-from dmp_teach.dmp.spring import Spring
 from dmp_teach.trajectory import Array
 
 
@@ -35,7 +37,9 @@ class Equation:
     @cached_property
     def spring(self) -> Spring:
         """The left side: K and D."""
-        return Spring(self.settings.alpha, self.steps, self.settings.integrator, self.settings.damping)
+        return Spring(
+            self.settings.alpha, self.steps, self.settings.integrator, self.settings.damping
+        )
 
     @cached_property
     def s(self) -> Array:
@@ -115,4 +119,6 @@ def kernels_of(settings: Settings) -> Kernels:
     """The kernels that these settings describe."""
     phase = Phase(settings.phase, settings.phase_decay, settings.phase_middle)
     shape, stand, sides = settings.kernel, settings.kernel_centers, settings.kernel_sides
-    return Kernels(settings.n_kernels, settings.kernel_width, settings.kernel_sigma, phase, shape, stand, sides)
+    return Kernels(
+        settings.n_kernels, settings.kernel_width, settings.kernel_sigma, phase, shape, stand, sides
+    )

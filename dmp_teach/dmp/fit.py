@@ -6,10 +6,12 @@ forcing F (T, D), and the spring that will be pushed, and gives weights (N, D) a
     f(s) = s * sum psi_i w_i / sum psi_i  (+ sum psi_i b_i / sum psi_i)
 """
 
+from __future__ import annotations
+
 import numpy as np
 
+from dmp_teach.dmp.integrators import Spring
 from dmp_teach.dmp.kernels import Cells, Overlap, ratio
-from dmp_teach.dmp.spring import Spring
 from dmp_teach.trajectory import Array
 
 RIDGE = 1e-8  # of the square of each column
@@ -33,7 +35,9 @@ def bias(kernels: Cells | Overlap, s: Array, F: Array, spring: Spring) -> tuple[
     mean_s, mean_F = ratio(kernels.gather(s), awake), ratio(kernels.gather(F), awake)
     spread = kernels.gather(s * s) - awake * mean_s**2
     together = kernels.gather(s * F) - awake * mean_s * mean_F
-    line = spread > 1e-12 * awake * mean_s**2  # a kernel with a single sample has no slope: it learns as LWR does
+    line = (
+        spread > 1e-12 * awake * mean_s**2
+    )  # a kernel with a single sample has no slope: it learns as LWR does
     w = np.where(line, ratio(together, np.where(line, spread, 1.0)), ratio(mean_F, mean_s))
     return w, mean_F - w * mean_s
 
@@ -54,7 +58,12 @@ def joint(kernels: Cells | Overlap, s: Array, F: Array, spring: Spring) -> tuple
     gram = columns.T @ columns
     size = np.sqrt(np.diag(gram))
     size = np.where(size > 0, size, 1.0)[:, None]  # every column counts alike
-    better = np.linalg.solve(gram / (size * size.T) + RIDGE * np.eye(len(gram)), columns.T @ missed / size) / size
+    better = (
+        np.linalg.solve(
+            gram / (size * size.T) + RIDGE * np.eye(len(gram)), columns.T @ missed / size
+        )
+        / size
+    )
     return w + better[:-1], None
 
 

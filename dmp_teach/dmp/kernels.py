@@ -1,5 +1,7 @@
 """Kernels: the bumps that share out the phase, and the two sums that are taken over them."""
 
+from __future__ import annotations
+
 import math
 from dataclasses import dataclass
 from functools import cached_property
@@ -56,7 +58,11 @@ class Kernels:
     def spacings(self) -> Array:
         """The distance in phase from one centre to the next, shape (N,)."""
         equal = self.stand != "middles"
-        return np.full(self.number, 1 / self.number) if equal else self.phase.speed(self.centers) / self.number
+        return (
+            np.full(self.number, 1 / self.number)
+            if equal
+            else self.phase.speed(self.centers) / self.number
+        )
 
     @cached_property
     def places(self) -> Array:
@@ -76,7 +82,9 @@ class Kernels:
             Heights between 0 and 1, shape (T, N).
         """
         s = np.asarray(s, dtype=float)
-        return self._psi(s[:, None], self._place(self.phase.left(s), s)[:, None], np.arange(self.number))
+        return self._psi(
+            s[:, None], self._place(self.phase.left(s), s)[:, None], np.arange(self.number)
+        )
 
     def activations(self, s: Array) -> Array:
         """How awake each kernel is at each phase, psi_i / sum of psi.
@@ -90,7 +98,7 @@ class Kernels:
         heights = self.heights(s)
         return ratio(heights, heights.sum(axis=1, keepdims=True))
 
-    def over(self, left: Array) -> "Cells | Overlap":
+    def over(self, left: Array) -> Cells | Overlap:
         """The kernels laid over a movement, ready for the sums of a fit.
 
         Args:
@@ -115,11 +123,17 @@ class Kernels:
         if self.shape == "mollifier":
             inside = np.maximum(1 - (off / half) ** 2, 0.0)
             return np.where(inside > 0, np.exp(-1 / np.where(inside > 0, inside, 1.0)), 0.0)
-        awake = off <= half if self.sides == "one" else (self.places[i] - half <= u) & (u < self.places[i] + half)
+        awake = (
+            off <= half
+            if self.sides == "one"
+            else (self.places[i] - half <= u) & (u < self.places[i] + half)
+        )
         if np.isinf(self.sigma):
             return awake.astype(float)
         in_time = self.phase.kind == "sigmoid" and self.stand == "middles"
-        off = off / self.sigma if in_time else (s - self.centers[i]) / (self.sigma * self.spacings[i])
+        off = (
+            off / self.sigma if in_time else (s - self.centers[i]) / (self.sigma * self.spacings[i])
+        )
         return np.where(awake, np.exp(-0.5 * off**2), 0.0)
 
 

@@ -1,5 +1,7 @@
 """The canonical system: a phase s that runs from 1 towards 0 and replaces time."""
 
+from __future__ import annotations
+
 import math
 from dataclasses import dataclass
 
@@ -56,14 +58,20 @@ class Phase:
         s = np.asarray(s, dtype=float)
         if self.kind == "linear":
             return np.ones_like(s)
-        return self.decay * s if self.kind == "exponential" else self._steepness * s * (1 - s / self._top)
+        return (
+            self.decay * s
+            if self.kind == "exponential"
+            else self._steepness * s * (1 - s / self._top)
+        )
 
     def bend(self, s: ArrayLike) -> Array:
         """How fast that fall becomes slower, T^2 d^2s/dt^2."""
         s = np.asarray(s, dtype=float)
         if self.kind == "linear":
             return np.zeros_like(s)
-        rate = self.decay if self.kind == "exponential" else self._steepness * (1 - 2 * s / self._top)
+        rate = (
+            self.decay if self.kind == "exponential" else self._steepness * (1 - 2 * s / self._top)
+        )
         return rate * self.speed(s)
 
     @property

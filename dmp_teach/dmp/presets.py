@@ -1,16 +1,19 @@
-# ruff: noqa: E501 (a table has long lines)
 """Every field of every preset, in one table, and the three readings of the paper line by line.
 
 `as_printed` is what the text says, word for word; `as_coded` is what the authors' program does; `as_fixed` is the
 paper with its contradictions mended. Where the text gives no number the readings borrow one, and say so in `BORROWED`.
 """
 
+from __future__ import annotations
+
 from math import inf, sqrt
 from typing import Any
 
 NAMES = ("star", "original", "joint", "plus", "as_printed", "as_coded", "as_fixed")
 
-UNDERDAMPED = 1 / sqrt(8)  # the program's 4 and 8 per second: D = 4/s, K = 32/s^2, D / (2 sqrt K) = 0.35
+UNDERDAMPED = 1 / sqrt(
+    8
+)  # the program's 4 and 8 per second: D = 4/s, K = 32/s^2, D / (2 sqrt K) = 0.35
 
 # fmt: off
 TABLE: dict[str, tuple[Any, ...]] = {
@@ -50,8 +53,16 @@ BORROWED = {
 
 SWITCHES: dict[str, dict[str, Any]] = {
     "one-sided kernels: x - c_i <= theta": {"kernel_sides": "one"},
-    "xdot = -x/T, which is exponential": {"phase": "exponential", "phase_decay": 1.0, "kernel_centers": "phases"},
-    "xdot = -alpha_x x in Algorithm 2": {"phase": "exponential", "phase_decay": 4.6, "kernel_centers": "phases"},
+    "xdot = -x/T, which is exponential": {
+        "phase": "exponential",
+        "phase_decay": 1.0,
+        "kernel_centers": "phases",
+    },
+    "xdot = -alpha_x x in Algorithm 2": {
+        "phase": "exponential",
+        "phase_decay": 4.6,
+        "kernel_centers": "phases",
+    },
     "N centres evenly in [0, 1], both ends included": {"kernel_centers": "ends"},
     "the program's centres i/N": {"kernel_centers": "grid"},
     "the program's theta = 1/N": {"kernel_width": 2.0},
@@ -70,7 +81,10 @@ def preset(name: str) -> dict[str, Any]:
 
 def as_markdown() -> str:
     """The table of presets as it stands in the documentation, one row for each setting."""
-    lines = ["| setting | " + " | ".join(f"`{name}`" for name in NAMES) + " |", "|---|" + "---|" * len(NAMES)]
+    lines = [
+        "| setting | " + " | ".join(f"`{name}`" for name in NAMES) + " |",
+        "|---|" + "---|" * len(NAMES),
+    ]
     for field, row in TABLE.items():
         lines.append(f"| `{field}` | " + " | ".join(_shown(value) for value in row) + " |")
     return "\n".join(lines) + "\n"

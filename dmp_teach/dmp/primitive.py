@@ -1,5 +1,7 @@
 """The dynamic movement primitive: a movement learned once, drawn again to any goal."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Self
@@ -7,14 +9,21 @@ from typing import Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from dmp_teach.dmp.asked import as_settings, point, refuse_no_similarity, refuse_no_way, samples, seconds
-from dmp_teach.dmp.demonstration import has_even_times, prepared, sharpened
+from dmp_teach.dmp.checks import (
+    as_settings,
+    point,
+    refuse_no_similarity,
+    refuse_no_way,
+    samples,
+    seconds,
+)
+from dmp_teach.dmp.coverage import asleep
 from dmp_teach.dmp.equation import Equation, kernels_of, turned_and_scaled
 from dmp_teach.dmp.fit import FITS
-from dmp_teach.dmp.gaps import asleep
+from dmp_teach.dmp.integrators import least_steps
 from dmp_teach.dmp.kernels import Kernels
+from dmp_teach.dmp.preprocessing import has_even_times, prepared, sharpened
 from dmp_teach.dmp.settings import Settings
-from dmp_teach.dmp.spring import least_steps
 from dmp_teach.errors import TrajectoryError, kind_of
 from dmp_teach.trajectory import Array, Trajectory, locked
 
@@ -83,11 +92,15 @@ class DMP:
         """
         if not isinstance(trajectory, Trajectory):
             what = kind_of(trajectory)
-            raise TrajectoryError(f"A primitive is learned from a Trajectory(t, position), but got {what}.")
+            raise TrajectoryError(
+                f"A primitive is learned from a Trajectory(t, position), but got {what}."
+            )
         T = trajectory.duration
         settings = as_settings(settings).resolved(T, len(trajectory))
         refuse_no_way(trajectory, settings)
-        path, notes = prepared(trajectory, settings.smoothing, least_steps(settings.alpha, settings.damping))
+        path, notes = prepared(
+            trajectory, settings.smoothing, least_steps(settings.alpha, settings.damping)
+        )
         z, way = path - path[0], path[-1] - path[0]
         equation = Equation(settings, len(z) - 1)
         spring, kernels, s = equation.spring, equation.kernels, equation.s
@@ -146,7 +159,9 @@ class DMP:
             if goal is None:
                 return Trajectory._drawn(self.times, self._demonstrated)
             if self.settings.transform == "star":
-                return Trajectory._drawn(self.times, self._led_to(point("goal", goal, len(self.start))))
+                return Trajectory._drawn(
+                    self.times, self._led_to(point("goal", goal, len(self.start)))
+                )
         start = self.start if start is None else point("start", start, len(self.start))
         goal = self.goal if goal is None else point("goal", goal, len(self.start))
         T = self.duration if duration is None else seconds("duration", duration)
@@ -180,7 +195,9 @@ class DMP:
     @cached_property
     def _own(self) -> slice | None:
         """Which steps are the demonstration's own samples; None if its times were uneven."""
-        finer = self.steps // (len(self.times) - 1)  # uneven times are resampled finer: 1 needs no look at them
+        finer = self.steps // (
+            len(self.times) - 1
+        )  # uneven times are resampled finer: 1 needs no look at them
         return slice(None, None, finer) if finer == 1 or has_even_times(self.times) else None
 
     def _led_to(self, goal: Array) -> Array:
@@ -231,7 +248,9 @@ class DMP:
     def _drawn(self, steps: int) -> Array:
         """The path to the demonstrated goal, in so many steps."""
         velocity = self.start_velocity * self.duration
-        return Equation(self.settings, steps).draw(self.weights, self.biases, self.goal - self.start, velocity)
+        return Equation(self.settings, steps).draw(
+            self.weights, self.biases, self.goal - self.start, velocity
+        )
 
     @cached_property
     def _answer(self) -> Array:

@@ -1,13 +1,15 @@
 """Every choice that a primitive leaves open, each written once: default, range and plain name."""
 
+from __future__ import annotations
+
 import math
 from dataclasses import dataclass, fields
 from functools import cache
 from typing import Any, Self
 
-from dmp_teach.dmp.knobs import Knob, knob
+from dmp_teach.dmp.integrators import most_alpha
+from dmp_teach.dmp.knob import Knob, knob
 from dmp_teach.dmp.presets import preset
-from dmp_teach.dmp.spring import most_alpha
 from dmp_teach.errors import SettingError
 
 KERNELS_PER_SECOND = 12  # the paper's N = Num/10, for its 120 samples a second
@@ -40,13 +42,25 @@ class Settings:
     """
 
     n_kernels: int | None = knob(
-        None, low=1, high=300, limit=3000, whole=True, optional=True, label="how many bumps", term="number of kernels"
+        None,
+        low=1,
+        high=300,
+        limit=3000,
+        whole=True,
+        optional=True,
+        label="how many bumps",
+        term="number of kernels",
     )
     kernel_width: float = knob(
         1.0, low=0.2, high=40.0, endless=True, label="how wide each bump is", term="kernel width"
     )
     kernel_sigma: float = knob(
-        math.inf, low=0.2, high=40.0, endless=True, label="how round each bump is", term="kernel sigma"
+        math.inf,
+        low=0.2,
+        high=40.0,
+        endless=True,
+        label="how round each bump is",
+        term="kernel sigma",
     )
     alpha: float | None = knob(
         None,
@@ -58,35 +72,68 @@ class Settings:
         term="stiffness",
     )
     alpha_per_kernel: float = knob(
-        2.0, low=0.5, high=6.0, label="how much stiffer each bump makes the spring", term="stiffness per kernel"
+        2.0,
+        low=0.5,
+        high=6.0,
+        label="how much stiffer each bump makes the spring",
+        term="stiffness per kernel",
     )
     phase: str = knob(
-        "linear", choices=("linear", "exponential", "sigmoid"), label="how the clock runs down", term="phase"
+        "linear",
+        choices=("linear", "exponential", "sigmoid"),
+        label="how the clock runs down",
+        term="phase",
     )
-    phase_decay: float = knob(4.6, low=1.0, high=10.0, label="how far the clock runs down", term="phase decay")
+    phase_decay: float = knob(
+        4.6, low=1.0, high=10.0, label="how far the clock runs down", term="phase decay"
+    )
     transform: str = knob(
-        "star", choices=("star", "original", "similarity"), label="what follows the goal", term="transformation"
+        "star",
+        choices=("star", "original", "similarity"),
+        label="what follows the goal",
+        term="transformation",
     )
-    fit: str = knob("lwr", choices=("lwr", "bias", "joint"), label="how the bumps are learned", term="fit")
+    fit: str = knob(
+        "lwr", choices=("lwr", "bias", "joint"), label="how the bumps are learned", term="fit"
+    )
     integrator: str = knob(
         "explicit",
         choices=("explicit", "semi-implicit", "exact", "lagged"),
         label="how the pen steps through time",
         term="integrator",
     )
-    feed_goal: bool = knob(True, choices=YES_NO, label="the pen knows that its goal moved", term="goal feed-forward")
+    feed_goal: bool = knob(
+        True, choices=YES_NO, label="the pen knows that its goal moved", term="goal feed-forward"
+    )
     smoothing: float | None = knob(
-        10.0, optional=True, low=2.0, high=60.0, label="what counts as trembling", term="smoothing [Hz]"
+        10.0,
+        optional=True,
+        low=2.0,
+        high=60.0,
+        label="what counts as trembling",
+        term="smoothing [Hz]",
     )
     sharpen: bool = knob(True, choices=YES_NO, label="bends are kept sharp", term="sharpening")
     samples_per_kernel: float | None = knob(
-        None, optional=True, low=1.0, high=100.0, label="how many samples share a bump", term="samples per kernel"
+        None,
+        optional=True,
+        low=1.0,
+        high=100.0,
+        label="how many samples share a bump",
+        term="samples per kernel",
     )
-    kernel: str = knob("gaussian", choices=("gaussian", "mollifier"), label="what shape a bump has", term="kernel")
+    kernel: str = knob(
+        "gaussian", choices=("gaussian", "mollifier"), label="what shape a bump has", term="kernel"
+    )
     kernel_centers: str = knob(
-        "middles", choices=("middles", "phases", "ends", "grid"), label="where the bumps stand", term="kernel centres"
+        "middles",
+        choices=("middles", "phases", "ends", "grid"),
+        label="where the bumps stand",
+        term="kernel centres",
     )
-    kernel_sides: str = knob("both", choices=("both", "one"), label="which sides a bump ends on", term="kernel sides")
+    kernel_sides: str = knob(
+        "both", choices=("both", "one"), label="which sides a bump ends on", term="kernel sides"
+    )
     alpha_per_second: float | None = knob(
         None,
         optional=True,
@@ -95,16 +142,30 @@ class Settings:
         label="how stiff the spring is in a second",
         term="stiffness per second",
     )
-    damping: float = knob(1.0, low=0.1, high=2.0, label="how little the spring swings", term="damping ratio")
-    phase_middle: float = knob(
-        0.75, low=0.5, high=0.9, label="when a sigmoid clock is half over", term="middle of the sigmoid"
+    damping: float = knob(
+        1.0, low=0.1, high=2.0, label="how little the spring swings", term="damping ratio"
     )
-    divide: bool = knob(True, choices=YES_NO, label="the push is learned in its own units", term="division of F")
+    phase_middle: float = knob(
+        0.75,
+        low=0.5,
+        high=0.9,
+        label="when a sigmoid clock is half over",
+        term="middle of the sigmoid",
+    )
+    divide: bool = knob(
+        True, choices=YES_NO, label="the push is learned in its own units", term="division of F"
+    )
     derivatives: str = knob(
-        "inverse", choices=("inverse", "central"), label="how speeds are read off the ink", term="derivatives"
+        "inverse",
+        choices=("inverse", "central"),
+        label="how speeds are read off the ink",
+        term="derivatives",
     )
     start_velocity: str = knob(
-        "fitted", choices=("fitted", "measured"), label="how fast the pen starts", term="start velocity"
+        "fitted",
+        choices=("fitted", "measured"),
+        label="how fast the pen starts",
+        term="start velocity",
     )
 
     def __post_init__(self) -> None:
@@ -151,7 +212,9 @@ class Settings:
     @classmethod
     def _preset(cls, name: str, changes: dict[str, Any]) -> Self:
         """A preset with `changes`, or a sentence that names the settings that exist."""
-        changed = _unchanged(cls, name)._with(**{each: knob_of(each).checked(value) for each, value in changes.items()})
+        changed = _unchanged(cls, name)._with(
+            **{each: knob_of(each).checked(value) for each, value in changes.items()}
+        )
         _refuse_what_does_not_go_together(changed)
         return changed
 
@@ -175,7 +238,9 @@ class Settings:
         if alpha is None:
             most = min(MOST_ALPHA, most_alpha(self.damping))
             given = self.alpha_per_second
-            alpha = max(12.0, self.alpha_per_kernel * n_kernels) if given is None else given * duration
+            alpha = (
+                max(12.0, self.alpha_per_kernel * n_kernels) if given is None else given * duration
+            )
             alpha = min(max(LEAST_ALPHA, alpha), most)
         return self._with(n_kernels=n_kernels, alpha=float(alpha))
 
@@ -205,7 +270,9 @@ def _refuse_what_does_not_go_together(settings: Settings) -> None:
             f"kernel is 'mollifier' and kernel_sigma is {settings.kernel_sigma:g}, but a mollifier has no sigma, its "
             "width alone shapes it: give kernel_sigma=math.inf."
         )
-    if settings.kernel_sides == "one" and (math.isinf(settings.kernel_width) or settings.kernel == "mollifier"):
+    if settings.kernel_sides == "one" and (
+        math.isinf(settings.kernel_width) or settings.kernel == "mollifier"
+    ):
         raise SettingError(
             f"kernel_sides is 'one', but this {settings.kernel} of kernel_width {settings.kernel_width:g} cannot be "
             "left open on one side: give kernel='gaussian' and kernel_width a number, or kernel_sides='both'."

@@ -21,3 +21,7 @@ Read in this order:
       fitting         size, place and lean (`mapping`: by least squares; `trimming`: without a piece that is missing)
       faults          what to say first; `distances`: shape; `movement`: smoothness
 """
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

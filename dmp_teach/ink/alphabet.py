@@ -1,12 +1,14 @@
 """Our own alphabets: a recording a letter or sign, `assets/alphabets/<alphabet>/<kind>_<letter>.json`."""
 
+from __future__ import annotations
+
 import re
 from unicodedata import name, normalize
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.ink.our_json import read_json
+from dmp_teach.files import ASSETS
 from dmp_teach.ink.recording import Recording
-from dmp_teach.paths import ASSETS
+from dmp_teach.ink.recording_json import read_json
 
 FOLDER = ASSETS / "alphabets"
 DEFAULT = "round"
@@ -22,7 +24,9 @@ def alphabets() -> tuple[str, ...]:
     """
     names = [folder.name for folder in FOLDER.glob("*") if any(folder.glob("*.json"))]
     if not names:
-        raise RecordingError(f"There is no alphabet in {FOLDER}; make ours with `python3 assets/make_alphabets.py`.")
+        raise RecordingError(
+            f"There is no alphabet in {FOLDER}; make ours with `python3 assets/make_alphabets.py`."
+        )
     return tuple(sorted(names, key=lambda name: (name != DEFAULT, name)))
 
 
@@ -36,7 +40,10 @@ def characters(alphabet: str | None = None) -> tuple[str, ...]:
         RecordingError: No alphabet of that name; names those that there are.
     """
     found = [(kind, letter) for kind, letter in _files(alphabet) if kind in KINDS]
-    return tuple(letter for _, letter in sorted(found, key=lambda f: (not f[1].isascii(), KINDS.index(f[0]), f[1])))
+    return tuple(
+        letter
+        for _, letter in sorted(found, key=lambda f: (not f[1].isascii(), KINDS.index(f[0]), f[1]))
+    )
 
 
 def signs(alphabet: str | None = None) -> tuple[str, ...]:
@@ -66,7 +73,9 @@ def recording_of(character: str, alphabet: str | None = None) -> Recording:
     folder = _known(alphabet)
     known = characters(folder) + signs(folder)
     if not isinstance(character, str) or normalize("NFC", character) not in known:
-        raise RecordingError(f"The alphabet {folder!r} has no {character!r}; it has: {' '.join(known)}.")
+        raise RecordingError(
+            f"The alphabet {folder!r} has no {character!r}; it has: {' '.join(known)}."
+        )
     return read_json(FOLDER / folder / file_name(character))
 
 
@@ -83,7 +92,9 @@ def file_name(character: str) -> str:
     if len(letter) == 1 and letter in SIGNS:
         return f"sign_{name(letter).lower().replace(' ', '_')}.json"
     if len(letter) != 1 or not letter.isalnum():
-        raise RecordingError(f"character is {character!r}, but must be one letter or digit, such as 'a', or of {SIGNS}")
+        raise RecordingError(
+            f"character is {character!r}, but must be one letter or digit, such as 'a', or of {SIGNS}"
+        )
     kind = "digit" if letter.isdigit() else "capital" if letter.isupper() else "small"
     return f"{kind}_{letter if letter.isascii() else f'u{ord(letter):04x}'}.json"
 

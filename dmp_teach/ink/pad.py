@@ -5,6 +5,8 @@ the pointer rests; it knows nothing of the pen in the air. So each stroke is cle
 lift before it. The curve goes through every point that was caught and nowhere beyond them: nothing is smoothed.
 """
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -13,7 +15,7 @@ from numpy.typing import ArrayLike
 from scipy.interpolate import PchipInterpolator
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.ink.lifts import with_lifts
+from dmp_teach.ink.pen_lifts import with_lifts
 from dmp_teach.ink.recording import Recording
 from dmp_teach.trajectory import Array, Trajectory
 
@@ -90,7 +92,9 @@ def pad_stroke(points: ArrayLike, pressed: bool = False) -> PadStroke:
     t = t[0] + np.concatenate([[0.0], np.cumsum(np.minimum(np.diff(t), JUMP))])
     t, rows = _with_rests(t, rows)
     if t[-1] - t[0] > LONGEST:
-        raise RecordingError(f"The stroke took {t[-1] - t[0]:.0f} s, but one stroke takes at most {LONGEST:.0f} s.")
+        raise RecordingError(
+            f"The stroke took {t[-1] - t[0]:.0f} s, but one stroke takes at most {LONGEST:.0f} s."
+        )
     t, rows = _held(t, rows)
     even = np.linspace(t[0], t[-1], round((t[-1] - t[0]) * RATE) + 1)
     drawn = PchipInterpolator(t, rows)(even)
@@ -128,17 +132,25 @@ def _checked(points: ArrayLike) -> Array:
     except (TypeError, ValueError):
         events = np.empty(0)
     if events.ndim != 2 or events.shape[1:] != (4,) or not len(events):
-        raise RecordingError(f"A stroke is rows of t, x, y and pressure, at least one, but got shape {events.shape}.")
+        raise RecordingError(
+            f"A stroke is rows of t, x, y and pressure, at least one, but got shape {events.shape}."
+        )
     if len(events) > MOST:
-        raise RecordingError(f"The stroke has {len(events)} points, but one stroke has at most {MOST}.")
+        raise RecordingError(
+            f"The stroke has {len(events)} points, but one stroke has at most {MOST}."
+        )
     if not np.isfinite(events).all():
         raise RecordingError("The stroke has points that are no numbers; write it again.")
     farthest = float(np.abs(events[:, 1:3]).max())
     if farthest > LARGEST:
-        raise RecordingError(f"The stroke has a point {farthest:.3g} m away, but a pad reaches {LARGEST} m at most.")
+        raise RecordingError(
+            f"The stroke has a point {farthest:.3g} m away, but a pad reaches {LARGEST} m at most."
+        )
     back = float((np.maximum.accumulate(events[:, 0]) - events[:, 0]).max())
     if back > BACK:
-        raise RecordingError(f"The pad's clock ran backwards by {back:.3g} s within a stroke; write it again.")
+        raise RecordingError(
+            f"The pad's clock ran backwards by {back:.3g} s within a stroke; write it again."
+        )
     return events
 
 
@@ -160,7 +172,9 @@ def _unseen(places: Array) -> float:
 def _with_rests(t: Array, rows: Array) -> tuple[Array, Array]:
     """The same with a point more where the pointer was silent: it stood still until a frame before it moved."""
     silent = np.flatnonzero(np.diff(t) > REST)
-    return np.insert(t, silent + 1, t[silent + 1] - FRAME), np.insert(rows, silent + 1, rows[silent], axis=0)
+    return np.insert(t, silent + 1, t[silent + 1] - FRAME), np.insert(
+        rows, silent + 1, rows[silent], axis=0
+    )
 
 
 def _held(t: Array, rows: Array) -> tuple[Array, Array]:
@@ -168,5 +182,9 @@ def _held(t: Array, rows: Array) -> tuple[Array, Array]:
     if t[-1] - t[0] >= DOWN:
         return t, rows
     if len(t) > 1 and np.linalg.norm(rows[:, :2] - rows[0, :2], axis=1).max() > DOT:
-        return (t, rows) if t[-1] - t[0] >= 2 / RATE else (t[0] + np.linspace(0, 2 / RATE, len(t)), rows)
+        return (
+            (t, rows)
+            if t[-1] - t[0] >= 2 / RATE
+            else (t[0] + np.linspace(0, 2 / RATE, len(t)), rows)
+        )
     return np.append(t, t[0] + DOWN), np.vstack([rows, rows[-1]])

@@ -1,5 +1,7 @@
 """What a person wrote: where the pen was, and when, before anybody smooths or cuts it."""
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Self
@@ -8,9 +10,9 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.ink import cuts
-from dmp_teach.ink.drawing import svg_of
-from dmp_teach.ink.printed_rules import rule_named
+from dmp_teach.ink.svg_repr import svg_of
+from dmp_teach.segmentation import manual_cuts as cuts
+from dmp_teach.segmentation import rule_named
 from dmp_teach.trajectory import Array, Trajectory, locked
 
 
@@ -69,7 +71,9 @@ class Recording:
         """From the first sample to the last [s]."""
         return float(self.t[-1] - self.t[0])
 
-    def strokes(self, theta: float = 0.10, sigma: float = 0.006, rule: str = "foot") -> tuple[Trajectory, ...]:
+    def strokes(
+        self, theta: float = 0.10, sigma: float = 0.006, rule: str = "foot"
+    ) -> tuple[Trajectory, ...]:
         """The parts that left ink, in the order in which they were written.
 
         Strokes that the file or the pad gave, or that were cut by hand, are kept as they are, whatever theta, sigma and
@@ -80,7 +84,7 @@ class Recording:
             sigma: How high it must rise to have left the paper: by the rule "foot" over the foot of its own lift, by
                 the other two over the mean height of the recording [m].
             rule: "foot" (works), or the paper's: "printed" to the letter, "authors" as they meant it
-                (`dmp_teach.ink.printed_rules` says what we take them to be).
+                (`dmp_teach.segmentation.paper_rules` says what we take them to be).
 
         Returns:
             2-D trajectories on this recording's clock: the raw samples, never smoothed.
@@ -89,7 +93,10 @@ class Recording:
             SettingError: theta or sigma is not a positive number, or there is no such rule.
             RecordingError: Nothing was written.
         """
-        return tuple(Trajectory(self.t[a:b], self.position[a:b, :2]) for a, b in self._spans(theta, sigma, rule))
+        return tuple(
+            Trajectory(self.t[a:b], self.position[a:b, :2])
+            for a, b in self._spans(theta, sigma, rule)
+        )
 
     def with_strokes(self, times: Sequence[tuple[float, float]] | None) -> Self:
         """The recording with its strokes cut by hand, and kept so from now on: learned, and written to files.
@@ -128,7 +135,9 @@ class Recording:
         """The recording without one of its strokes; refused for the only one."""
         return replace(self, given_strokes=cuts.without(self._spans(), stroke))
 
-    def _spans(self, theta: float = 0.10, sigma: float = 0.006, rule: str = "foot") -> tuple[tuple[int, int], ...]:
+    def _spans(
+        self, theta: float = 0.10, sigma: float = 0.006, rule: str = "foot"
+    ) -> tuple[tuple[int, int], ...]:
         """The strokes as pairs (start, end) of samples."""
         found_by = rule_named(rule)
         if self.given_strokes is not None:
@@ -153,7 +162,9 @@ def _checked(spans: tuple[tuple[int, int], ...], samples: int) -> tuple[tuple[in
     """The strokes as plain integers, or an error that names the one that cannot be."""
     pairs = tuple((int(a), int(b)) for a, b in spans)
     if not pairs:
-        raise RecordingError("given_strokes is empty, but a letter has at least one stroke; use None to find them.")
+        raise RecordingError(
+            "given_strokes is empty, but a letter has at least one stroke; use None to find them."
+        )
     ends = np.array([0, *(edge for pair in pairs for edge in pair), samples])
     if (np.diff(ends) < 0).any() or min(b - a for a, b in pairs) < 2:
         raise RecordingError(
@@ -170,7 +181,9 @@ def _checked_pressure(pressure: ArrayLike, samples: int) -> Array:
     except (TypeError, ValueError, OverflowError):
         values = np.empty(0)
     if values.shape != (samples,):
-        raise RecordingError(f"pressure must be one number for every sample, shape ({samples},), or None.")
+        raise RecordingError(
+            f"pressure must be one number for every sample, shape ({samples},), or None."
+        )
     odd = np.flatnonzero(~((values >= 0) & (values <= 1)))
     if len(odd):
         raise RecordingError(

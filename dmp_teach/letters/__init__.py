@@ -9,3 +9,7 @@ Read in this order:
     words       text on one clock: a `hand` gives its letters, `spacing` sets them, `linking` joins them where they meet
                 (`meeting`), `lines` fills a sheet
 """
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

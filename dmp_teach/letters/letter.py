@@ -1,5 +1,7 @@
 """A letter: strokes learned from a person, written again with other starts and goals."""
 
+from __future__ import annotations
+
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
@@ -11,16 +13,14 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from dmp_teach.dmp.joining import joined
-from dmp_teach.dmp.primitive import DMP
-from dmp_teach.dmp.settings import Settings
+from dmp_teach.dmp import DMP, Settings, joined
 from dmp_teach.errors import LetterError, kind_of
-from dmp_teach.ink.drawing import svg_of
-from dmp_teach.ink.points import listed
-from dmp_teach.letters.learning import imitated
-from dmp_teach.letters.piece import Piece
-from dmp_teach.letters.saved import parts_of, to_json
-from dmp_teach.paths import write_whole
+from dmp_teach.files import write_whole
+from dmp_teach.ink import svg_of
+from dmp_teach.letters.compose.piece import Piece
+from dmp_teach.letters.kernel_choice import imitated
+from dmp_teach.letters.letter_json import parts_of, to_json
+from dmp_teach.scoring import listed
 from dmp_teach.trajectory import Array, Trajectory, locked
 
 LIFT = 0.36  # a pen that goes to a stroke of another letter is in the air for this long [s] ...
@@ -92,7 +92,9 @@ class Letter:
         wrong = [each for each in pieces if not isinstance(each, Piece)]
         if wrong or not pieces:
             what = kind_of(wrong[0]) if wrong else "nothing"
-            raise LetterError(f"A letter is composed of strokes from a shelf (Piece), but got {what}.")
+            raise LetterError(
+                f"A letter is composed of strokes from a shelf (Piece), but got {what}."
+            )
         if transform is not None:
             pieces = tuple(piece.using(transform) for piece in pieces)
         begins = _clock(pieces)
@@ -100,12 +102,16 @@ class Letter:
             replace(p.primitive, times=p.primitive.times + (begin - p.primitive.times[0]))
             for p, begin in zip(pieces, begins, strict=True)
         )
-        led = {number: piece.led_to for number, piece in enumerate(pieces) if piece.led_to is not None}
+        led = {
+            number: piece.led_to for number, piece in enumerate(pieces) if piece.led_to is not None
+        }
         made = tuple(p.rollout(goal=led.get(number)) for number, p in enumerate(primitives))
         return cls(made, primitives, led, tuple(piece.name for piece in pieces))
 
     @classmethod
-    def make(cls, character: str, shelf: Any, transform: str | None = None, recipe: str | None = None) -> Self:
+    def make(
+        cls, character: str, shelf: Any, transform: str | None = None, recipe: str | None = None
+    ) -> Self:
         """Make a letter of strokes of other letters, by the table of recipes (`letters/recipes.py`).
 
         Args:
@@ -118,7 +124,7 @@ class Letter:
             LetterError: No recipe, letters that are not on the shelf, or one that cannot be taken apart; says which.
             SettingError: A similarity is to lead a closed stroke.
         """
-        from dmp_teach.letters.recipes import made  # noqa: PLC0415 (it composes letters itself)
+        from dmp_teach.letters.compose.recipes import made  # noqa: PLC0415 (it composes letters itself)
 
         return made(character, shelf, transform, recipe)
 
@@ -217,7 +223,9 @@ class Letter:
         if not (np.isfinite(factor) and factor > 0):
             raise LetterError(f"duration is {duration!r}, but it must be a time longer than 0 s.")
         begin = drawn[0].t[0]
-        return tuple(Trajectory(begin + (stroke.t - begin) * factor, stroke.position) for stroke in drawn)
+        return tuple(
+            Trajectory(begin + (stroke.t - begin) * factor, stroke.position) for stroke in drawn
+        )
 
     def _asked(
         self,
@@ -227,7 +235,10 @@ class Letter:
     ) -> tuple[dict[int, ArrayLike], dict[int, ArrayLike]]:
         """Starts and goals by the number of the stroke, or a sentence."""
         goals = self._by_stroke("goals", goals)
-        starts, shifts = self._by_stroke("starts", starts), self._by_stroke("goal_shifts", goal_shifts)
+        starts, shifts = (
+            self._by_stroke("starts", starts),
+            self._by_stroke("goal_shifts", goal_shifts),
+        )
         for number in goals.keys() & shifts.keys():
             raise LetterError(f"Stroke {number} has a goal and a goal shift; give one of them.")
         for number, shift in shifts.items():
@@ -237,11 +248,15 @@ class Letter:
     def _by_stroke(self, name: str, of: Mapping[int, ArrayLike] | None) -> dict[int, ArrayLike]:
         """What was asked for, by the number of the stroke, or a sentence."""
         if of is not None and not isinstance(of, Mapping):
-            raise LetterError(f"{name} must be a dictionary, stroke number: point [m], but is {kind_of(of)}.")
+            raise LetterError(
+                f"{name} must be a dictionary, stroke number: point [m], but is {kind_of(of)}."
+            )
         for number in of or {}:
             if number not in range(len(self.strokes)):
                 have = ", ".join(map(str, range(len(self.strokes))))
-                raise LetterError(f"{name} names stroke {number!r}, but this letter has stroke {have}.")
+                raise LetterError(
+                    f"{name} names stroke {number!r}, but this letter has stroke {have}."
+                )
         return dict(of or {})
 
     def _shifted(self, number: int, shift: ArrayLike) -> Array:
@@ -281,7 +296,9 @@ def _strokes_of(recording: Any) -> tuple[Trajectory, ...]:
     wrong = [each for each in strokes if not isinstance(each, Trajectory)]
     if wrong or not strokes:
         what = kind_of(wrong[0]) if wrong else "nothing"
-        raise LetterError(f"A letter is learned from a recording or from strokes (Trajectory), but got {what}.")
+        raise LetterError(
+            f"A letter is learned from a recording or from strokes (Trajectory), but got {what}."
+        )
     for number, (before, after) in enumerate(pairwise(strokes), start=1):
         if after.dimensions != before.dimensions:
             raise LetterError(

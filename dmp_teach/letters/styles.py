@@ -1,5 +1,7 @@
 """Style as numbers: what the letters of several writers share, and the ways in which they differ."""
 
+from __future__ import annotations
+
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any, Self
@@ -7,11 +9,11 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from dmp_teach.dmp import asked
-from dmp_teach.dmp.settings import Settings
+from dmp_teach.dmp import Settings
+from dmp_teach.dmp import checks as asked
 from dmp_teach.errors import LetterError
-from dmp_teach.letters.alike import as_letter, learned_alike, letter_of, path_of, row_of
 from dmp_teach.letters.letter import Letter
+from dmp_teach.letters.styles_basis import as_letter, learned_alike, letter_of, path_of, row_of
 from dmp_teach.trajectory import Array, locked
 
 FARTHEST = 3.0
@@ -61,7 +63,9 @@ class Style:
             object.__setattr__(self, name, locked(getattr(self, name)))
 
     @classmethod
-    def of(cls, letters: Iterable[Any], settings: Settings | None = None, same_size: bool = True) -> Self:
+    def of(
+        cls, letters: Iterable[Any], settings: Settings | None = None, same_size: bool = True
+    ) -> Self:
         """Learn a style.
 
         Args:
@@ -76,12 +80,20 @@ class Style:
             SettingError: The original transformation.
         """
         if not isinstance(letters, Iterable):
-            raise LetterError(f"A style is learned from letters, but got {letters!r}; give a list of recordings.")
+            raise LetterError(
+                f"A style is learned from letters, but got {letters!r}; give a list of recordings."
+            )
         given = list(letters)
-        characters = dict.fromkeys(repr(each.character) for each in given if getattr(each, "character", None))
+        characters = dict.fromkeys(
+            repr(each.character) for each in given if getattr(each, "character", None)
+        )
         if len(characters) > 1:
-            raise LetterError(f"A style is of one letter, but these are {', '.join(characters)}; give one character's.")
-        writers = tuple(getattr(each, "writer", None) or str(n) for n, each in enumerate(given, start=1))
+            raise LetterError(
+                f"A style is of one letter, but these are {', '.join(characters)}; give one character's."
+            )
+        writers = tuple(
+            getattr(each, "writer", None) or str(n) for n, each in enumerate(given, start=1)
+        )
         if len(set(writers)) < len(writers):
             writers = tuple(f"{writer}.{n}" for n, writer in enumerate(writers, start=1))
         alike = learned_alike([as_letter(each) for each in given], settings, same_size)
@@ -89,12 +101,16 @@ class Style:
         paths = np.array([path_of(letter) for letter in alike])
         count, points = paths.shape[:2]
         mean = rows.mean(axis=0)
-        left, sizes, _ = np.linalg.svd((paths - paths.mean(axis=0)).reshape(count, -1), full_matrices=False)
+        left, sizes, _ = np.linalg.svd(
+            (paths - paths.mean(axis=0)).reshape(count, -1), full_matrices=False
+        )
         kept = sizes > 1e-9 * max(sizes[0], 1e-12)
         z = np.sqrt(count - 1) * left[:, kept]
         ways = z.T @ (rows - mean) / (count - 1)
         spread = sizes[kept] / np.sqrt((count - 1) * points)
-        return cls(tuple(alike), writers, mean, ways, z, spread, np.zeros(kept.sum()), np.eye(kept.sum()))
+        return cls(
+            tuple(alike), writers, mean, ways, z, spread, np.zeros(kept.sum()), np.eye(kept.sum())
+        )
 
     @property
     def mean(self) -> Letter:
@@ -117,12 +133,18 @@ class Style:
             LetterError: No such writer, a share larger than `BOLDEST`, or shares whose sum is not 1.
         """
         if not isinstance(shares, Mapping):
-            raise LetterError(f"shares is {shares!r}, but must be a dictionary, writer: share, such as {{'w01': 1.0}}.")
+            raise LetterError(
+                f"shares is {shares!r}, but must be a dictionary, writer: share, such as {{'w01': 1.0}}."
+            )
         weights = np.zeros(len(self.writers))
         for writer, share in shares.items():
-            weights[self._number(writer)] += _within(f"The share of {writer}", share, (-BOLDEST, BOLDEST))
+            weights[self._number(writer)] += _within(
+                f"The share of {writer}", share, (-BOLDEST, BOLDEST)
+            )
         if not abs(weights.sum() - 1) < 1e-6:
-            raise LetterError(f"The shares add up to {weights.sum():g}, but must add up to 1, such as 0.7 and 0.3.")
+            raise LetterError(
+                f"The shares add up to {weights.sum():g}, but must add up to 1, such as 0.7 and 0.3."
+            )
         return self._drawn(weights @ self.coordinates)
 
     def morph(self, one: str, other: str, part: float) -> Letter:
@@ -146,7 +168,9 @@ class Style:
         """
         z = np.atleast_1d(_within("coordinates", coordinates, (-FARTHEST, FARTHEST)))
         if z.ndim > 1 or len(z) > len(self.spread):
-            raise LetterError(f"coordinates has shape {z.shape}, but there are {len(self.spread)} principal styles.")
+            raise LetterError(
+                f"coordinates has shape {z.shape}, but there are {len(self.spread)} principal styles."
+            )
         return self._drawn(np.pad(z, (0, len(self.spread) - len(z))))
 
     def sample(self, rng: np.random.Generator) -> Letter:
@@ -156,7 +180,9 @@ class Style:
             LetterError: Not a generator of NumPy's.
         """
         if not isinstance(rng, np.random.Generator):
-            raise LetterError(f"rng is {rng!r}, but must be a generator, such as np.random.default_rng(1).")
+            raise LetterError(
+                f"rng is {rng!r}, but must be a generator, such as np.random.default_rng(1)."
+            )
         return self._drawn(rng.multivariate_normal(self.centre, self.covariance, method="eigh"))
 
     def through(self, stroke: int, part: float, point: ArrayLike, near: float = 5e-4) -> Self:
@@ -178,8 +204,12 @@ class Style:
         part, near = float(_within("part", part, (0, 1))), float(_within("near", near, (1e-6, 1)))
         place = asked.point("point", point, 2)
         middle = self._place(np.zeros_like(self.centre), stroke, part)
-        H = np.array([self._place(unit, stroke, part) - middle for unit in np.eye(len(self.centre))]).T
-        gain = self.covariance @ H.T @ np.linalg.inv(H @ self.covariance @ H.T + near**2 * np.eye(2))
+        H = np.array(
+            [self._place(unit, stroke, part) - middle for unit in np.eye(len(self.centre))]
+        ).T
+        gain = (
+            self.covariance @ H.T @ np.linalg.inv(H @ self.covariance @ H.T + near**2 * np.eye(2))
+        )
         centre = self.centre + gain @ (place - middle - H @ self.centre)
         return replace(self, centre=centre, covariance=self.covariance - gain @ H @ self.covariance)
 
@@ -192,7 +222,9 @@ class Style:
     def _number(self, writer: str) -> int:
         """Which letter is this writer's."""
         if writer not in self.writers:
-            raise LetterError(f"There is no letter by {writer!r} in this style; there are: {', '.join(self.writers)}.")
+            raise LetterError(
+                f"There is no letter by {writer!r} in this style; there are: {', '.join(self.writers)}."
+            )
         return self.writers.index(writer)
 
     def _drawn(self, z: Array) -> Letter:

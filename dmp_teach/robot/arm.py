@@ -1,5 +1,7 @@
 """The arm in PlaCo's hands: joints that put the pen where it should be. Nothing else of this house knows of PlaCo."""
 
+from __future__ import annotations
+
 import threading
 from collections.abc import Callable, Sequence
 from functools import lru_cache
@@ -9,11 +11,11 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from dmp_teach.errors import MissingPartError
-from dmp_teach.paths import ASSETS
-from dmp_teach.robot.model import REST, Model
-from dmp_teach.robot.plan import RATE
+from dmp_teach.files import ASSETS
+from dmp_teach.robot.model.kinematics import REST, Model
+from dmp_teach.robot.model.solids import bare_urdf
+from dmp_teach.robot.pen_path import RATE
 from dmp_teach.robot.quiet import quiet
-from dmp_teach.robot.solids import bare_urdf
 from dmp_teach.trajectory import Array
 
 JOINTS = (
@@ -59,7 +61,9 @@ class Solver:
                 self.mask(name)
         solver.enable_joint_limits(True)
         self._tip = solver.add_position_task("pen_tip", np.zeros(3))
-        self._axis = solver.add_axisalign_task("pen_tip", np.array([0.0, 0.0, 1.0]), np.array([0.0, 0.0, -1.0]))
+        self._axis = solver.add_axisalign_task(
+            "pen_tip", np.array([0.0, 0.0, 1.0]), np.array([0.0, 0.0, -1.0])
+        )
         self._posture = solver.add_joints_task()
         solver.add_regularization_task(1e-4)
         self.verdicts: dict[Any, Any] = {}
@@ -92,7 +96,9 @@ class Solver:
         self._axis.targetAxis_world = -normal + 1e-9 * np.array([normal[1], normal[2], normal[0]])
         self._tip.configure("tip", "soft", 1.0)
         self._axis.configure("axis", "soft", upright)
-        self._posture.set_joints({name: float(value) for name, value in zip(JOINTS, q, strict=True)})
+        self._posture.set_joints(
+            {name: float(value) for name, value in zip(JOINTS, q, strict=True)}
+        )
         self._posture.configure("posture", "soft", 1e-6)
 
     def go(self, target: Array, steps: int) -> None:
@@ -151,7 +157,8 @@ class Solver:
     def touching(self) -> set[tuple[str, str]]:
         """Pairs of links whose solids are less than twice `KEEP` apart."""
         return {
-            (hit.bodyA.rpartition("_")[0], hit.bodyB.rpartition("_")[0]) for hit in self._robot.self_collisions(False)
+            (hit.bodyA.rpartition("_")[0], hit.bodyB.rpartition("_")[0])
+            for hit in self._robot.self_collisions(False)
         }
 
     def jacobian(self) -> Array:
@@ -163,7 +170,12 @@ class Solver:
         return np.abs(np.diff(q, axis=0)) * RATE / self.fastest
 
     def follow(
-        self, q: ArrayLike, normal: Array, path: Array, report: Callable[[str, float], Any], solves: int = 1
+        self,
+        q: ArrayLike,
+        normal: Array,
+        path: Array,
+        report: Callable[[str, float], Any],
+        solves: int = 1,
     ) -> Array:
         """The joints along a path.
 
@@ -181,7 +193,12 @@ class Solver:
         self.glide(path[0])
         self.settle(path[0])
         states = np.empty((len(path), self.state_size))
-        tip, robot, solve, update = self._tip, self._robot, self._solver.solve, self._robot.update_kinematics
+        tip, robot, solve, update = (
+            self._tip,
+            self._robot,
+            self._solver.solve,
+            self._robot.update_kinematics,
+        )
         for row, target in enumerate(path):
             if row % 60 == 0:
                 report("joints", row / len(path))
@@ -237,9 +254,16 @@ def torques(q: Array, v: Array, a: Array, joint_names: Sequence[str]) -> Array:
     model, columns = _masses(tuple(joint_names))
     states = np.zeros((len(q), model.nq))
     for angle, (at, _, size) in zip(q.T, columns, strict=True):
-        states[:, at : at + size] = angle[:, None] if size == 1 else np.column_stack([np.cos(angle), np.sin(angle)])
+        states[:, at : at + size] = (
+            angle[:, None] if size == 1 else np.column_stack([np.cos(angle), np.sin(angle)])
+        )
     order = [at for _, at, _ in columns]
-    data, needed, speeds, pushes = model.createData(), np.empty_like(v), np.empty_like(v), np.empty_like(v)
+    data, needed, speeds, pushes = (
+        model.createData(),
+        np.empty_like(v),
+        np.empty_like(v),
+        np.empty_like(v),
+    )
     speeds[:, order], pushes[:, order] = v, a
     for row in range(len(states)):
         needed[row] = pinocchio.rnea(model, data, states[row], speeds[row], pushes[row])

@@ -1,5 +1,7 @@
 """The robot that a teacher asks to write."""
 
+from __future__ import annotations
+
 import warnings
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
@@ -11,20 +13,22 @@ from numpy.typing import ArrayLike
 
 from dmp_teach.errors import ReachError, ReachWarning
 from dmp_teach.robot.arm import JOINTS, Solver, solver_here
-from dmp_teach.robot.clearance import LEAST, Near, nearest
-from dmp_teach.robot.cure import cure_for, elsewhere
+from dmp_teach.robot.layout import place
+from dmp_teach.robot.model.proximity import LEAST, Near, nearest
 from dmp_teach.robot.motion import Motion
 from dmp_teach.robot.page import Page
-from dmp_teach.robot.place import place
-from dmp_teach.robot.plan import PenPlan, way_over
-from dmp_teach.robot.reach import Unreachable, stance_for
-from dmp_teach.robot.speed import Clock
-from dmp_teach.robot.stance import STRAINED, TILT, TIP, Stance, examined
+from dmp_teach.robot.pen_path import PenPlan, way_over
+from dmp_teach.robot.reach.check import Unreachable, stance_for
+from dmp_teach.robot.reach.posture import STRAINED, TILT, TIP, Stance, examined
+from dmp_teach.robot.reach.suggest import cure_for, elsewhere
+from dmp_teach.robot.time_scaling import Clock
 from dmp_teach.robot.torque import too_heavy
 from dmp_teach.trajectory import Array, Trajectory
 
 _ROUNDS = 12  # the clock is slowed so often; mostly twice is enough
-_SOLVES = 3  # at most so many solutions a sample; one does, unless that leaves the tip so far off [m]:
+_SOLVES = (
+    3  # at most so many solutions a sample; one does, unless that leaves the tip so far off [m]:
+)
 _NEAR = 3e-5
 
 _FORESEEN = 0.03  # nearer than this to something, a stance may have been refused for it [m]
@@ -77,7 +81,6 @@ class Fetch:
 
         Where the arm is nearly stretched out a `ReachWarning`, and a note, say how far to move the page.
         """
-        report = progress or _silent
         placed, solver = place(strokes, page, at, size), solver_here()
         try:
             motion, strained = _written(solver, page, placed, progress or _silent)
@@ -100,7 +103,9 @@ def _written(
     return motion, next((note for note in stance.notes if strained and "stretched" in note), "")
 
 
-def _refusal(solver: Solver, page: Page, placed: tuple[Trajectory, ...], error: Unreachable) -> ReachError:
+def _refusal(
+    solver: Solver, page: Page, placed: tuple[Trajectory, ...], error: Unreachable
+) -> ReachError:
     """What is wrong, and the first page on which the same ink has been planned."""
     problem = _in_time(solver, page, placed) or error.problem if error.collides else error.problem
     ink = _ink(placed)
@@ -115,7 +120,11 @@ def _refusal(solver: Solver, page: Page, placed: tuple[Trajectory, ...], error: 
 
 
 def _planned(
-    solver: Solver, stance: Stance, page: Page, placed: tuple[Trajectory, ...], report: Progress = _silent
+    solver: Solver,
+    stance: Stance,
+    page: Page,
+    placed: tuple[Trajectory, ...],
+    report: Progress = _silent,
 ) -> Motion:
     """The motion from a stance; `Unreachable` says what is wrong with it."""
     plan, q, poses, slowed = _joints_for(solver, stance, page, placed, report)
@@ -154,7 +163,10 @@ def _joints_for(
         if clock.slowed(solver.speeds(q)):
             continue
         poses = solver.model.link_poses(q, JOINTS)
-        if np.linalg.norm(poses["pen_tip"][:, :3, 3] - path, axis=1).max() < _NEAR or solves == _SOLVES:
+        if (
+            np.linalg.norm(poses["pen_tip"][:, :3, 3] - path, axis=1).max() < _NEAR
+            or solves == _SOLVES
+        ):
             return plan, q, poses, clock.notes
         solves += 1
     raise Unreachable(
@@ -205,5 +217,9 @@ def _told(near: Near) -> str:
     """What comes too near to what, and when."""
     if near.other == "page":
         return str(near)
-    touching = "The arm would touch the robot:" if near.distance < LEAST else "The arm would come too near to the robot:"
+    touching = (
+        "The arm would touch the robot:"
+        if near.distance < LEAST
+        else "The arm would come too near to the robot:"
+    )
     return f"{touching} a{str(near)[1:]}"

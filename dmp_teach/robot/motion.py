@@ -1,5 +1,7 @@
 """What the robot will do: joints, pen tip and ink on one clock."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass, fields
 from functools import cached_property
 

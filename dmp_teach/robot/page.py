@@ -1,5 +1,7 @@
 """The sheet of paper, as the robot sees it."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass
 from typing import Any
 
@@ -40,7 +42,9 @@ class Page:
         R = X[:3, :3]
         rigid = np.allclose(R.T @ R, np.eye(3), atol=1e-9) and np.linalg.det(R) > 0
         if not rigid or not np.allclose(X[3], (0, 0, 0, 1)):
-            raise PageError("X_world_page must be a rigid pose: a rotation, a place, and 0 0 0 1 in its last row.")
+            raise PageError(
+                "X_world_page must be a rigid pose: a rotation, a place, and 0 0 0 1 in its last row."
+            )
         if np.abs(X[:3, 3]).max() > 10:
             place = ", ".join(f"{value:g}" for value in X[:3, 3])
             raise PageError(
@@ -50,7 +54,9 @@ class Page:
             value = finite(name, getattr(self, name), "a length in metres, such as 0.21")
             if not 0.01 <= value <= 2.0:
                 hint = " Is that in millimetres?" if value >= 10 else ""
-                raise PageError(f"The page's {name} is {value:g} m, but must be between 0.01 and 2 m.{hint}")
+                raise PageError(
+                    f"The page's {name} is {value:g} m, but must be between 0.01 and 2 m.{hint}"
+                )
             object.__setattr__(self, name, value)
         object.__setattr__(self, "X_world_page", locked(X))
 
@@ -66,7 +72,7 @@ class Page:
         tilt: float = 0.0,
         turn: float = 0.0,
         yaw: float = 0.0,
-    ) -> "Page":
+    ) -> Page:
         """A sheet on a table or a desk: its right is the world's -y, its up is +x.
 
         Args:
@@ -96,7 +102,7 @@ class Page:
         tilt: float = 0.0,
         turn: float = 0.0,
         yaw: float = 0.0,
-    ) -> "Page":
+    ) -> Page:
         """A sheet on a whiteboard that faces the robot: its right is the world's -y, its up is +z.
 
         Everything else is as for `table`; a board that leans back has a negative `tilt`.
@@ -116,7 +122,10 @@ class Page:
         yaw = np.arctan2(-normal[1], -normal[0]) if np.sin(lean) > 1e-7 else 0.0
         upright = 0.0 if self.kind == "table" else np.pi / 2
         found = []
-        for tilt, about in ((lean - upright, yaw), (-lean - upright, yaw - np.copysign(np.pi, yaw))):
+        for tilt, about in (
+            (lean - upright, yaw),
+            (-lean - upright, yaw - np.copysign(np.pi, yaw)),
+        ):
             straight = _pose(self.kind, (0, 0, 0), tilt, 0.0, about)[:3, :3]
             across = straight.T @ self.X_world_page[:3, 0]
             found.append((float(tilt), float(np.arctan2(across[1], across[0])), float(about)))
@@ -127,7 +136,7 @@ class Page:
         """Width and height, shape (2,) [m]."""
         return np.array([self.width, self.height], dtype=float)
 
-    def moved(self, shift: ArrayLike) -> "Page":
+    def moved(self, shift: ArrayLike) -> Page:
         """The same sheet, its centre shifted by (3,) in the world [m]."""
         X = self.X_world_page.copy()
         X[:3, 3] += np.asarray(shift, dtype=float)
@@ -136,12 +145,23 @@ class Page:
     def __repr__(self) -> str:
         """What one types to get it, to a micrometre."""
         usual = getattr(Page, self.kind)()
-        said = dict(zip("xyz", zip(self.X_world_page[:3, 3], usual.X_world_page[:3, 3], strict=True), strict=True))
+        said = dict(
+            zip(
+                "xyz",
+                zip(self.X_world_page[:3, 3], usual.X_world_page[:3, 3], strict=True),
+                strict=True,
+            )
+        )
         if tuple(self.size) != A4:
             said |= {"width": (self.width, np.inf), "height": (self.height, np.inf)}
-        said |= {name: (value, 0.0) for name, value in zip(("tilt", "turn", "yaw"), self.angles, strict=True)}
+        said |= {
+            name: (value, 0.0)
+            for name, value in zip(("tilt", "turn", "yaw"), self.angles, strict=True)
+        }
         words = [
-            f"{name}={round(value, 6):.7g}" for name, (value, left_out) in said.items() if abs(value - left_out) > 5e-7
+            f"{name}={round(value, 6):.7g}"
+            for name, (value, left_out) in said.items()
+            if abs(value - left_out) > 5e-7
         ]
         return f"Page.{self.kind}({', '.join(words)})"
 
@@ -177,7 +197,8 @@ def _pose(kind: str, centre: tuple[Any, Any, Any], tilt: Any, turn: Any, yaw: An
     """The pose (4, 4) of a sheet on a table or a board."""
     X = np.eye(4)
     X[:3, 3] = [
-        finite(name, value, "a place in metres, such as 0.7") for name, value in zip("xyz", centre, strict=True)
+        finite(name, value, "a place in metres, such as 0.7")
+        for name, value in zip("xyz", centre, strict=True)
     ]
     tilt, turn, yaw = (_angle(*given) for given in (("tilt", tilt), ("turn", turn), ("yaw", yaw)))
     about_the_vertical = Rotation.from_euler("Z", yaw).as_matrix()

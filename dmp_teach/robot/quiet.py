@@ -1,5 +1,7 @@
 """Silence for libraries that print past Python."""
 
+from __future__ import annotations
+
 import contextlib
 import ctypes
 import os
@@ -7,7 +9,9 @@ import sys
 import threading
 from collections.abc import Iterator
 
-_one_at_a_time = threading.Lock()  # two at once would each put back what the other has put there: silence for ever
+_one_at_a_time = (
+    threading.Lock()
+)  # two at once would each put back what the other has put there: silence for ever
 
 
 @contextlib.contextmanager
@@ -31,5 +35,7 @@ def quiet() -> Iterator[None]:
 
 def _flush() -> None:
     """Let C write what it has kept, so that it does not come out later."""
-    with contextlib.suppress(OSError, AttributeError, TypeError):  # Windows has another name for its library
+    with contextlib.suppress(
+        OSError, AttributeError, TypeError
+    ):  # Windows has another name for its library
         ctypes.CDLL(None).fflush(None)

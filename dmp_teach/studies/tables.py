@@ -1,5 +1,7 @@
 """Rows that a student can read: as text, and as HTML in a notebook."""
 
+from __future__ import annotations
+
 import html
 from collections.abc import Mapping, Sequence
 from textwrap import wrap
@@ -42,7 +44,9 @@ def text_table(rows: Rows, widths: Mapping[str, int] | None = None, apart: bool 
             lines.append("")
         for k in range(max(map(len, row))):
             words = [cell[k] if k < len(cell) else "" for cell in row]
-            aligned = [w.rjust(n) if r else w.ljust(n) for w, n, r in zip(words, wide, right, strict=True)]
+            aligned = [
+                w.rjust(n) if r else w.ljust(n) for w, n, r in zip(words, wide, right, strict=True)
+            ]
             lines.append("  ".join(aligned).rstrip())
         if number == 0:
             lines.append("  ".join("-" * n for n in wide))
@@ -59,7 +63,9 @@ def html_table(rows: Rows, marks: Mapping[str, str] | None = None) -> str:
     for row in rows:
         cells = [(shown(value), (marks or {}).get(str(value), "")) for value in row.values()]
         body += (
-            "<tr>" + "".join(f'<td style="{left};{mark}">{html.escape(cell)}</td>' for cell, mark in cells) + "</tr>"
+            "<tr>"
+            + "".join(f'<td style="{left};{mark}">{html.escape(cell)}</td>' for cell, mark in cells)
+            + "</tr>"
         )
     return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
 

@@ -20,8 +20,8 @@ import scipy
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import TeachError
+from dmp_teach.formats.read import read_recording
 from dmp_teach.ink.alphabet import recording_of
-from dmp_teach.ink.reader import read_recording
 from dmp_teach.letters.letter import Letter
 from dmp_teach.trajectory import Trajectory
 from tests.benchmarks.classroom import classroom
@@ -31,7 +31,7 @@ from tests.benchmarks.measure import Times, exponent, in_turns, peak_memory, rms
 from tests.benchmarks.writing import lines as writing_lines
 from tests.benchmarks.writing import writing
 from tests.dmp.ink import letter
-from tests.ink.motive_csv import Pen, bar, bowl, lab, motive
+from tests.formats.motive_csv import Pen, bar, bowl, lab, motive
 
 SAMPLES, KERNELS = 300, 30
 SHIFT = np.array([0.03, -0.02])  # of the goal [m]
@@ -50,10 +50,18 @@ def race(contenders: list[Contender], turns: int) -> list[dict[str, Any]]:
     """A row a contender: fit and rollout, and a rollout with only the goal changed."""
     shown = the_letter()
     learned = {each.name: each.learn(shown) for each in contenders}
-    errors = {each.name: rms(each.draw(learned[each.name], None), shown.position) for each in contenders}
+    errors = {
+        each.name: rms(each.draw(learned[each.name], None), shown.position) for each in contenders
+    }
     goal = shown.position[-1] + SHIFT
-    scratch = in_turns({each.name: lambda each=each: each.draw(each.learn(shown), None) for each in contenders}, turns)
-    moved = in_turns({each.name: lambda each=each: each.draw(learned[each.name], goal) for each in contenders}, turns)
+    scratch = in_turns(
+        {each.name: lambda each=each: each.draw(each.learn(shown), None) for each in contenders},
+        turns,
+    )
+    moved = in_turns(
+        {each.name: lambda each=each: each.draw(learned[each.name], goal) for each in contenders},
+        turns,
+    )
     first = contenders[0].name
     return [
         {
@@ -68,7 +76,13 @@ def race(contenders: list[Contender], turns: int) -> list[dict[str, Any]]:
 
 def _figures(times: Times, of_ours: Times, bound: float) -> dict[str, float]:
     ratio, low, high = times.times_longer_than(of_ours)
-    return {"seconds": times.median, "ratio": ratio, "lower_quartile": low, "upper_quartile": high, "bound": bound}
+    return {
+        "seconds": times.median,
+        "ratio": ratio,
+        "lower_quartile": low,
+        "upper_quartile": high,
+        "bound": bound,
+    }
 
 
 def growth(turns: int) -> dict[str, Any]:
@@ -83,7 +97,10 @@ def growth(turns: int) -> dict[str, Any]:
     by_samples = in_turns({n: learned_and_drawn(n, n // 10) for n in sizes}, turns)
     by_kernels = in_turns({kernels: learned_and_drawn(MOST, kernels) for kernels in numbers}, turns)
     memory = [peak_memory(learned_and_drawn(n, n // 10)) for n in sizes]
-    seconds, more = [by_samples[n].median for n in sizes], [by_kernels[kernels].median for kernels in numbers]
+    seconds, more = (
+        [by_samples[n].median for n in sizes],
+        [by_kernels[kernels].median for kernels in numbers],
+    )
     return {
         "samples": sizes,
         "seconds_by_samples": seconds,
@@ -107,7 +124,10 @@ def real_time(turns: int) -> list[dict[str, Any]]:
             "learning and writing, star": lambda: Letter.learn(recording).write(),
         }
         took = {name: each.median for name, each in in_turns(tasks, turns).items()}
-    return [{"name": name, "seconds": s, "times_real_time": recording.duration / s} for name, s in took.items()]
+    return [
+        {"name": name, "seconds": s, "times_real_time": recording.duration / s}
+        for name, s in took.items()
+    ]
 
 
 def _writing(turns: int) -> tuple[list[dict[str, Any]], list[str]]:
@@ -133,8 +153,14 @@ def printed(results: dict[str, Any]) -> str:
         cells = "".join(f"{_cell(row[part]):<43}" for part in ("fit_and_rollout", "goal_changed"))
         lines.append(f"{row['name']:38}{row['error_mm']:6.2f} mm  {cells}".rstrip())
     grown = results["growth"]
-    lines += ["", "Fit and rollout, star, N = n/10", f"{'n':>8}{'time':>12}{'memory':>12}{'a sample':>12}"]
-    for n, seconds, peak in zip(grown["samples"], grown["seconds_by_samples"], grown["peak_bytes"], strict=True):
+    lines += [
+        "",
+        "Fit and rollout, star, N = n/10",
+        f"{'n':>8}{'time':>12}{'memory':>12}{'a sample':>12}",
+    ]
+    for n, seconds, peak in zip(
+        grown["samples"], grown["seconds_by_samples"], grown["peak_bytes"], strict=True
+    ):
         lines.append(f"{n:8}{1e3 * seconds:9.3f} ms{peak / 1e6:9.3f} MB{peak / n:10.0f} B")
     lines += ["", f"The same, n = {MOST}", f"{'N':>8}{'time':>12}"]
     for kernels, seconds in zip(grown["kernels"], grown["seconds_by_kernels"], strict=True):
@@ -146,8 +172,12 @@ def printed(results: dict[str, Any]) -> str:
     ]
     lines += ["", "A D from motion capture, beside the time that its writer took"]
     for row in results["real_time"]:
-        lines.append(f"{row['name']:35}{1e3 * row['seconds']:10.3f} ms{row['times_real_time']:10.1f} times faster")
-    return "\n".join(lines + classroom_lines(results["classroom"]) + writing_lines(results["writing"]))
+        lines.append(
+            f"{row['name']:35}{1e3 * row['seconds']:10.3f} ms{row['times_real_time']:10.1f} times faster"
+        )
+    return "\n".join(
+        lines + classroom_lines(results["classroom"]) + writing_lines(results["writing"])
+    )
 
 
 def _cell(figures: dict[str, float]) -> str:
@@ -161,8 +191,12 @@ def _cell(figures: dict[str, float]) -> str:
 
 def main(arguments: list[str] | None = None) -> None:
     """Measure, print, and write the figures where asked."""
-    asked = argparse.ArgumentParser(prog="python -m tests.benchmarks", description=__doc__.splitlines()[0])
-    asked.add_argument("--turns", type=int, default=40, help="how often everything is measured (default 40)")
+    asked = argparse.ArgumentParser(
+        prog="python -m tests.benchmarks", description=__doc__.splitlines()[0]
+    )
+    asked.add_argument(
+        "--turns", type=int, default=40, help="how often everything is measured (default 40)"
+    )
     asked.add_argument("--json", type=Path, help="where to write the figures, too")
     options = asked.parse_args(arguments)
     warnings.simplefilter("ignore", RuntimeWarning)

@@ -26,7 +26,9 @@ ALPHABET = "round"
 
 def classroom(pupils: Sequence[int] = PUPILS, characters: str = CHARACTERS) -> dict[str, Any]:
     """Seconds of every step by the number of pupils, how a letter's time grows with the class, and memory."""
-    models = {character: teach.recording_of(character, ALPHABET).strokes() for character in characters}
+    models = {
+        character: teach.recording_of(character, ALPHABET).strokes() for character in characters
+    }
     with tempfile.TemporaryDirectory() as folder:
         files = [written(Path(folder), pupil, characters) for pupil in range(max(pupils))]
         taken(files[0], models)  # loads and warms up
@@ -40,7 +42,9 @@ def classroom(pupils: Sequence[int] = PUPILS, characters: str = CHARACTERS) -> d
         "seconds": {name: [steps[count][name] for count in pupils] for name in steps[pupils[0]]},
         "seconds_a_letter": whole,
         "exponent_of_a_letter": exponent(list(pupils), whole) if len(pupils) > 1 else 0.0,
-        "seconds_of_a_style": {n: _seconds(lambda n=n: teach.Style.of(takes[:n])) for n in pupils if n > 1},
+        "seconds_of_a_style": {
+            n: _seconds(lambda n=n: teach.Style.of(takes[:n])) for n in pupils if n > 1
+        },
         "bytes_of_a_pupil": memory,
     }
 
@@ -61,14 +65,18 @@ def written(folder: Path, pupil: int, characters: str) -> list[Path]:
     return files
 
 
-def taken(files: Sequence[Path], models: dict[str, Any]) -> tuple[dict[str, float], dict[str, list]]:
+def taken(
+    files: Sequence[Path], models: dict[str, Any]
+) -> tuple[dict[str, float], dict[str, list]]:
     """Seconds of processor time for each step over all files, and what the steps gave."""
     kept: dict[str, list] = {}
     steps: dict[str, Callable[[int], Any]] = {
         "reading": lambda k: teach.read_recording(files[k]),
         "segmenting": lambda k: kept["reading"][k].strokes(),
         "learning": lambda k: teach.Letter.learn(kept["segmenting"][k]),
-        "scoring": lambda k: teach.score(kept["segmenting"][k], models[kept["reading"][k].character]),
+        "scoring": lambda k: teach.score(
+            kept["segmenting"][k], models[kept["reading"][k].character]
+        ),
     }
     seconds = {}
     for name, step in steps.items():
@@ -78,7 +86,9 @@ def taken(files: Sequence[Path], models: dict[str, Any]) -> tuple[dict[str, floa
     return seconds, kept
 
 
-def _quickest(files: list[list[Path]], models: dict[str, Any], pupils: Sequence[int]) -> dict[int, dict[str, float]]:
+def _quickest(
+    files: list[list[Path]], models: dict[str, Any], pupils: Sequence[int]
+) -> dict[int, dict[str, float]]:
     """The shorter of two tries of every step for each size of class: up through the sizes, then down.
 
     What else the computer does in the meantime slows all of them alike, not the larger classes only.
@@ -87,7 +97,10 @@ def _quickest(files: list[list[Path]], models: dict[str, Any], pupils: Sequence[
     for count in [*pupils, *reversed(pupils)]:
         own = [file for pupil in files[:count] for file in pupil]
         tries.setdefault(count, []).append(taken(own, models)[0])
-    return {count: {name: min(each[name] for each in both) for name in both[0]} for count, both in tries.items()}
+    return {
+        count: {name: min(each[name] for each in both) for name in both[0]}
+        for count, both in tries.items()
+    }
 
 
 def _memory(task: Callable[[], Any]) -> int:
@@ -111,7 +124,11 @@ def _seconds(task: Callable[[], Any]) -> float:
 def lines(found: dict[str, Any]) -> list[str]:
     """The figures as a plain table."""
     heads = "".join(f"{name:>14}" for name in [*found["seconds"], "all", "a letter"])
-    rows = ["", f"A class from its files, {found['letters']} letters by each pupil", f"{'pupils':>8}{heads}"]
+    rows = [
+        "",
+        f"A class from its files, {found['letters']} letters by each pupil",
+        f"{'pupils':>8}{heads}",
+    ]
     for k, count in enumerate(found["pupils"]):
         each = [seconds[k] for seconds in found["seconds"].values()]
         cells = "".join(f"{value:12.2f} s" for value in [*each, sum(each)])
@@ -121,5 +138,12 @@ def lines(found: dict[str, Any]) -> list[str]:
         f"Time for a letter grows with pupils^{found['exponent_of_a_letter']:.2f}. What is kept of a pupil: "
         f"{found['bytes_of_a_pupil'] / 1e6:.1f} MB.",
     ]
-    style = [f"{1e3 * seconds:.0f} ms for {count} pupils" for count, seconds in found["seconds_of_a_style"].items()]
-    return [*rows, f"The style of one letter, learned letters given: {', '.join(style)}."] if style else rows
+    style = [
+        f"{1e3 * seconds:.0f} ms for {count} pupils"
+        for count, seconds in found["seconds_of_a_style"].items()
+    ]
+    return (
+        [*rows, f"The style of one letter, learned letters given: {', '.join(style)}."]
+        if style
+        else rows
+    )

@@ -45,7 +45,11 @@ def ours(kernels: int) -> list[Contender]:
     """Our presets; the first is the default, `star`, and the second the same with all checks of its input, too."""
 
     def contender(name: str, learn: Callable[[Trajectory], Any]) -> Contender:
-        return Contender(f"dmp_teach {name}", learn, lambda primitive, goal: primitive.rollout(goal=goal).position)
+        return Contender(
+            f"dmp_teach {name}",
+            learn,
+            lambda primitive, goal: primitive.rollout(goal=goal).position,
+        )
 
     def with_settings(settings: Settings) -> Callable[[Trajectory], Any]:
         return lambda letter: DMP.imitate(letter, settings)
@@ -53,8 +57,13 @@ def ours(kernels: int) -> list[Contender]:
     def from_arrays(letter: Trajectory) -> Any:
         return DMP.imitate(Trajectory(letter.t, letter.position), Settings.star(n_kernels=kernels))
 
-    star, *more = [(name, getattr(Settings, name)(n_kernels=kernels)) for name in ("star", "joint", "plus")]
-    first = [contender("star", with_settings(star[1])), contender("star, all checks too", from_arrays)]
+    star, *more = [
+        (name, getattr(Settings, name)(n_kernels=kernels)) for name in ("star", "joint", "plus")
+    ]
+    first = [
+        contender("star", with_settings(star[1])),
+        contender("star, all checks too", from_arrays),
+    ]
     return first + [contender(name, with_settings(settings)) for name, settings in more]
 
 
@@ -74,10 +83,16 @@ def _movement_primitives(kernels: int) -> list[Contender]:
     from movement_primitives.dmp import DMP as Theirs  # noqa: PLC0415, N811 (only where it is installed)
     from movement_primitives.dmp_fast import dmp_step  # noqa: F401, PLC0415 (without Cython it is far slower)
 
-    def contender(name: str, stepper: str, least: float = 0, for_goal: float = 0, **about: Any) -> Contender:
+    def contender(
+        name: str, stepper: str, least: float = 0, for_goal: float = 0, **about: Any
+    ) -> Contender:
         def learn(letter: Trajectory) -> Any:
-            settings = {key: value(letter) if callable(value) else value for key, value in about.items()}
-            primitive = Theirs(letter.dimensions, letter.duration, own_step(letter), kernels, **settings)
+            settings = {
+                key: value(letter) if callable(value) else value for key, value in about.items()
+            }
+            primitive = Theirs(
+                letter.dimensions, letter.duration, own_step(letter), kernels, **settings
+            )
             primitive.imitate(letter.t, letter.position)
             return primitive
 
@@ -104,7 +119,9 @@ def _pydmps(kernels: int) -> list[Contender]:
         warnings.simplefilter("ignore")  # its own
         from pydmps.dmp_discrete import DMPs_discrete  # noqa: PLC0415 (only where it is installed)
 
-    def contender(name: str, least: float = 0, for_goal: float = 0, narrower: float = 1.0) -> Contender:
+    def contender(
+        name: str, least: float = 0, for_goal: float = 0, narrower: float = 1.0
+    ) -> Contender:
         def learn(letter: Trajectory) -> Any:
             step = 1 / len(letter)  # its movements last 1 s
             primitive = DMPs_discrete(n_dmps=letter.dimensions, n_bfs=kernels, dt=step)

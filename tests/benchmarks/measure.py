@@ -28,7 +28,9 @@ class Times:
         return self.median / other.median, float(low), float(high)
 
 
-def in_turns(tasks: dict[str, Callable[[], Any]], turns: int, turn: float = 0.02) -> dict[str, Times]:
+def in_turns(
+    tasks: dict[str, Callable[[], Any]], turns: int, turn: float = 0.02
+) -> dict[str, Times]:
     """Measure several things fairly: each turn every task runs for about `turn` [s], one task after the other.
 
     A short task is repeated within its turn, so that neither the clock nor the caches, which the task before it

@@ -14,10 +14,10 @@ from pink import Configuration, build_ik, solve_ik
 from pink.limits import ConfigurationLimit
 from pink.tasks import FrameTask, PostureTask
 
-from dmp_teach.paths import ASSETS
-from dmp_teach.robot.model import REST
+from dmp_teach.files.writing import ASSETS
+from dmp_teach.robot.model.kinematics import REST
 from dmp_teach.robot.motion import Motion
-from dmp_teach.robot.plan import RATE
+from dmp_teach.robot.pen_path import RATE
 from dmp_teach.trajectory import Array
 
 POSITION, AXIS, POSTURE, DAMPING = 1.0, 0.3, 1e-3, 1e-6
@@ -66,12 +66,16 @@ class PinkArm:
         for name in self._names:
             joint = self._model.joints[self._model.getJointId(name)]
             first = states[:, joint.idx_q]
-            columns.append(first if joint.nq == 1 else np.unwrap(np.arctan2(states[:, joint.idx_q + 1], first)))
+            columns.append(
+                first if joint.nq == 1 else np.unwrap(np.arctan2(states[:, joint.idx_q + 1], first))
+            )
         return np.column_stack(columns)
 
 
 def _as_documented(arm: Configuration, tasks: list, limits: list) -> Array:
-    return solve_ik(arm, tasks, 1 / RATE, solver="daqp", damping=DAMPING, limits=limits, safety_break=False)
+    return solve_ik(
+        arm, tasks, 1 / RATE, solver="daqp", damping=DAMPING, limits=limits, safety_break=False
+    )
 
 
 def _straight(arm: Configuration, tasks: list, limits: list) -> Array:
@@ -89,7 +93,9 @@ def _packed(model: pinocchio.Model, positions: dict[str, float]) -> Array:
     state = pinocchio.neutral(model)
     for name, value in positions.items():
         joint = model.joints[model.getJointId(name)]
-        state[joint.idx_q : joint.idx_q + joint.nq] = value if joint.nq == 1 else (np.cos(value), np.sin(value))
+        state[joint.idx_q : joint.idx_q + joint.nq] = (
+            value if joint.nq == 1 else (np.cos(value), np.sin(value))
+        )
     return state
 
 

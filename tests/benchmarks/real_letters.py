@@ -15,11 +15,11 @@ from pathlib import Path
 
 import numpy as np
 
-from dmp_teach.studies.among_real import made_among_real
-from dmp_teach.studies.answers import Attributions
-from dmp_teach.studies.hands import told_apart
-from dmp_teach.studies.material import Written
-from dmp_teach.studies.style import attribution
+from dmp_teach.studies.authorship.answers import Attributions
+from dmp_teach.studies.authorship.made import attribution
+from dmp_teach.studies.authorship.made_among_real import made_among_real
+from dmp_teach.studies.authorship.real import told_apart
+from dmp_teach.studies.inputs import Written
 from dmp_teach.trajectory import Trajectory
 
 INCH = 0.0254  # [m]
@@ -30,7 +30,9 @@ LIFT = 0.3  # between two strokes; the files do not say how long it took [s]
 
 def letters(folder: Path, provider: str) -> list[Written]:
     """Every labelled letter of a provider's writers, but those that the labels call bad."""
-    names = sorted({file.name for kind in KINDS for file in (folder / "data" / kind / provider).glob("*.dat")})
+    names = sorted(
+        {file.name for kind in KINDS for file in (folder / "data" / kind / provider).glob("*.dat")}
+    )
     found = []
     for number, name in enumerate(names):
         lines = components(folder / "include" / provider / "data" / name)
@@ -57,7 +59,9 @@ def components(file: Path) -> list[Trajectory | None]:
         elif down and len(words) >= 2:
             points[-1].append([float(word) for word in words[:2]])
     drawn = [np.array(each) / scale * INCH for each in points]
-    return [Trajectory(np.arange(len(each)) / rate, each) if len(each) > 1 else None for each in drawn]
+    return [
+        Trajectory(np.arange(len(each)) / rate, each) if len(each) > 1 else None for each in drawn
+    ]
 
 
 def _labelled(file: Path, lines: list[Trajectory | None], writer: str) -> Iterator[Written]:
@@ -94,7 +98,9 @@ def main(arguments: list[str] | None = None) -> None:
     given = options.parse_args(arguments)
     found = letters(given.folder, given.provider)
     if not found:
-        options.error(f"{given.folder} holds no letters by {given.provider!r}; is it UNIPEN train_r01_v07?")
+        options.error(
+            f"{given.folder} holds no letters by {given.provider!r}; is it UNIPEN train_r01_v07?"
+        )
     print(f"{len(found)} letters by {len({each.writer for each in found})} writers")
     for words, answers in asked(found).items():
         print(f"\n{words}\n{answers}")

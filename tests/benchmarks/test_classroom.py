@@ -42,6 +42,8 @@ def test_every_step_does_its_work(tmp_path):
 
 
 def test_pupils_differ_and_the_same_pupil_does_not(tmp_path):
-    one, again, other = (teach.read_recording(written(tmp_path, pupil, "a")[0]) for pupil in (0, 0, 1))
+    one, again, other = (
+        teach.read_recording(written(tmp_path, pupil, "a")[0]) for pupil in (0, 0, 1)
+    )
     np.testing.assert_array_equal(one.position, again.position)
     assert teach.letter_distance(one, other, upright=False) > 0.05

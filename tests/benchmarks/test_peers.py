@@ -27,8 +27,16 @@ def test_the_peers_are_in_no_environment_of_ours():
 def test_the_peers_are_imported_nowhere_else():
     modules = {name.removeprefix("pin-") for name in PEERS}
     imported = re.compile(rf"^\s*(import|from) ({'|'.join(modules)})\b", re.MULTILINE)
-    files = [path for room in ("dmp_teach", "tests", "notebooks", "assets") for path in (ROOT / room).rglob("*.py")]
-    using = {path.relative_to(ROOT).as_posix() for path in files if imported.search(path.read_text(encoding="utf-8"))}
+    files = [
+        path
+        for room in ("dmp_teach", "tests", "notebooks", "assets")
+        for path in (ROOT / room).rglob("*.py")
+    ]
+    using = {
+        path.relative_to(ROOT).as_posix()
+        for path in files
+        if imported.search(path.read_text(encoding="utf-8"))
+    }
     assert using == {"tests/benchmarks/contenders.py", "tests/benchmarks/pink_arm.py"}
 
 

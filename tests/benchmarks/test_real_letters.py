@@ -14,10 +14,16 @@ def folder(tmp_path):
         (tmp_path / where).mkdir(parents=True)
         for seed in range(3):
             drawn = [Pupil(seed).writes(character, take) for character in "DP" for take in (0, 1)]
-            text, labels, count = [".COMMENT our own", ".X_POINTS_PER_INCH 500", ".Y_POINTS_PER_INCH 1000"], [], 1
+            text, labels, count = (
+                [".COMMENT our own", ".X_POINTS_PER_INCH 500", ".Y_POINTS_PER_INCH 1000"],
+                [],
+                1,
+            )
             text += [".POINTS_PER_SECOND 200", ".PEN_DOWN", "7 7", ".PEN_UP"]
             for letter in drawn:
-                labels.append(f'.SEGMENT CHARACTER {count}-{count + len(letter.strokes) - 1} ? "{letter.character}"')
+                labels.append(
+                    f'.SEGMENT CHARACTER {count}-{count + len(letter.strokes) - 1} ? "{letter.character}"'
+                )
                 for stroke in letter.strokes:
                     points = np.rint(stroke.position / 0.0254 * [500, 1000]).astype(int)
                     text += [".PEN_DOWN", *(f" {x} {y}" for x, y in points), ".PEN_UP"]

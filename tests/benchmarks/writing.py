@@ -12,11 +12,11 @@ import numpy as np
 
 import dmp_teach as teach
 from dmp_teach.robot.arm import solver_here
-from dmp_teach.robot.model import Model
+from dmp_teach.robot.model.kinematics import Model
 from dmp_teach.robot.motion import Motion
 from dmp_teach.trajectory import Array
-from dmp_teach.views.commands import run_commands
-from dmp_teach.views.stage import Stage
+from dmp_teach.views.scene.commands import run_commands
+from dmp_teach.views.scene.stage import Stage
 from tests.benchmarks.measure import in_turns
 
 LETTERS = (("a", "round"), ("g", "slanted"), ("R", "round"), ("8", "slanted"), ("k", "round"))
@@ -41,10 +41,14 @@ def writing(turns: int) -> tuple[list[dict[str, Any]], list[str]]:
         strokes = teach.Letter.learn(teach.recording_of(character, alphabet)).write()
         motion, tasks = _tasks(strokes, pink)
         for name, times in in_turns(tasks, turns).items():
-            figures.setdefault(name, []).append(times.seconds if name == _VIEW else motion.duration / times.seconds)
+            figures.setdefault(name, []).append(
+                times.seconds if name == _VIEW else motion.duration / times.seconds
+            )
         for name in ("joints alone", *pink):
             errors.setdefault(name, []).append(tip_error(motion, tasks[name]()))
-    return [_row(name, np.concatenate(found), errors.get(name)) for name, found in figures.items()], missing
+    return [
+        _row(name, np.concatenate(found), errors.get(name)) for name, found in figures.items()
+    ], missing
 
 
 def _tasks(strokes: Any, pink: dict[str, Callable]) -> tuple[Motion, dict[str, Callable[[], Any]]]:
@@ -64,7 +68,9 @@ def _tasks(strokes: Any, pink: dict[str, Callable]) -> tuple[Motion, dict[str, C
     return motion, {
         "planning, new page": anew,
         "planning, same page again": lambda: fetch.write(strokes, page),
-        "joints alone": lambda: solver.follow(motion.q[0], page.normal, motion.target, lambda step, part: None),
+        "joints alone": lambda: solver.follow(
+            motion.q[0], page.normal, motion.target, lambda step, part: None
+        ),
         **{name: arm(motion).follow for name, arm in pink.items()},
         "physics, ideal motors": lambda: teach.simulate(motion),
         "physics, real motors": lambda: teach.simulate(motion, motors="real"),
@@ -78,7 +84,10 @@ def _pink() -> tuple[dict[str, Callable], list[str]]:
         from tests.benchmarks.pink_arm import PinkArm  # noqa: PLC0415 (only where it is installed)
     except ImportError:
         return {}, ["pin-pink"]
-    return {"joints alone, pink": PinkArm, "joints alone, pink, leanest": lambda motion: PinkArm(motion, lean=True)}, []
+    return {
+        "joints alone, pink": PinkArm,
+        "joints alone, pink, leanest": lambda motion: PinkArm(motion, lean=True),
+    }, []
 
 
 def tip_error(motion: Motion, q: Array) -> float:
@@ -107,4 +116,7 @@ def lines(rows: list[dict[str, Any]]) -> list[str]:
         bound = f" of {row['bound']}" if row["bound"] else ""
         error = "" if row["tip_error_mm"] is None else f"{row['tip_error_mm']:10.4f} mm"
         found.append(f"{row['name']:30}{spread + bound:36}{error}".rstrip())
-    return [*found, f"The joints alone are what pink does, too. The view is to be ready within {SOON:.0f} s."]
+    return [
+        *found,
+        f"The joints alone are what pink does, too. The view is to be ready within {SOON:.0f} s.",
+    ]

@@ -22,7 +22,7 @@ from urllib.parse import urlsplit
 
 import pytest
 
-from dmp_teach.classroom import lab as launcher
+from dmp_teach.launcher import lab as launcher
 
 ROOT = Path(__file__).parents[2]
 TOKEN = "a-token-for-tests"
@@ -59,7 +59,9 @@ ASK = """async (code) => {
 
 def chromium_path():
     names = ("chromium", "chromium-browser", "google-chrome", "chrome")
-    return os.environ.get("DMP_TEACH_CHROMIUM") or next(filter(None, map(shutil.which, names)), None)
+    return os.environ.get("DMP_TEACH_CHROMIUM") or next(
+        filter(None, map(shutil.which, names)), None
+    )
 
 
 @pytest.fixture(scope="module")
@@ -95,7 +97,13 @@ def lab(tmp_path_factory):
     surroundings.update(PYTHONPATH=str(ROOT), JUPYTER_DATA_DIR=str(home / "data"))
     with open(home / "lab.log", "wb") as log:
         process = subprocess.Popen(
-            command, cwd=home, env=surroundings, stdin=subprocess.DEVNULL, stdout=log, stderr=log, **launcher.apart()
+            command,
+            cwd=home,
+            env=surroundings,
+            stdin=subprocess.DEVNULL,
+            stdout=log,
+            stderr=log,
+            **launcher.apart(),
         )
     try:
         deadline = time.monotonic() + PATIENCE / 1000
@@ -122,7 +130,10 @@ def listen(page):
 
     def visit(address):
         parts = urlsplit(address)
-        if parts.scheme not in ("data", "blob") and parts.hostname not in ("127.0.0.1", "localhost"):
+        if parts.scheme not in ("data", "blob") and parts.hostname not in (
+            "127.0.0.1",
+            "localhost",
+        ):
             troubles.append(f"request to another computer: {address}")
 
     def answer(response):
@@ -157,7 +168,8 @@ def run_all(page):
     page.get_by_role("menuitem", name="Run", exact=True).click()
     page.get_by_role("menuitem", name="Run All Cells", exact=True).click()
     page.wait_for_function(
-        f"() => {{ const s = ({STATE})(); return s && s.status === 'idle' && s.todo === 0; }}", timeout=PATIENCE
+        f"() => {{ const s = ({STATE})(); return s && s.status === 'idle' && s.todo === 0; }}",
+        timeout=PATIENCE,
     )
 
 
@@ -186,8 +198,14 @@ def open_notebook(chromium, lab, shot):
     found = []
     for number, page in enumerate(pages):
         troubles = page.troubles + seen_in_cells(page)
-        unexpected = [trouble for trouble in troubles if not trouble.startswith(tuple(page.expects))]
-        missing = [f"not seen: {start}" for start in page.expects if not any(t.startswith(start) for t in troubles)]
+        unexpected = [
+            trouble for trouble in troubles if not trouble.startswith(tuple(page.expects))
+        ]
+        missing = [
+            f"not seen: {start}"
+            for start in page.expects
+            if not any(t.startswith(start) for t in troubles)
+        ]
         if unexpected or missing:
             shot(page, f"trouble_{number}")
         page.evaluate("() => window.jupyterapp?.shell?.currentWidget?.sessionContext?.shutdown()")
@@ -211,7 +229,10 @@ def opened(chromium, file, request):
         page = context.new_page()
         page.on("request", lambda request: seen.append(request.url))
         page.on("pageerror", lambda error: seen.append(f"page error: {error}"))
-        page.on("console", lambda message: message.type == "error" and seen.append(f"console: {message.text}"))
+        page.on(
+            "console",
+            lambda message: message.type == "error" and seen.append(f"console: {message.text}"),
+        )
         page.goto(file.as_uri())
         page.wait_for_selector(".dt-scene[data-dt-awake='true']")
         return page

@@ -38,12 +38,19 @@ class Sheet:
 
     def __init__(self, page, ask):
         frame = page.locator(".dt-ink").bounding_box()
-        lines = [page.locator(f".dt-sheet .dt-{name}").first.bounding_box() for name in ("baseline", "midline")]
+        lines = [
+            page.locator(f".dt-sheet .dt-{name}").first.bounding_box()
+            for name in ("baseline", "midline")
+        ]
         base, middle = (line["y"] + line["height"] / 2 for line in lines)
-        left, _, right, _ = json.loads(ast.literal_eval(ask(page, "__import__('json').dumps(pad.sheet)")))
+        left, _, right, _ = json.loads(
+            ast.literal_eval(ask(page, "__import__('json').dumps(pad.sheet)"))
+        )
         height = float(ask(page, "pad.lines[1]"))
         self.pixels = (base - middle) / height
-        self.origin = np.array([frame["x"] + frame["width"] / 2 - self.pixels * (left + right) / 2, base])
+        self.origin = np.array(
+            [frame["x"] + frame["width"] / 2 - self.pixels * (left + right) / 2, base]
+        )
 
     def on_screen(self, places):
         return (self.origin + self.pixels * np.asarray(places) * [1, -1]).round().tolist()

@@ -5,8 +5,8 @@ import re
 import pytest
 
 import dmp_teach
-from tests.ink.motive_csv import lab as in_the_lab
-from tests.ink.motive_csv import motive
+from tests.formats.motive_csv import lab as in_the_lab
+from tests.formats.motive_csv import motive
 
 NOTEBOOK = "00_start_here.ipynb"
 GOAL_2 = "Goal of stroke 2"
@@ -35,7 +35,9 @@ def slider(page, name):
 
 def choose(page, letter):
     page.get_by_role("radio", name=f"the letter {letter}").check(force=True)
-    page.wait_for_function(f"document.querySelector('.dt-paper title').textContent.includes('letter {letter}:')")
+    page.wait_for_function(
+        f"document.querySelector('.dt-paper title').textContent.includes('letter {letter}:')"
+    )
 
 
 def changed(page, get, before):
@@ -62,8 +64,12 @@ def wait_for_writing(page):
     page.wait_for_selector(".dt-scene[data-dt-state='ready']", timeout=60_000)
 
 
-@pytest.mark.parametrize(("name", "key"), [("How many bumps", "ArrowRight"), ("How wide each bump is", "ArrowLeft")])
-def test_a_slider_moved_by_keyboard_changes_the_robots_letter_its_number_and_its_pixels(panel, shot, name, key):
+@pytest.mark.parametrize(
+    ("name", "key"), [("How many bumps", "ArrowRight"), ("How wide each bump is", "ArrowLeft")]
+)
+def test_a_slider_moved_by_keyboard_changes_the_robots_letter_its_number_and_its_pixels(
+    panel, shot, name, key
+):
     shot(panel, "start")
     knob, number = slider(panel, name), panel.locator(".dt-number")
     before = (line(panel), number.inner_text())
@@ -74,7 +80,9 @@ def test_a_slider_moved_by_keyboard_changes_the_robots_letter_its_number_and_its
     changed(panel, lambda: line(panel), before[0])
     changed(panel, number.inner_text, before[1])
     assert changed(panel, lambda: pixels(panel, ".dt-paper"), seen)
-    assert knob.evaluate("node => node === document.activeElement")  # JupyterLab has not taken the keys
+    assert knob.evaluate(
+        "node => node === document.activeElement"
+    )  # JupyterLab has not taken the keys
 
 
 def test_ds_second_goal_moved_up_the_bar_makes_a_p_that_the_robot_writes(panel, shot, ask):
@@ -98,7 +106,9 @@ def test_ds_second_goal_moved_up_the_bar_makes_a_p_that_the_robot_writes(panel, 
     panel.mouse.up()
     assert changed(panel, lambda: line(panel, 1), bowl)
     assert line(panel, 0) == bar
-    panel.wait_for_function("document.querySelector('.dt-sentence').textContent.includes('goal of stroke 2')")
+    panel.wait_for_function(
+        "document.querySelector('.dt-sentence').textContent.includes('goal of stroke 2')"
+    )
     shot(panel, "p_on_paper")
     robot = pixels(panel, ".dt-scene canvas")
     panel.get_by_role("button", name="Robot, write it").click()
@@ -122,7 +132,9 @@ def test_a_ring_takes_focus_arrows_move_it_a_millimetre_and_home_puts_it_back(pa
     changed(panel, lambda: line(panel, 1), before)
     assert ring.get_attribute("aria-valuetext") == "1.0 centimetres right, 0.1 centimetres up"
     panel.keyboard.press("Home")
-    panel.wait_for_function("document.querySelectorAll('.dt-goal')[1].getAttribute('aria-valuetext') === 'as written'")
+    panel.wait_for_function(
+        "document.querySelectorAll('.dt-goal')[1].getAttribute('aria-valuetext') === 'as written'"
+    )
     assert changed(panel, lambda: line(panel, 1) == before, False)
 
 
@@ -144,7 +156,9 @@ def test_every_control_has_a_name_and_is_reached_by_the_tab_key(panel):
     for _ in range(16):
         panel.keyboard.press("Tab")
         reached.append(
-            panel.evaluate("document.activeElement.getAttribute('aria-label') ?? document.activeElement.innerText")
+            panel.evaluate(
+                "document.activeElement.getAttribute('aria-label') ?? document.activeElement.innerText"
+            )
         )
     assert any(GOAL_2 in name for name in reached)
     assert any("Robot, write it" in name for name in reached)
@@ -152,7 +166,9 @@ def test_every_control_has_a_name_and_is_reached_by_the_tab_key(panel):
 
 def test_a_recording_of_ones_own_is_opened_and_a_wrong_file_gets_a_sentence(panel, shot, tmp_path):
     chooser = panel.locator("input[type=file]")
-    chooser.set_input_files({"name": "notes.csv", "mimeType": "text/csv", "buffer": b"shopping,list\nmilk,2\n"})
+    chooser.set_input_files(
+        {"name": "notes.csv", "mimeType": "text/csv", "buffer": b"shopping,list\nmilk,2\n"}
+    )
     warning = panel.get_by_role("alert")
     warning.wait_for()
     assert "notes.csv" in warning.inner_text()
@@ -160,6 +176,8 @@ def test_a_recording_of_ones_own_is_opened_and_a_wrong_file_gets_a_sentence(pane
     ours = dmp_teach.recording_of("b")
     chooser.set_input_files(motive(tmp_path / "b_w77.csv", ours.t, in_the_lab(ours.position)))
     panel.get_by_role("radio", name="your own b").wait_for(state="attached")
-    panel.wait_for_function("document.querySelector('.dt-paper title').textContent.startsWith('Your own b:')")
+    panel.wait_for_function(
+        "document.querySelector('.dt-paper title').textContent.startsWith('Your own b:')"
+    )
     assert panel.get_by_role("radio", name="your own b").is_checked()
     assert warning.is_hidden()

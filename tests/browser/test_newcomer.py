@@ -32,7 +32,13 @@ def apart(a, b):
 def test_on_a_small_laptop_sheet_robot_number_and_sliders_are_seen_together(panel, shot):
     page = panel(**LAPTOP)
     top, bottom = box(page, ".jp-NotebookPanel-notebook")[1::2]
-    for place in (".dt-paper", ".dt-scene canvas", ".dt-number", ".dt-write", ".dt-knobs input >> nth=1"):
+    for place in (
+        ".dt-paper",
+        ".dt-scene canvas",
+        ".dt-number",
+        ".dt-write",
+        ".dt-knobs input >> nth=1",
+    ):
         assert box(page, place)[1] >= top - 1, place
         assert box(page, place)[3] <= bottom, place
     shot(page, "small_laptop")
@@ -52,7 +58,10 @@ def test_the_numbers_of_ds_goals_keep_off_the_ruler_and_nothing_jumps_while_one_
     def places():
         """Where the rows are in the panel, whatever JupyterLab scrolls."""
         left, top = box(page, ".dt-explore")[:2]
-        return [(x0 - left, y0 - top, x1 - left, y1 - top) for x0, y0, x1, y1 in (box(page, row) for row in rows)]
+        return [
+            (x0 - left, y0 - top, x1 - left, y1 - top)
+            for x0, y0, x1, y1 in (box(page, row) for row in rows)
+        ]
 
     before = places()
     held = badges.nth(1).bounding_box()
@@ -75,7 +84,9 @@ def test_a_finger_drags_a_ring_and_scrolls_the_notebook_only_beside_it(panel):
         """Where the notebook was scrolled to, before and after."""
         scrolled = "document.querySelector('.jp-WindowedPanel-outer').scrollTop"
         before = page.evaluate(scrolled)
-        hand.send("Input.dispatchTouchEvent", {"type": "touchStart", "touchPoints": [{"x": x, "y": y}]})
+        hand.send(
+            "Input.dispatchTouchEvent", {"type": "touchStart", "touchPoints": [{"x": x, "y": y}]}
+        )
         for part in np.linspace(0.1, 1, 10):
             points = [{"x": x + float(part) * dx, "y": y + float(part) * dy}]
             hand.send("Input.dispatchTouchEvent", {"type": "touchMove", "touchPoints": points})
@@ -123,6 +134,8 @@ def test_in_colours_of_ones_own_the_line_stands_out_from_the_sheet_in_both_theme
     page = panel(forced_colors="active")
     for light in ("true", "false"):
         page.evaluate(f"() => document.body.dataset.jpThemeLight = '{light}'")
-        line = page.locator(".dt-paper .dt-robot-line").evaluate("node => getComputedStyle(node).stroke")
+        line = page.locator(".dt-paper .dt-robot-line").evaluate(
+            "node => getComputedStyle(node).stroke"
+        )
         sheet = page.locator(".dt-paper").evaluate("node => getComputedStyle(node).backgroundColor")
         assert {line, sheet} == {"rgb(0, 0, 0)", "rgb(255, 255, 255)"}

@@ -8,7 +8,18 @@ import pytest
 
 import dmp_teach
 from tests.browser.conftest import TOKEN
-from tests.browser.pads import PAD, Sheet, by_mouse, caught, farthest, into_sight, letter, open_pad, press, strokes
+from tests.browser.pads import (
+    PAD,
+    Sheet,
+    by_mouse,
+    caught,
+    farthest,
+    into_sight,
+    letter,
+    open_pad,
+    press,
+    strokes,
+)
 from tests.browser.test_lab import notebook_of
 
 WET = """() => {
@@ -64,7 +75,9 @@ def test_a_child_writes_by_mouse_and_the_robot_learns_shows_and_writes_it(panel,
     assert len(line) > 500
     assert float(ask(page, "pad.letter.error")) < 0.002
     assert page.locator(".dt-rows li b").all_inner_texts() == json.loads(
-        ast.literal_eval(ask(page, "__import__('json').dumps([part.word for part in pad.score.parts])"))
+        ast.literal_eval(
+            ask(page, "__import__('json').dumps([part.word for part in pad.score.parts])")
+        )
     )
     assert page.locator(".dt-rows li >> nth=0 >> circle").count() == 4
     press(page, "Start again")
@@ -81,7 +94,9 @@ def test_a_child_writes_by_mouse_and_the_robot_learns_shows_and_writes_it(panel,
     shot(page, "pad_tries")
 
 
-def test_the_robot_shows_its_letter_and_writes_it_and_only_save_writes_a_file(panel, lab, ask, shot):
+def test_the_robot_shows_its_letter_and_writes_it_and_only_save_writes_a_file(
+    panel, lab, ask, shot
+):
     page = panel()
     page.evaluate(GROWING)
     press(page, "Show it")
@@ -117,7 +132,9 @@ def test_the_robot_shows_its_letter_and_writes_it_and_only_save_writes_a_file(pa
     assert page.locator(".dt-tries li").count() == 0
 
 
-def test_a_saved_notebook_holds_no_ink_and_its_panel_says_how_to_wake_it(open_notebook, lab, ask, shot):
+def test_a_saved_notebook_holds_no_ink_and_its_panel_says_how_to_wake_it(
+    open_notebook, lab, ask, shot
+):
     cells = PAD, "other = teach.pad()  # is never seen", "1", "2"
     (lab.folder / "kept.ipynb").write_text(notebook_of(*cells))
     page = open_notebook("kept.ipynb")
@@ -137,13 +154,17 @@ def test_a_saved_notebook_holds_no_ink_and_its_panel_says_how_to_wake_it(open_no
             await jupyterapp.commands.execute("notebook:run-cell");
         }
     }""")
-    page.locator(".jp-OutputArea-output img, .jp-OutputArea-output svg.dmp-teach-ink").first.wait_for(state="attached")
+    page.locator(
+        ".jp-OutputArea-output img, .jp-OutputArea-output svg.dmp-teach-ink"
+    ).first.wait_for(state="attached")
     answered = "jupyterapp.shell.currentWidget.content.model.cells.get(3).outputs.length > 0"
     page.wait_for_function(answered, timeout=60_000)
     shot(page, "pad_recording")
     page.evaluate(SAVE)
     saved = json.loads((lab.folder / "kept.ipynb").read_text())
-    widgets = [each for kind in saved["metadata"]["widgets"].values() for each in kind["state"].values()]
+    widgets = [
+        each for kind in saved["metadata"]["widgets"].values() for each in kind["state"].values()
+    ]
     ours = [each for each in widgets if each["model_name"] == "AnyModel"]
     assert len(ours) >= 3, "the pad, the one that is never seen, the robot"
     assert all(name.startswith("_") for each in ours for name in each["state"])
@@ -153,7 +174,9 @@ def test_a_saved_notebook_holds_no_ink_and_its_panel_says_how_to_wake_it(open_no
 
     page.evaluate(SHUT_DOWN)
     page.goto(f"{lab.url}/lab/tree/notebooks/kept.ipynb?token={TOKEN}")
-    page.get_by_text("This panel is resting. Run the cell above to wake it").first.wait_for(timeout=60_000)
+    page.get_by_text("This panel is resting. Run the cell above to wake it").first.wait_for(
+        timeout=60_000
+    )
     assert page.get_by_text("model not found").count() == 0
     shot(page, "pad_resting")
 
@@ -166,7 +189,9 @@ def test_after_a_restart_a_press_leads_to_the_sentence_that_the_pad_does_not_ans
     sentence = page.get_by_text("The pad does not answer")
     sentence.wait_for(timeout=10_000)
     page.wait_for_timeout(300)
-    room, words = (place.bounding_box() for place in (page.locator(".jp-NotebookPanel-notebook"), sentence))
+    room, words = (
+        place.bounding_box() for place in (page.locator(".jp-NotebookPanel-notebook"), sentence)
+    )
     assert room["y"] <= words["y"]
     assert words["y"] + words["height"] <= room["y"] + room["height"]
     shot(page, "pad_asleep")
@@ -185,11 +210,18 @@ def test_finger_and_pen_write_and_a_palm_does_not_also_where_the_notebook_is_scr
     scrolled = "document.querySelector('.jp-WindowedPanel-outer').scrollTop"
 
     def touch(kind, *places):
-        hand.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": [{"x": x, "y": y} for x, y in places]})
+        hand.send(
+            "Input.dispatchTouchEvent",
+            {"type": kind, "touchPoints": [{"x": x, "y": y} for x, y in places]},
+        )
 
     def pen(kind, place, force):
         x, y = place
-        buttons = {"button": "left", "buttons": 1, "clickCount": 1} if force or kind != "mouseMoved" else {}
+        buttons = (
+            {"button": "left", "buttons": 1, "clickCount": 1}
+            if force or kind != "mouseMoved"
+            else {}
+        )
         event = {"type": kind, "x": x, "y": y, "pointerType": "pen", "force": force, **buttons}
         hand.send("Input.dispatchMouseEvent", event)
 
@@ -219,7 +251,9 @@ def test_finger_and_pen_write_and_a_palm_does_not_also_where_the_notebook_is_scr
     page.wait_for_timeout(300)
     strokes(page, 1)
     assert farthest(caught(page, ask), sheet.in_metres(path)) < 0.001
-    low, high = ast.literal_eval(ask(page, "(float(pad.recording.pressure[0]), float(pad.recording.pressure.max()))"))
+    low, high = ast.literal_eval(
+        ask(page, "(float(pad.recording.pressure[0]), float(pad.recording.pressure.max()))")
+    )
     assert low == pytest.approx(0.2, abs=0.02)
     assert high == pytest.approx(0.9, abs=0.02)
     shot(page, "pad_tablet")
@@ -237,9 +271,19 @@ def test_keys_alone_suffice_and_people_who_ask_for_less_movement_get_stills(pane
             )
         )
         page.keyboard.press("Tab")
-    wanted = ("the letter a", "More letters", "Your sheet is empty", "Undo", "Start again", "The robot’s own letter")
+    wanted = (
+        "the letter a",
+        "More letters",
+        "Your sheet is empty",
+        "Undo",
+        "Start again",
+        "The robot’s own letter",
+    )
     wanted += ("Show it", "Robot, write it", "Open your own recording", "Forget", "Save")
-    places = [next((k for k, name in enumerate(reached) if name.startswith(word)), None) for word in wanted]
+    places = [
+        next((k for k, name in enumerate(reached) if name.startswith(word)), None)
+        for word in wanted
+    ]
     assert places == sorted(places), list(zip(wanted, places, strict=True))
 
     page.get_by_role("radio", name="the letter i, small").check(force=True)

@@ -65,8 +65,13 @@ def test_yours_lies_on_the_robots_own_letter_where_the_number_compares_them(pane
     dots.wait_for(state="attached")
     page.locator(".dt-told", has_text="with your dots on it").wait_for()
     boxes = [place.bounding_box() for place in (dots, page.locator(f"{RIGHT} .dt-robot-line"))]
-    assert np.allclose(*[[box["x"], box["y"]] for box in boxes], atol=5), "shifted to where the robot's is"
-    assert "Your letter and the robot’s own are this far apart" in page.locator(".dt-sentence").inner_text()
+    assert np.allclose(*[[box["x"], box["y"]] for box in boxes], atol=5), (
+        "shifted to where the robot's is"
+    )
+    assert (
+        "Your letter and the robot’s own are this far apart"
+        in page.locator(".dt-sentence").inner_text()
+    )
     shot(page, "pad_own")
     again(page)
     assert dots.count() == 0
@@ -76,9 +81,15 @@ def test_six_tries_stand_in_line_and_between_tries_nothing_jumps(panel, ask, sho
     page = panel(viewport={"width": 1400, "height": 1400})
     for size in (1.0, 0.5, 0.7, 1.3, 1.0, 1.2):
         write(page, ask, size)
-        below = page.locator(".dt-footer").bounding_box()["y"] - page.locator(".dt-stage").bounding_box()["y"]
+        below = (
+            page.locator(".dt-footer").bounding_box()["y"]
+            - page.locator(".dt-stage").bounding_box()["y"]
+        )
         again(page)
-        waits = page.locator(".dt-footer").bounding_box()["y"] - page.locator(".dt-stage").bounding_box()["y"]
+        waits = (
+            page.locator(".dt-footer").bounding_box()["y"]
+            - page.locator(".dt-stage").bounding_box()["y"]
+        )
         assert abs(below - waits) < 2
     shot(page, "pad_six")
     for width in (1400, 1000, 700):
@@ -114,12 +125,23 @@ def test_what_is_read_aloud_is_read_once(panel, ask):
 
 def test_the_list_of_letters_has_groups_and_tells_small_ones_from_capitals(panel):
     page = panel()
-    groups = page.locator(".dt-pad select optgroup").evaluate_all("all => all.map((group) => group.label)")
+    groups = page.locator(".dt-pad select optgroup").evaluate_all(
+        "all => all.map((group) => group.label)"
+    )
     assert groups == ["Small letters", "Capitals", "Digits", "With accents"]
-    names = page.locator(".dt-pad select option").evaluate_all("all => all.map((option) => option.ariaLabel)")
-    assert {"the letter b, small", "the letter B, capital", "the digit 7", "the letter \u00e4, small"} <= set(names)
+    names = page.locator(".dt-pad select option").evaluate_all(
+        "all => all.map((option) => option.ariaLabel)"
+    )
+    assert {
+        "the letter b, small",
+        "the letter B, capital",
+        "the digit 7",
+        "the letter \u00e4, small",
+    } <= set(names)
     page.locator(".dt-pad select").select_option("B")
-    page.wait_for_function("document.querySelector('.dt-hint').textContent.startsWith('Write a B here')")
+    page.wait_for_function(
+        "document.querySelector('.dt-hint').textContent.startsWith('Write a B here')"
+    )
 
 
 def test_a_stroke_that_is_being_written_does_not_come_onto_the_sheet_of_another_letter(panel, ask):
@@ -140,13 +162,20 @@ def test_a_pen_that_leaves_the_sheet_is_told_so(panel, ask):
     page = panel()
     sheet = page.locator(".dt-ink").bounding_box()
     middle, below = sheet["x"] + sheet["width"] / 2, sheet["y"] + sheet["height"] + 30
-    by_mouse(page, [(middle, below - 120), (middle, below - 80), (middle, below), (middle + 40, below - 90)])
+    by_mouse(
+        page,
+        [(middle, below - 120), (middle, below - 80), (middle, below), (middle + 40, below - 90)],
+    )
     page.mouse.up()
     strokes(page, 1)
-    page.locator(".dt-caught", has_text="Your pen left the sheet: write a little smaller.").wait_for()
+    page.locator(
+        ".dt-caught", has_text="Your pen left the sheet: write a little smaller."
+    ).wait_for()
 
 
-def test_on_a_small_laptop_the_letter_the_sentence_and_the_robot_are_seen_together(panel, ask, shot):
+def test_on_a_small_laptop_the_letter_the_sentence_and_the_robot_are_seen_together(
+    panel, ask, shot
+):
     page = panel(viewport={"width": 1366, "height": 768})
     assert len(dmp_teach.recording_of("a").strokes()) == 1
     write(page, ask)
@@ -155,7 +184,8 @@ def test_on_a_small_laptop_the_letter_the_sentence_and_the_robot_are_seen_togeth
     page.wait_for_timeout(300)
     room = page.locator(".jp-NotebookPanel-notebook").bounding_box()
     dots, words, scene = (
-        page.locator(place).bounding_box() for place in (f"{LEFT} .dt-child-dots", ".dt-says", ".dt-scene")
+        page.locator(place).bounding_box()
+        for place in (f"{LEFT} .dt-child-dots", ".dt-says", ".dt-scene")
     )
     assert dots["y"] + 0.5 * dots["height"] > room["y"], "most of the letter"
     assert dots["y"] < words["y"] < scene["y"]

@@ -4,7 +4,7 @@ import re
 
 import pytest
 
-from dmp_teach.views.scene import view
+from dmp_teach.views.scene.view import view
 from tests.views.moves import pressed, sway
 
 ROOT = ".dt-scene"
@@ -31,12 +31,16 @@ def file(run, tmp_path_factory):
 
 def go(page, time):
     slider = page.get_by_role("slider", name="Time")
-    slider.evaluate("(node, t) => { node.value = t; node.dispatchEvent(new Event('input')); }", time)
+    slider.evaluate(
+        "(node, t) => { node.value = t; node.dispatchEvent(new Event('input')); }", time
+    )
 
 
 @pytest.mark.parametrize(("width", "scheme"), [(1000, "light"), (1000, "dark"), (400, "light")])
 def test_the_playhead_stands_under_the_thumb(opened, shot, width, scheme):
-    page = opened(viewport={"width": width, "height": 1150}, color_scheme=scheme, reduced_motion="reduce")
+    page = opened(
+        viewport={"width": width, "height": 1150}, color_scheme=scheme, reduced_motion="reduce"
+    )
     for time in (0.0, 0.7, 1.9, 2.4):
         go(page, time)
         places = page.evaluate(PLACES)
@@ -61,7 +65,9 @@ def test_the_number_and_the_sentence_are_those_of_the_moment(opened, run):
     for time, words in ((0.0, "The pen is in the air."), (1.0, "good pressing"), (0.5, "too hard")):
         go(page, time)
         force = run.force[round(time * 240)]
-        assert float(page.locator(".dts-newtons").inner_text().split()[0]) == pytest.approx(force, abs=0.06)
+        assert float(page.locator(".dts-newtons").inner_text().split()[0]) == pytest.approx(
+            force, abs=0.06
+        )
         assert words in page.locator(".dts-feels").inner_text()
     assert page.get_by_text("Pressed too hard").count() == 1
     assert page.get_by_role("img", name=re.compile("How hard the pen presses")).count() == 1
@@ -73,7 +79,12 @@ def test_the_small_page_has_a_path_for_each_shade_and_grows(opened):
     lengths = []
     for time in (0.0, 1.2, 2.4):
         go(page, time)
-        lengths.append(sum(len(path) for path in shades.evaluate_all("all => all.map(n => n.getAttribute('d'))")))
+        lengths.append(
+            sum(
+                len(path)
+                for path in shades.evaluate_all("all => all.map(n => n.getAttribute('d'))")
+            )
+        )
     assert lengths[0] == 0 < lengths[1] < lengths[2]
     assert page.locator(".dts-ink").get_attribute("d") == ""
 

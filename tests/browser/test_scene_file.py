@@ -2,7 +2,7 @@
 
 import pytest
 
-from dmp_teach.views.scene import view
+from dmp_teach.views.scene.view import view
 from tests.views.moves import sway
 
 ROOT = ".dt-scene"
@@ -26,7 +26,9 @@ def test_the_robot_writes_and_the_ink_follows_the_slider_both_ways(opened, shot)
     amounts = []
     slider = page.get_by_role("slider", name="Time")
     for time in (0.0, 0.6, 1.2, 1.8, 2.4, 1.2, 0.0):
-        slider.evaluate("(node, t) => { node.value = t; node.dispatchEvent(new Event('input')); }", time)
+        slider.evaluate(
+            "(node, t) => { node.value = t; node.dispatchEvent(new Event('input')); }", time
+        )
         amounts.append(int(data(page, "ink")))
     assert amounts[0] == amounts[-1] == 0
     assert amounts[2] == amounts[5]
@@ -66,10 +68,16 @@ def test_a_quarter_of_the_speed_takes_four_times_as_long(opened):
     page.wait_for_selector(f"{ROOT}[data-dt-state='ready']")
     page.get_by_role("radio", name="¼×").check(force=True)
     page.get_by_role("button", name="Play").click()
-    page.wait_for_selector(f"{ROOT}[data-dt-state='playing']:not([data-dt-time='2.400'], [data-dt-time='0.000'])")
-    first = page.evaluate("[performance.now(), Number(document.querySelector('.dt-scene').dataset.dtTime)]")
+    page.wait_for_selector(
+        f"{ROOT}[data-dt-state='playing']:not([data-dt-time='2.400'], [data-dt-time='0.000'])"
+    )
+    first = page.evaluate(
+        "[performance.now(), Number(document.querySelector('.dt-scene').dataset.dtTime)]"
+    )
     page.wait_for_timeout(1500)
-    last = page.evaluate("[performance.now(), Number(document.querySelector('.dt-scene').dataset.dtTime)]")
+    last = page.evaluate(
+        "[performance.now(), Number(document.querySelector('.dt-scene').dataset.dtTime)]"
+    )
     assert (last[1] - first[1]) / ((last[0] - first[0]) / 1000) <= 0.3
 
 

@@ -4,8 +4,8 @@ import json
 
 import pytest
 
-from dmp_teach.views.stage import Stage, robot_model
-from dmp_teach.views.tracks import link_paths
+from dmp_teach.views.scene.stage import Stage, robot_model
+from dmp_teach.views.scene.tracks import link_paths
 from tests.views.moves import sway
 
 FRAME = """
@@ -30,7 +30,7 @@ frame = Frame(scene=SceneView(compact=True))
 frame
 """
 CELLS = [
-    "from dmp_teach.views.scene import SceneView, view\nfrom tests.views.moves import sway",
+    "from dmp_teach.views.scene.view import SceneView, view\nfrom tests.views.moves import sway",
     "shown = view(sway())\nshown",
 ]
 ROOT = ".dt-scene"
@@ -46,7 +46,9 @@ def notebook(*cells):
     code = {"cell_type": "code", "metadata": {}, "execution_count": None, "outputs": []}
     body = [code | {"source": source, "id": f"cell{n}"} for n, source in enumerate(cells)]
     kernel = {"name": "python3", "display_name": "Python 3", "language": "python"}
-    return json.dumps({"cells": body, "metadata": {"kernelspec": kernel}, "nbformat": 4, "nbformat_minor": 5})
+    return json.dumps(
+        {"cells": body, "metadata": {"kernelspec": kernel}, "nbformat": 4, "nbformat_minor": 5}
+    )
 
 
 @pytest.fixture
@@ -176,5 +178,7 @@ def test_many_views_share_the_few_drawing_contexts_of_a_browser(show):
     page = show(CELLS[0], *["view(sway(seconds=0.5))"] * 18)
     for number in (17, 0, 9):
         page.locator(ROOT).nth(number).scroll_into_view_if_needed()
-        page.wait_for_function(f"document.querySelectorAll('.dt-scene')[{number}]?.dataset.dtAwake === 'true'")
+        page.wait_for_function(
+            f"document.querySelectorAll('.dt-scene')[{number}]?.dataset.dtAwake === 'true'"
+        )
     assert page.evaluate("globalThis.__dtScenesAwake.size") <= 8

@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 
 import dmp_teach
-from dmp_teach.classroom import robot_panel as room
-from dmp_teach.classroom.explore import explore
-from dmp_teach.classroom.writing import Job, StopPressed
+from dmp_teach.classroom.panels import robot_panel as room
+from dmp_teach.classroom.panels.background_job import Job, StopPressed
+from dmp_teach.classroom.panels.explore import explore
 from dmp_teach.ink.alphabet import characters
-from dmp_teach.ink.our_json import read_json, write_json
 from dmp_teach.ink.recording import Recording
+from dmp_teach.ink.recording_json import read_json, write_json
 
 
 def points(panel, name="robot"):
@@ -44,7 +44,9 @@ def test_the_panel_shows_what_letter_learn_and_write_give(panel):
     expected = letter.write(goal_shifts={1: (0.01, 0.05)})
     assert np.allclose(points(panel), np.concatenate([s.position for s in expected]), atol=1e-6)
     assert panel.counts == [len(s) for s in expected]
-    assert np.allclose(points(panel, "demo"), np.concatenate([s.position for s in letter.strokes]), atol=1e-6)
+    assert np.allclose(
+        points(panel, "demo"), np.concatenate([s.position for s in letter.strokes]), atol=1e-6
+    )
 
 
 def test_a_slider_of_ones_own_moves_the_goal_of_the_chosen_stroke(panel):
@@ -74,7 +76,9 @@ def test_no_letter_is_given_more_bumps_than_it_has_samples():
 
 
 def test_a_setting_out_of_its_range_is_refused_with_the_range(panel):
-    with pytest.raises(dmp_teach.TeachError, match=r"kernel_width is 0\.0, but it must be between 0\.2 and 40"):
+    with pytest.raises(
+        dmp_teach.TeachError, match=r"kernel_width is 0\.0, but it must be between 0\.2 and 40"
+    ):
         panel.kernel_width = 0.0
 
 
@@ -85,7 +89,9 @@ def test_the_robot_writes_exactly_what_is_seen(panel):
     panel.write()
     assert panel.work == {"state": "idle"}
     written = np.concatenate([stroke.position for stroke in panel.motion.strokes])
-    middle = (written.max(axis=0) + written.min(axis=0)) / 2 - (seen.max(axis=0) + seen.min(axis=0)) / 2
+    middle = (written.max(axis=0) + written.min(axis=0)) / 2 - (
+        seen.max(axis=0) + seen.min(axis=0)
+    ) / 2
     assert np.allclose(written - middle, seen, atol=1e-6)
     assert panel.scene.motion is panel.motion
     assert not panel.older
@@ -109,7 +115,11 @@ def test_steps_are_named_and_their_progress_never_falls(panel):
 
 def too_large(panel):
     t = np.linspace(0, 3, 361)
-    panel.load(Recording(t, np.column_stack([0.1 * np.sin(t), 0.12 * t, 0 * t]), "l", "w1", None, ((0, 361),)))
+    panel.load(
+        Recording(
+            t, np.column_stack([0.1 * np.sin(t), 0.12 * t, 0 * t]), "l", "w1", None, ((0, 361),)
+        )
+    )
 
 
 def test_a_letter_too_large_for_the_page_is_cured_by_one_button(panel):
@@ -134,7 +144,9 @@ def test_a_page_out_of_reach_is_cured_by_one_button():
     assert panel.motion.page is panel.page
 
 
-def test_near_the_end_of_the_arms_reach_the_robots_notes_say_so_and_nothing_is_printed_under_the_panel(recwarn):
+def test_near_the_end_of_the_arms_reach_the_robots_notes_say_so_and_nothing_is_printed_under_the_panel(
+    recwarn,
+):
     panel = explore(page=dmp_teach.Page.table(x=0.88))
     panel.write()
     assert any("nearly stretched out" in note for note in panel.motion.notes)
@@ -211,7 +223,9 @@ def test_a_file_of_many_megabytes_is_refused_with_its_size(panel):
     assert panel.work["strong"] == "film.csv has 90 MB."
 
 
-@pytest.mark.parametrize("end", [lambda p: p._hear(p, {"kind": "close"}, []), lambda p: setattr(p, "n_kernels", 20)])
+@pytest.mark.parametrize(
+    "end", [lambda p: p._hear(p, {"kind": "close"}, []), lambda p: setattr(p, "n_kernels", 20)]
+)
 def test_what_cannot_be_done_goes_away_when_closed_and_when_something_is_changed(panel, end):
     panel._open_bytes("notes.csv", b"shopping,list\n")
     assert panel.work["state"] == "cannot"
@@ -235,11 +249,15 @@ def test_a_file_opened_while_the_robot_plans_leaves_its_steps_in_sight(panel, tm
     assert panel.title.startswith("Your own q")
 
 
-@pytest.mark.parametrize(("n", "thing"), [(5, "the width of a finger"), (40, "the thickness of a hair")])
+@pytest.mark.parametrize(
+    ("n", "thing"), [(5, "the width of a finger"), (40, "the thickness of a hair")]
+)
 def test_what_the_first_notebook_says_of_the_guess_is_true(panel, n, thing):
     panel.n_kernels, panel.kernel_width = n, 1.0
     assert thing in panel.message["strong"]
-    text = (Path(__file__).parents[2] / "notebooks" / "00_start_here.ipynb").read_text(encoding="utf-8")
+    text = (Path(__file__).parents[2] / "notebooks" / "00_start_here.ipynb").read_text(
+        encoding="utf-8"
+    )
     assert f"{thing}" in text[text.index("## What happened") :]
 
 
@@ -250,5 +268,10 @@ def test_the_list_of_letters_has_groups_and_every_letter_that_we_have(panel):
         groups.setdefault(group, []).append(value)
     assert list(groups) == ["Small letters", "Capitals", "Digits", "With accents"]
     assert [value for inside in groups.values() for value in inside] == list(characters())
-    for group, letter in (("Small letters", "b"), ("Capitals", "B"), ("Digits", "7"), ("With accents", "\u00e4")):
+    for group, letter in (
+        ("Small letters", "b"),
+        ("Capitals", "B"),
+        ("Digits", "7"),
+        ("With accents", "\u00e4"),
+    ):
         assert letter in groups[group]

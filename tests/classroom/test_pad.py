@@ -12,10 +12,10 @@ from hypothesis import strategies as st
 from traitlets import TraitError
 
 import dmp_teach
-from dmp_teach.classroom.pad import pad
+from dmp_teach.classroom.panels.pad import pad
 from dmp_teach.errors import RecordingError, TeachError
 from dmp_teach.ink.alphabet import recording_of
-from dmp_teach.ink.our_json import read_json, write_json
+from dmp_teach.ink.recording_json import read_json, write_json
 
 
 @pytest.fixture
@@ -57,7 +57,11 @@ def test_ink_becomes_a_recording_that_is_learned_written_again_and_scored(panel)
     assert panel.counts == [len(stroke) for stroke in panel.recording.strokes()]
     assert panel.recording.character == "D"
     assert panel.recording.baseline == 0
-    assert np.allclose(points(panel, "ink"), np.concatenate([s.position for s in panel.recording.strokes()]), atol=1e-6)
+    assert np.allclose(
+        points(panel, "ink"),
+        np.concatenate([s.position for s in panel.recording.strokes()]),
+        atol=1e-6,
+    )
     written = np.concatenate([stroke.position for stroke in panel.letter.write()])
     assert np.allclose(points(panel, "robot"), written, atol=1e-6)
     assert panel.letter.error < 0.001
@@ -98,12 +102,16 @@ def test_a_tap_is_a_dot_and_a_flick_too_fast_says_what_to_do(panel):
 def test_a_letter_that_is_dashed_off_is_too_fast_though_it_has_more_than_a_few_points(panel):
     stroke = dmp_teach.recording_of("a").strokes()[0]
     points = stroke.position[:: len(stroke) // 6]
-    send(panel, np.column_stack([np.linspace(3, 3.2, len(points)), points, np.full(len(points), 0.5)]))
+    send(
+        panel,
+        np.column_stack([np.linspace(3, 3.2, len(points)), points, np.full(len(points), 0.5)]),
+    )
     assert panel.caught == "Stroke 1: too fast to see. Write a little slower."
 
 
 @pytest.mark.parametrize(
-    ("outside", "words"), [(0, "Stroke 1"), (3, "left the sheet: write a little smaller"), ("x", "Stroke 1")]
+    ("outside", "words"),
+    [(0, "Stroke 1"), (3, "left the sheet: write a little smaller"), ("x", "Stroke 1")],
 )
 def test_a_pen_that_left_the_sheet_is_told_so(panel, outside, words):
     send(panel, good(), outside=outside)
@@ -122,7 +130,9 @@ def test_small_marks_need_few_points_and_a_dot_alone_is_no_letter(panel):
 
 def test_how_the_pen_moved_is_named_last_and_only_where_enough_points_tell(panel):
     stroke = dmp_teach.recording_of("a").strokes()[0]
-    t = stroke.t + 0.05 * np.sin(2 * np.pi * 3 * stroke.t)  # stops and goes, and leaves the same line
+    t = stroke.t + 0.05 * np.sin(
+        2 * np.pi * 3 * stroke.t
+    )  # stops and goes, and leaves the same line
 
     def say(size, step):
         points = stroke.position[::step] * size
@@ -238,7 +248,9 @@ def test_the_robots_own_letter_comes_with_its_tempo(panel):
     model = dmp_teach.recording_of("D").strokes()
     assert [len(times) for times in panel.model_times] == [len(stroke) for stroke in model]
     assert panel.model_times[1][0] == pytest.approx(model[1].t[0] - model[0].t[0])
-    assert np.allclose(points(panel, "model"), np.concatenate([s.position for s in model]), atol=1e-6)
+    assert np.allclose(
+        points(panel, "model"), np.concatenate([s.position for s in model]), atol=1e-6
+    )
 
 
 def test_the_robot_writes_what_is_on_the_sheet_and_an_older_letter_is_marked(panel):
@@ -248,7 +260,9 @@ def test_the_robot_writes_what_is_on_the_sheet_and_an_older_letter_is_marked(pan
     assert panel.work == {"state": "idle"}
     assert panel.scene.motion is panel.motion
     placed = panel.motion.strokes[0].position
-    assert np.allclose(placed - placed[0], points(panel, "robot") - points(panel, "robot")[0], atol=1e-6)
+    assert np.allclose(
+        placed - placed[0], points(panel, "robot") - points(panel, "robot")[0], atol=1e-6
+    )
     send(panel, kind="again")
     assert panel.older
 
@@ -283,14 +297,20 @@ def test_save_writes_one_file_with_a_pseudonym_and_no_time_of_day(panel, folder)
 
 
 def test_another_writer_takes_the_next_free_pseudonym_unless_given_one(folder):
-    for panel, name in ((pad(), "a_w01.json"), (pad(), "a_w02.json"), (pad(writer="w07"), "a_w07.json")):
+    for panel, name in (
+        (pad(), "a_w01.json"),
+        (pad(), "a_w02.json"),
+        (pad(writer="w07"), "a_w07.json"),
+    ):
         write(panel)
         assert panel.save().name == name
     with pytest.raises(RecordingError, match="pseudonym"):
         pad(writer="Anna Meyer")
 
 
-@pytest.mark.parametrize("character", ["../escaped", "/", "?", "a/b", "..", "CON:", "eighteen letters ", "\\"])
+@pytest.mark.parametrize(
+    "character", ["../escaped", "/", "?", "a/b", "..", "CON:", "eighteen letters ", "\\"]
+)
 def test_whatever_was_written_a_file_lies_beside_the_notebook(folder, character):
     panel = pad(None)
     panel.load(replace(recording_of("a"), character=character))
@@ -348,7 +368,7 @@ def test_save_and_forget_without_ink_say_so(panel, folder):
 
 def test_a_place_that_cannot_be_written_gets_a_sentence(panel, folder, monkeypatch):
     write(panel)
-    monkeypatch.setattr("dmp_teach.classroom.pad.Path.cwd", lambda: folder / "gone")
+    monkeypatch.setattr("dmp_teach.classroom.panels.pad.Path.cwd", lambda: folder / "gone")
     send(panel, kind="save")
     assert "gone" in panel.kept
     assert "Saved" not in panel.kept
@@ -377,7 +397,14 @@ def test_ink_of_ones_own_that_is_large_lies_within_a_larger_sheet(panel):
 
 def _large():
     t = np.linspace(0, 2, 241)
-    return t, np.column_stack([3 + 0.2 * np.cos(t), 5 + 0.3 * np.sin(t), 0 * t]), None, None, None, ((0, 241),)
+    return (
+        t,
+        np.column_stack([3 + 0.2 * np.cos(t), 5 + 0.3 * np.sin(t), 0 * t]),
+        None,
+        None,
+        None,
+        ((0, 241),),
+    )
 
 
 def test_pressure_of_a_pen_is_kept_and_that_of_a_mouse_is_not(panel):
@@ -431,7 +458,9 @@ def test_a_letter_of_very_many_strokes_ends_with_a_sentence(panel):
 
 
 KINDS = st.sampled_from(["stroke", "undo", "again", "all", "close", "stop", "nonsense", None])
-MESSAGES = st.tuples(KINDS, st.one_of(st.none(), st.integers(-5, 50), st.text(max_size=2)), st.binary(max_size=256))
+MESSAGES = st.tuples(
+    KINDS, st.one_of(st.none(), st.integers(-5, 50), st.text(max_size=2)), st.binary(max_size=256)
+)
 PLACES = st.lists(st.tuples(*[st.floats(-2, 2) | st.floats()] * 4), max_size=8)
 
 
@@ -451,7 +480,10 @@ def test_no_message_ever_kills_the_panel(messages):
 
 
 def test_a_pad_takes_one_letter_and_an_accent_may_be_a_sign_of_its_own(panel):
-    for wrong, words in (("hello", r"teach.word\('hello'\)"), (5, "character is 5, but must be one letter")):
+    for wrong, words in (
+        ("hello", r"teach.word\('hello'\)"),
+        (5, "character is 5, but must be one letter"),
+    ):
         with pytest.raises(RecordingError, match=words):
             pad(wrong)
         with pytest.raises(TraitError if wrong == 5 else RecordingError):

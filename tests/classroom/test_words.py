@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import dmp_teach
-from dmp_teach.classroom import words
+from dmp_teach.classroom.panels import messages as words
 from dmp_teach.trajectory import Trajectory
 
 
@@ -44,7 +44,10 @@ def test_a_length_is_compared_with_a_thing_of_that_size(metres, thing):
 @given(st.floats(0, 10), st.floats(0, 10))
 def test_a_longer_distance_is_never_compared_with_a_smaller_thing(a, b):
     order = ["less than", "of a hair", "pen line", "pencil", "finger", "hand"]
-    rank = [next(i for i, word in enumerate(order) if word in words.as_wide_as(x)) for x in sorted((a, b))]
+    rank = [
+        next(i for i, word in enumerate(order) if word in words.as_wide_as(x))
+        for x in sorted((a, b))
+    ]
     assert rank[0] <= rank[1]
 
 
@@ -68,7 +71,9 @@ def test_the_largest_gap_names_the_stroke_and_the_place():
     t = np.linspace(0, 1, 11)
     straight = Trajectory(t, np.zeros((11, 2)))
     bent = Trajectory(t, np.where(np.arange(11)[:, None] == 9, 0.01, 0.0) * np.ones(2))
-    assert words.largest_gap((straight, straight), (straight, bent)) == "most near the end of stroke 2"
+    assert (
+        words.largest_gap((straight, straight), (straight, bent)) == "most near the end of stroke 2"
+    )
     assert words.largest_gap((straight,), (bent,)) == "most near its end"
 
 

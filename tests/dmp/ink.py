@@ -13,7 +13,8 @@ def letter(n=300, duration=2.5, *, dimensions=2, size=0.1, seed=0, begin=0.0):
     eased = t**3 * (10 - 15 * t + 6 * t**2)
     waves = np.sin(np.pi * eased[:, None] * np.arange(1, 6) + rng.uniform(0, 2 * np.pi, 5))
     return Trajectory(
-        begin + duration * t, size * waves @ rng.normal(size=(5, dimensions)) / 5 + rng.normal(size=dimensions)
+        begin + duration * t,
+        size * waves @ rng.normal(size=(5, dimensions)) / 5 + rng.normal(size=dimensions),
     )
 
 
@@ -22,7 +23,11 @@ def letters(draw):
     """Smooth letters of any length, size and rate that a pad or a camera gives."""
     duration = draw(st.floats(0.3, 6.0))
     n = max(6, round(duration * draw(st.sampled_from([30, 60, 120, 240]))))
-    about = {"dimensions": st.integers(1, 3), "size": st.floats(0.005, 0.3), "seed": st.integers(0, 10**6)}
+    about = {
+        "dimensions": st.integers(1, 3),
+        "size": st.floats(0.005, 0.3),
+        "seed": st.integers(0, 10**6),
+    }
     return letter(n, duration, begin=draw(st.floats(-5, 100)), **draw(st.fixed_dictionaries(about)))
 
 
@@ -48,9 +53,12 @@ def scrawls(draw):
 
 
 INK = {  # what a path of parts u (T, 1) of its time is, for a generator of random numbers and D dimensions
-    "waves": lambda u, rng, D: letter(len(u), dimensions=D, seed=int(rng.integers(10**6)), size=1.0).position,
+    "waves": lambda u, rng, D: (
+        letter(len(u), dimensions=D, seed=int(rng.integers(10**6)), size=1.0).position
+    ),
     "crossing": lambda u, rng, D: (
-        np.sin(2 * np.pi * u * rng.integers(1, 4, D) + rng.uniform(0, 6, D)) + u * rng.normal(size=D)
+        np.sin(2 * np.pi * u * rng.integers(1, 4, D) + rng.uniform(0, 6, D))
+        + u * rng.normal(size=D)
     ),
     "closed": lambda u, rng, D: np.sin(2 * np.pi * u * rng.integers(1, 4, D)),
     "straight": lambda u, rng, D: u**3 * (10 - 15 * u + 6 * u**2) * rng.normal(size=D),
@@ -65,7 +73,9 @@ def any_ink(draw):
     rng = np.random.default_rng(draw(st.integers(0, 10**6)))
     n = draw(st.one_of(st.integers(5, 60), st.integers(61, 600), st.integers(601, 5000)))
     duration = float(np.clip(n / draw(st.sampled_from([30, 60, 120, 240, 1000])), 0.02, 30))
-    path = INK[draw(st.sampled_from(sorted(INK)))](np.linspace(0, 1, n)[:, None], rng, draw(st.integers(1, 3)))
+    path = INK[draw(st.sampled_from(sorted(INK)))](
+        np.linspace(0, 1, n)[:, None], rng, draw(st.integers(1, 3))
+    )
     t = np.linspace(0, duration, n)
     if draw(st.integers(0, 4)) == 0:
         t[1:-1] += rng.uniform(-0.4, 0.4, n - 2) * t[1]

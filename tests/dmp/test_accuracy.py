@@ -11,8 +11,8 @@ import pytest
 
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
+from dmp_teach.formats.read import read_recording
 from dmp_teach.ink.alphabet import characters, recording_of
-from dmp_teach.ink.reader import read_recording
 from dmp_teach.trajectory import Trajectory
 from tests.dmp.ink import letter, rms
 from tests.recordings import RECORDINGS, needs_recordings
@@ -27,7 +27,11 @@ BOUNDS = {  # preset: letter: rms median, rms worst, largest median, largest wor
 @cache
 def strokes(character):
     """The strokes of every recording of a letter, the noisy set left out."""
-    files = [each for each in RECORDINGS if each.stem.startswith(f"{character}_") and "w00" not in each.stem]
+    files = [
+        each
+        for each in RECORDINGS
+        if each.stem.startswith(f"{character}_") and "w00" not in each.stem
+    ]
     return [stroke for each in files for stroke in read_recording(each).strokes()]
 
 
@@ -81,9 +85,13 @@ def test_our_own_letters_are_drawn_as_near(preset, worst):
 def test_the_error_does_not_depend_on_the_rate_of_the_camera(rate):
     """Plain Euler steps make it 3 times larger at 60 samples a second than at 240."""
     demo = letter(int(2.5 * rate) + 1, 2.5, seed=1)
-    assert rms(DMP.imitate(demo, Settings.star(smoothing=None)).rollout().position, demo.position) == pytest.approx(
+    assert rms(
+        DMP.imitate(demo, Settings.star(smoothing=None)).rollout().position, demo.position
+    ) == pytest.approx(
         rms(
-            DMP.imitate(letter(1251, 2.5, seed=1), Settings.star(smoothing=None)).rollout().position,
+            DMP.imitate(letter(1251, 2.5, seed=1), Settings.star(smoothing=None))
+            .rollout()
+            .position,
             letter(1251, 2.5, seed=1).position,
         ),
         rel=0.25,
@@ -94,7 +102,10 @@ def test_more_kernels_draw_nearer():
     demo = letter(600, 2.5, seed=5)
     for preset in (Settings.star, Settings.joint, Settings.plus):
         found = [
-            rms(DMP.imitate(demo, preset(n_kernels=n, smoothing=None)).rollout().position, demo.position)
+            rms(
+                DMP.imitate(demo, preset(n_kernels=n, smoothing=None)).rollout().position,
+                demo.position,
+            )
             for n in (10, 20, 40)
         ]
         assert found[0] > 2 * found[1] > 4 * found[2]

@@ -7,10 +7,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from dmp_teach.dmp.integrators import Spring, least_steps, most_alpha
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
-from dmp_teach.dmp.spring import Spring, least_steps, most_alpha
-from dmp_teach.dmp.stepping import Rollout
+from dmp_teach.dmp.stepper import Rollout
 from dmp_teach.errors import SettingError, SettingWarning, TrajectoryError
 from dmp_teach.trajectory import Trajectory
 from tests.dmp.ink import letter
@@ -55,8 +55,14 @@ def closed(path):
         ),
         ({"alpha": 20_000.0}, "alpha is 20000.0, but it must be between 1 and 10000."),
         ({"damping": 0.0}, "damping is 0.0, but it must be between 0.1 and 2."),
-        ({"phase": "cosine"}, "phase is 'cosine', but it must be one of: 'linear', 'exponential', 'sigmoid'."),
-        ({"transform": "plus"}, "transform is 'plus', but it must be one of: 'star', 'original', 'similarity'."),
+        (
+            {"phase": "cosine"},
+            "phase is 'cosine', but it must be one of: 'linear', 'exponential', 'sigmoid'.",
+        ),
+        (
+            {"transform": "plus"},
+            "transform is 'plus', but it must be one of: 'star', 'original', 'similarity'.",
+        ),
         ({"kernel": "box"}, "kernel is 'box', but it must be one of: 'gaussian', 'mollifier'."),
         ({"n_kernels": 0}, "n_kernels is 0, but it must be a whole number between 1 and 3000."),
     ],
@@ -73,7 +79,9 @@ def test_the_largest_stiffness_that_is_named_works(integrator, damping):
     settings = Settings.star(alpha=largest, damping=damping, integrator=integrator, n_kernels=3)
     assert settings.alpha == largest
     alpha = min(largest, 200.0)
-    drawn = DMP.imitate(letter(60, 1.0), Settings.star(alpha=alpha, damping=damping, integrator=integrator)).rollout()
+    drawn = DMP.imitate(
+        letter(60, 1.0), Settings.star(alpha=alpha, damping=damping, integrator=integrator)
+    ).rollout()
     assert np.abs(drawn.position - letter(60, 1.0).position).max() < 0.2
     spring = Spring(largest, math.ceil(least_steps(largest, damping)), integrator, damping)
     assert np.isfinite(spring.kick()).all()
@@ -91,11 +99,27 @@ def test_a_stiffness_that_nobody_chose_is_never_too_stiff():
     ("t", "position", "words"),
     [
         ([0.0], [[1.0, 2.0]], "A trajectory needs at least 2 samples, but has 1."),
-        ([0, 1, 1, 2], np.zeros((4, 2)), "t[2] is 1.0 s and does not come after t[1] = 1.0 s; times must increase."),
-        ([0, 2, 1], np.zeros((3, 1)), "t[2] is 1.0 s and does not come after t[1] = 2.0 s; times must increase."),
-        ([0, 1], [[0, 0], [math.nan, 1]], "position[1] is [nan  1.], but must be finite; fill or cut the gap first."),
+        (
+            [0, 1, 1, 2],
+            np.zeros((4, 2)),
+            "t[2] is 1.0 s and does not come after t[1] = 1.0 s; times must increase.",
+        ),
+        (
+            [0, 2, 1],
+            np.zeros((3, 1)),
+            "t[2] is 1.0 s and does not come after t[1] = 2.0 s; times must increase.",
+        ),
+        (
+            [0, 1],
+            [[0, 0], [math.nan, 1]],
+            "position[1] is [nan  1.], but must be finite; fill or cut the gap first.",
+        ),
         ([0, math.inf], [[0], [1]], "t[1] is inf, but must be finite; fill or cut the gap first."),
-        ([0, 1, 2], np.zeros((2, 2)), "t has shape (3,) and position (2, 2), but they must be (T,) and (T, D)"),
+        (
+            [0, 1, 2],
+            np.zeros((2, 2)),
+            "t has shape (3,) and position (2, 2), but they must be (T,) and (T, D)",
+        ),
         ("ab", [[0], [1]], "t must be numbers in an array, but: could not convert string to float"),
     ],
 )
@@ -112,7 +136,9 @@ def test_the_original_names_the_one_coordinate_that_ends_where_it_began(axis, na
     words = f"start and goal are equal in coordinate {axis} ({name}). Settings.star() can."
     with pytest.raises(SettingError, match=re.escape(words)):
         DMP.imitate(Trajectory(T, path), Settings.original())
-    assert np.isfinite(DMP.imitate(Trajectory(T, path), Settings.star(transform="similarity")).rollout().position).all()
+    assert np.isfinite(
+        DMP.imitate(Trajectory(T, path), Settings.star(transform="similarity")).rollout().position
+    ).all()
 
 
 @pytest.mark.parametrize("path", [CLOSED, CLOSED[:, :1], np.column_stack([CLOSED, T * (1 - T)])])
@@ -142,7 +168,11 @@ def test_a_similarity_refuses_to_end_at_its_start_and_names_dmp_star():
         "The goal is the start, but transform 'similarity' would shrink the whole letter to that point: ask for "
         "another goal, or learn it as DMP*, transform='star'."
     )
-    for asked in ({"goal": p.start}, {"start": p.goal}, {"start": (0, 0), "goal": (0, 0), "dt": 0.001}):
+    for asked in (
+        {"goal": p.start},
+        {"start": p.goal},
+        {"start": (0, 0), "goal": (0, 0), "dt": 0.001},
+    ):
         with pytest.raises(TrajectoryError, match=f"^{re.escape(words)}$"):
             p.rollout(**asked)
 
@@ -181,10 +211,14 @@ def test_where_the_note_says_that_f_is_nought_it_is_nought():
     demo = letter(240, 2.0)
     with pytest.warns(SettingWarning):
         p = DMP.imitate(demo, Settings.star(n_kernels=2, kernel_width=0.5))
-    first, second = ((float(a), float(b)) for a, b in re.findall(r"([\d.]+) to ([\d.]+) s", p.notes[-1])[:2])
+    first, second = (
+        (float(a), float(b)) for a, b in re.findall(r"([\d.]+) to ([\d.]+) s", p.notes[-1])[:2]
+    )
     left = 1 - np.arange(p.steps) / p.steps
     awake = p.kernels.over(left).blend(np.ones((2, 1)))[:, 0]
     t = 2.0 * np.arange(p.steps) / p.steps
-    inside = ((t > first[0] + 1e-2) & (t < first[1] - 1e-2)) | ((t > second[0] + 1e-2) & (t < second[1] - 1e-2))
+    inside = ((t > first[0] + 1e-2) & (t < first[1] - 1e-2)) | (
+        (t > second[0] + 1e-2) & (t < second[1] - 1e-2)
+    )
     assert not awake[inside].any()
     assert awake[(t > first[1] + 1e-2) & (t < second[0] - 1e-2)].all()

@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.signal import butter, filtfilt
 
-from dmp_teach.dmp.demonstration import has_even_times, prepared, sharpened, smoothed
+from dmp_teach.dmp.preprocessing import has_even_times, prepared, sharpened, smoothed
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.trajectory import Trajectory
@@ -72,7 +72,9 @@ def test_where_smoothing_cannot_work_it_is_left_out_and_the_primitive_says_so(n,
 
 def test_uneven_times_are_resampled_and_the_primitive_says_so():
     smooth, rng = letter(2000, 2.5, seed=4), np.random.default_rng(0)
-    picked = np.sort(np.concatenate([[0, 1999], rng.choice(np.arange(1, 1999), 150, replace=False)]))
+    picked = np.sort(
+        np.concatenate([[0, 1999], rng.choice(np.arange(1, 1999), 150, replace=False)])
+    )
     uneven = Trajectory(smooth.t[picked], smooth.position[picked])
     p = DMP.imitate(uneven)
     assert p.notes == ("Times were uneven: resampled at 60.4 samples a second.",)

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from dmp_teach.dmp.equation import turned_and_scaled
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
-from dmp_teach.dmp.stepping import Rollout
+from dmp_teach.dmp.stepper import Rollout
 from dmp_teach.errors import SettingError, SettingWarning
 from tests.dmp.ink import any_ink
 
@@ -35,9 +35,14 @@ CHOICES = {
     "smoothing": [None, 10.0],
 }
 variants = st.tuples(
-    st.sampled_from(KERNELS), st.fixed_dictionaries({name: st.sampled_from(of) for name, of in CHOICES.items()})
+    st.sampled_from(KERNELS),
+    st.fixed_dictionaries({name: st.sampled_from(of) for name, of in CHOICES.items()}),
 )
-REACHED = {"linear": 0.004, "exponential": 0.03, "sigmoid": 0.03}  # of the shift, with feed-forward, from alpha = 12 on
+REACHED = {
+    "linear": 0.004,
+    "exponential": 0.03,
+    "sigmoid": 0.03,
+}  # of the shift, with feed-forward, from alpha = 12 on
 
 
 def close(a, b, size, part=1e-9):
@@ -53,7 +58,9 @@ def check(demo, variant, shift, factor):
             p = DMP.imitate(demo, Settings.star(**kernels, **rest))
     except SettingError as error:
         refused = "ends where it began" in str(error) or "closed" in str(error)
-        if refused and np.abs(demo.position[-1] - demo.position[0]).min() <= 1e-6 * np.ptp(demo.position):
+        if refused and np.abs(demo.position[-1] - demo.position[0]).min() <= 1e-6 * np.ptp(
+            demo.position
+        ):
             return
         raise
     shown, size = p.rollout().position, np.ptp(demo.position) + 1e-9
@@ -87,7 +94,9 @@ def follows_its_goal(p, shown, moved, shift, size):
         assert len(way) == 1 or np.linalg.det(turn) > 0
     else:
         h = p._answer[:, 0]
-        close(p._path(way + shift, p.steps) - p.shown, np.outer(h, shift), size)  # the same for every letter
+        close(
+            p._path(way + shift, p.steps) - p.shown, np.outer(h, shift), size
+        )  # the same for every letter
         late = 0.06 if p.settings.integrator == "lagged" else 0.0  # its pushes come a step late
         if p.settings.feed_goal:
             assert abs(1 - h[-1]) <= REACHED[p.settings.phase] + late
@@ -104,7 +113,9 @@ def assert_duration_and_place_do_not_matter(p, moved, shift, factor, size):
     close(elsewhere, moved + 0.1, size + 0.1, 1e-9)
 
 
-laws = given(any_ink(), variants, st.tuples(*[st.floats(-2, 2)] * 3).map(np.array), st.floats(0.25, 4.0))
+laws = given(
+    any_ink(), variants, st.tuples(*[st.floats(-2, 2)] * 3).map(np.array), st.floats(0.25, 4.0)
+)
 calm = {"deadline": None, "suppress_health_check": list(HealthCheck)}
 
 

@@ -8,10 +8,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from dmp_teach.dmp.fit import bias, forcing, joint, lwr
+from dmp_teach.dmp.integrators import Spring
 from dmp_teach.dmp.kernels import Kernels
-from dmp_teach.dmp.spring import Spring
 
-widths = st.sampled_from([(1.0, math.inf), (0.6, math.inf), (1.0, 0.65), (3.0, 1.0), (math.inf, 0.65)])
+widths = st.sampled_from(
+    [(1.0, math.inf), (0.6, math.inf), (1.0, 0.65), (3.0, 1.0), (math.inf, 0.65)]
+)
 
 
 def case(n, m, width, sigma, seed):
@@ -27,7 +29,9 @@ def test_lwr_is_the_papers_equation_kernel_by_kernel(n, m, width, seed):
     w, none = lwr(kernels.over(s), s[:, None], F, spring)
     psi = kernels.heights(s)
     for i in range(n):
-        assert w[i] == pytest.approx((psi[:, i] * s) @ F / (psi[:, i] @ (s * s)), rel=1e-9, abs=1e-12)
+        assert w[i] == pytest.approx(
+            (psi[:, i] * s) @ F / (psi[:, i] @ (s * s)), rel=1e-9, abs=1e-12
+        )
     assert none is None
 
 
@@ -39,7 +43,9 @@ def test_local_bias_is_the_best_line_of_each_kernel(n, m, width, seed):
     psi = kernels.heights(s)
     for i in range(n):
         root = np.sqrt(psi[:, i])
-        line = np.linalg.lstsq(np.column_stack([s, np.ones_like(s)]) * root[:, None], F * root[:, None], rcond=None)[0]
+        line = np.linalg.lstsq(
+            np.column_stack([s, np.ones_like(s)]) * root[:, None], F * root[:, None], rcond=None
+        )[0]
         assert w[i] == pytest.approx(line[0], rel=1e-6, abs=1e-7)
         assert b[i] == pytest.approx(line[1], rel=1e-6, abs=1e-7)
 

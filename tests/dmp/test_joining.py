@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from dmp_teach.dmp.joining import joined
+from dmp_teach.dmp.chaining import joined
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import TrajectoryError
@@ -42,11 +42,18 @@ def test_two_halves_of_a_letter_join_to_the_letter(preset, seed, overlap, cut):
     whole = letter(301, 2.5, seed=seed)
     more = round(overlap * 120)
     halves = [slice(0, cut + more + 1), slice(cut, None)]
-    parts = [DMP.imitate(Trajectory(whole.t[each], whole.position[each]), preset()) for each in halves]
+    parts = [
+        DMP.imitate(Trajectory(whole.t[each], whole.position[each]), preset()) for each in halves
+    ]
     drawn = joined(parts, overlap=more / 120)
-    at = np.column_stack([np.interp(whole.t, drawn.t, drawn.position[:, axis]) for axis in range(2)])
+    at = np.column_stack(
+        [np.interp(whole.t, drawn.t, drawn.position[:, axis]) for axis in range(2)]
+    )
     assert drawn.duration == pytest.approx(2.5)
-    alone = max(rms(p.rollout().position, whole.position[each]) for p, each in zip(parts, halves, strict=True))
+    alone = max(
+        rms(p.rollout().position, whole.position[each])
+        for p, each in zip(parts, halves, strict=True)
+    )
     assert rms(at, whole.position) < 0.3 + 1.5 * alone
 
 
@@ -63,14 +70,20 @@ def test_nothing_jumps_at_a_joint(preset, seed, overlap):
                 np.linspace(0, each.duration, finer * (len(each) - 1) + 1),
                 np.column_stack(
                     [
-                        np.interp(np.linspace(0, each.duration, finer * (len(each) - 1) + 1), each.t, column)
+                        np.interp(
+                            np.linspace(0, each.duration, finer * (len(each) - 1) + 1),
+                            each.t,
+                            column,
+                        )
                         for column in each.position.T
                     ]
                 ),
             )
             for each in pieces
         ]
-        drawn = joined([DMP.imitate(each, preset(alpha=40.0, n_kernels=12)) for each in fine], overlap)
+        drawn = joined(
+            [DMP.imitate(each, preset(alpha=40.0, n_kernels=12)) for each in fine], overlap
+        )
         change.append(np.abs(np.diff(speeds(drawn), axis=0)).max())
     assert change[1] < 0.5 * change[0]
 
@@ -80,7 +93,9 @@ def test_at_a_joint_the_pen_passes_from_one_path_to_the_other_by_their_shares(ov
     """Two springs alike: what the moving goal needs is given, so that the pen does not trail behind it."""
     settings = Settings.star(alpha=30.0, n_kernels=20, integrator="exact", smoothing=None)
     t = np.linspace(0, 1.5, 1201)
-    lines = [Trajectory(t, np.outer(t, way)) for way in ((0.2, 0.1), (-0.1, 0.2))]  # at full speed at both ends
+    lines = [
+        Trajectory(t, np.outer(t, way)) for way in ((0.2, 0.1), (-0.1, 0.2))
+    ]  # at full speed at both ends
     one, two = (DMP.imitate(each, settings) for each in lines)
     drawn = joined([one, two], overlap)
     t = np.linspace(1.5 - overlap, 1.5, 200)
@@ -88,7 +103,9 @@ def test_at_a_joint_the_pen_passes_from_one_path_to_the_other_by_their_shares(ov
     p = ((t - t[0]) / overlap)[:, None]
     share = p**3 * (10 - 15 * p + 6 * p**2)
     y, y_2 = (
-        np.column_stack([np.interp(t - begin, each.times, column) for column in each.rollout().position.T])
+        np.column_stack(
+            [np.interp(t - begin, each.times, column) for column in each.rollout().position.T]
+        )
         for each, begin in ((one, 0.0), (two, 1.5 - overlap))
     )
     assert np.abs(at - y - share * (y_2 - y)).max() < 0.002 * np.abs(y_2 - y).max()
@@ -119,7 +136,9 @@ def test_letters_side_by_side_are_joined_on_the_way_and_keep_their_shapes(preset
     assert drawn.duration == pytest.approx(1.6 + 0.5 + 2.0)
     for p, begin in ((parts[0], 0.0), (parts[1], 2.1)):
         alone = p.rollout()
-        at = np.column_stack([np.interp(p.times + begin, drawn.t, column) for column in drawn.position.T])
+        at = np.column_stack(
+            [np.interp(p.times + begin, drawn.t, column) for column in drawn.position.T]
+        )
         assert rms(at, alone.position) < 3.0
     way = (drawn.t > 1.6) & (drawn.t < 2.1)
     ends = np.array([parts[0].goal, parts[1].start])
@@ -129,7 +148,9 @@ def test_letters_side_by_side_are_joined_on_the_way_and_keep_their_shapes(preset
 
 def test_starts_and_goals_may_move():
     p = DMP.imitate(letter(200, 1.6))
-    drawn = joined([p, p], 0.1, starts={1: p.start + 0.1}, goals={0: p.goal + 0.1, 1: p.goal + 0.05})
+    drawn = joined(
+        [p, p], 0.1, starts={1: p.start + 0.1}, goals={0: p.goal + 0.1, 1: p.goal + 0.05}
+    )
     assert drawn.position[0] == pytest.approx(p.start)
     assert drawn.position[-1] == pytest.approx(p.goal + 0.05, abs=1e-3)
 
@@ -138,7 +159,10 @@ def test_starts_and_goals_may_move():
     ("ask", "answer"),
     [
         (lambda p: joined([]), "Primitives are joined .DMP.imitate makes them., but got nothing"),
-        (lambda p: joined([p, 3]), "Primitives are joined .DMP.imitate makes them., but got an int"),
+        (
+            lambda p: joined([p, 3]),
+            "Primitives are joined .DMP.imitate makes them., but got an int",
+        ),
         (
             lambda p: joined([p, DMP.imitate(letter(dimensions=3))]),
             "Movements of 2 and 3 dimensions cannot be joined: give all of them the same",
@@ -148,7 +172,10 @@ def test_starts_and_goals_may_move():
             "overlap is 1.3, but it must be between -5 s and 1.25 s, half of the sh",
         ),
         (lambda p: joined([p, p], overlap="long"), "overlap is 'long', but it must be between"),
-        (lambda p: joined([p, p], goals={2: (0, 0)}), "There is no movement 2 .* counted from 0 to 1"),
+        (
+            lambda p: joined([p, p], goals={2: (0, 0)}),
+            "There is no movement 2 .* counted from 0 to 1",
+        ),
         (
             lambda p: joined([p, p], starts={1: (0, 0, 0)}),
             r"start has shape \(3,\), but this movement has 2 dimensions",

@@ -27,7 +27,13 @@ def test_touching_kernels_leave_no_sample_alone_and_share_none(n, m, phase):
 
 
 @settings(deadline=None)
-@given(numbers, steps, st.floats(0.2, 40) | st.just(math.inf), st.sampled_from([0.65, 4.0, math.inf]), phases)
+@given(
+    numbers,
+    steps,
+    st.floats(0.2, 40) | st.just(math.inf),
+    st.sampled_from([0.65, 4.0, math.inf]),
+    phases,
+)
 def test_activations_sum_to_one_or_to_nothing(n, m, width, sigma, phase):
     kernels = Kernels(n, width, sigma, phase)
     s = falling(phase, m)
@@ -42,7 +48,10 @@ def test_activations_sum_to_one_or_to_nothing(n, m, width, sigma, phase):
 def test_cells_take_the_same_sums_as_the_table_of_heights(n, m, width, sigma, phase):
     kernels = Kernels(n, width, sigma, phase)
     left = np.sort(np.random.default_rng(n + m).uniform(0, 1, m))[::-1]
-    values, weights = np.random.default_rng(n).normal(size=(m, 2)), np.random.default_rng(m).normal(size=(n, 2))
+    values, weights = (
+        np.random.default_rng(n).normal(size=(m, 2)),
+        np.random.default_rng(m).normal(size=(n, 2)),
+    )
     fast, plain = kernels.over(left), Overlap(kernels.heights(phase.at(left)))
     assert isinstance(fast, Cells)
     assert np.allclose(fast.gather(values), plain.gather(values), rtol=1e-12, atol=1e-12)
@@ -53,7 +62,9 @@ def test_centres_and_widths_are_those_of_the_design():
     kernels = Kernels(4, width=1.0, sigma=2.0)
     assert kernels.centers == pytest.approx([0.125, 0.375, 0.625, 0.875])
     s, h = 0.30, (4 / 2.0) ** 2
-    assert kernels.heights(np.array([s]))[0] == pytest.approx([0, math.exp(-h / 2 * (s - 0.375) ** 2), 0, 0])
+    assert kernels.heights(np.array([s]))[0] == pytest.approx(
+        [0, math.exp(-h / 2 * (s - 0.375) ** 2), 0, 0]
+    )
     edges = Kernels(4).heights(np.array([0.0, 0.25, 0.4999999, 0.5, 1.0]))
     assert edges.argmax(axis=1).tolist() == [0, 1, 1, 2, 3]
 

@@ -18,7 +18,9 @@ few = settings(max_examples=40, deadline=None)
 
 
 def sigmoid(**changes):
-    return Settings.star(**{"phase": "sigmoid", "kernel": "mollifier", "kernel_width": 2.5} | changes)
+    return Settings.star(
+        **{"phase": "sigmoid", "kernel": "mollifier", "kernel_width": 2.5} | changes
+    )
 
 
 def exact(**changes):
@@ -42,7 +44,9 @@ def test_all_transformations_draw_the_same_path_at_the_demonstrated_goal(demo, p
     way = demo.position[-1] - demo.position[0]
     assume(np.abs(way).min() > 1e-3)
     names = ("star", "original", "similarity")
-    star, original, similarity = (DMP.imitate(demo, preset(transform=name)).rollout().position for name in names)
+    star, original, similarity = (
+        DMP.imitate(demo, preset(transform=name)).rollout().position for name in names
+    )
     assert close(star, original)
     assert close(star, similarity)
 
@@ -88,7 +92,9 @@ def test_moving_start_and_goal_together_moves_the_letter(demo, preset, shift):
 @given(letters(), every, shifts)
 def test_a_letter_taught_elsewhere_is_the_same_letter(demo, preset, shift):
     elsewhere = DMP.imitate(Trajectory(demo.t, demo.position + shift), preset())
-    assert close(elsewhere.rollout().position, DMP.imitate(demo, preset()).rollout().position + shift, 1e-11)
+    assert close(
+        elsewhere.rollout().position, DMP.imitate(demo, preset()).rollout().position + shift, 1e-11
+    )
 
 
 @few
@@ -100,7 +106,9 @@ def test_another_duration_is_the_same_path(demo, preset, factor):
     assert slow.duration == pytest.approx(factor * demo.duration, rel=1e-9)
     assert slow.t[0] == demo.t[0]
     dt = p.duration / 700
-    assert close(p.rollout(duration=p.duration * factor, dt=dt * factor).position, p.rollout(dt=dt).position)
+    assert close(
+        p.rollout(duration=p.duration * factor, dt=dt * factor).position, p.rollout(dt=dt).position
+    )
 
 
 @few
@@ -108,7 +116,11 @@ def test_another_duration_is_the_same_path(demo, preset, factor):
 def test_when_the_recording_began_does_not_matter(demo, preset):
     for began, metres in ((1000.0, 1e-12), (1.7e9, 1e-6)):
         later = DMP.imitate(Trajectory(demo.t + began, demo.position), preset(n_kernels=6))
-        assert close(later.rollout().position, DMP.imitate(demo, preset(n_kernels=6)).rollout().position, metres)
+        assert close(
+            later.rollout().position,
+            DMP.imitate(demo, preset(n_kernels=6)).rollout().position,
+            metres,
+        )
 
 
 @few
@@ -194,7 +206,9 @@ def one_of(each):
     if each.whole:
         return st.integers(int(each.low), int(each.high)) | st.none()
     numbers = st.floats(each.low, each.high)
-    return numbers | (st.none() if each.optional else st.just(math.inf) if each.endless else st.nothing())
+    return numbers | (
+        st.none() if each.optional else st.just(math.inf) if each.endless else st.nothing()
+    )
 
 
 @settings(max_examples=300, deadline=None)
@@ -208,7 +222,11 @@ def test_no_setting_in_range_gives_nan(demo, chosen, shift):
         raise
     if chosen["transform"] == "similarity" and np.array_equal(p.goal + shift, p.start):
         return
-    for drawn in (p.rollout(), p.rollout(goal=p.goal + shift, duration=3.0), p.rollout(dt=p.duration / 7)):
+    for drawn in (
+        p.rollout(),
+        p.rollout(goal=p.goal + shift, duration=3.0),
+        p.rollout(dt=p.duration / 7),
+    ):
         assert np.isfinite(drawn.position).all()
     assert np.isfinite(p.weights).all()
 
@@ -219,7 +237,9 @@ def test_the_original_stays_at_its_start_when_told_to_go_there(demo):
     way = demo.position[-1] - demo.position[0]
     assume(np.abs(way).min() > 1e-6)
     p = DMP.imitate(demo, Settings.original())
-    assert np.array_equal(p.rollout(goal=p.start).position, np.broadcast_to(p.start, demo.position.shape))
+    assert np.array_equal(
+        p.rollout(goal=p.start).position, np.broadcast_to(p.start, demo.position.shape)
+    )
 
 
 def test_the_original_mirrors_a_letter_whose_goal_moves_across_its_start_and_dmp_star_does_not():

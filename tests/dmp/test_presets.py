@@ -30,7 +30,9 @@ COSTS = {  # [mm], median: of a reading in the text, changed alone in the paper 
 def cost(demos, settings):
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", SettingWarning)
-        return float(np.median([rms(DMP.imitate(d, settings).rollout().position, d.position) for d in demos]))
+        return float(
+            np.median([rms(DMP.imitate(d, settings).rollout().position, d.position) for d in demos])
+        )
 
 
 def test_the_table_gives_every_field_of_every_preset():
@@ -50,7 +52,11 @@ def test_the_documentation_shows_the_same_table():
 
 def test_the_readings_are_those_of_the_design():
     printed, coded, fixed = Settings.as_printed(), Settings.as_coded(), Settings.as_fixed()
-    assert (printed.kernel_sides, printed.kernel_centers, printed.kernel_width) == ("one", "ends", 1.0)
+    assert (printed.kernel_sides, printed.kernel_centers, printed.kernel_width) == (
+        "one",
+        "ends",
+        1.0,
+    )
     assert (printed.phase, printed.phase_decay, printed.divide, printed.integrator) == (
         "exponential",
         1.0,
@@ -60,7 +66,9 @@ def test_the_readings_are_those_of_the_design():
     assert (coded.kernel_centers, coded.kernel_width, coded.kernel_sigma) == ("grid", 2.0, 4.0)
     resolved = coded.resolved(2.5, 300)
     D = resolved.alpha / 2.5
-    assert (D, (D / (2 * resolved.damping)) ** 2) == pytest.approx((4, 32))  # the program's alpha and alpha beta
+    assert (D, (D / (2 * resolved.damping)) ** 2) == pytest.approx(
+        (4, 32)
+    )  # the program's alpha and alpha beta
     assert fixed.kernel_width == 1.0 < fixed.kernel_sigma < math.inf
     for reading in (printed, coded, fixed):
         assert (reading.transform, reading.fit, reading.derivatives) == ("star", "lwr", "central")
@@ -80,14 +88,17 @@ def test_dividing_by_what_multiplies_is_what_makes_the_weights_fit():
     way = demo.position[-1] - demo.position[0]
     for transform, factor in (("star", 60.0**2 / 4), ("original", way)):
         divided, not_divided = (
-            DMP.imitate(demo, Settings.star(transform=transform, divide=divide)).weights for divide in (True, False)
+            DMP.imitate(demo, Settings.star(transform=transform, divide=divide)).weights
+            for divide in (True, False)
         )
         assert not_divided == pytest.approx(divided * factor, rel=1e-9)
 
 
 def test_as_fixed_draws_our_letters_and_as_printed_cannot():
     ours = [letter(300, 2.5, seed=seed) for seed in range(5)]
-    fixed, coded, printed = (cost(ours, each()) for each in (Settings.as_fixed, Settings.as_coded, Settings.as_printed))
+    fixed, coded, printed = (
+        cost(ours, each()) for each in (Settings.as_fixed, Settings.as_coded, Settings.as_printed)
+    )
     assert fixed < 1.0 < coded < 8.0
     assert printed > 500
     assert cost(ours, Settings.as_printed(divide=True)) < 200
@@ -122,6 +133,9 @@ def test_every_switch_is_a_setting_that_works_alone():
 
 def test_the_programs_centres_leave_the_end_bare_where_it_returns_nan_and_we_give_nought():
     demo = letter(300, 2.5)
-    with pytest.warns(SettingWarning, match=r"at 2\.4\d+ to 2\.500 s from its start\. kernel_centers='middles' closes"):
+    with pytest.warns(
+        SettingWarning,
+        match=r"at 2\.4\d+ to 2\.500 s from its start\. kernel_centers='middles' closes",
+    ):
         p = DMP.imitate(demo, Settings.as_coded(kernel_width=1.0))
     assert np.isfinite(p.rollout().position).all()

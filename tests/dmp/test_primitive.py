@@ -52,7 +52,10 @@ def test_a_pen_that_is_already_moving_starts_with_its_speed():
             {"goal": [1.0, 2.0, 3.0]},
             r"goal has shape \(3,\), but this movement has 2 dimensions: give 2 numbers \[m\].",
         ),
-        ({"start": 1.0}, r"start has shape \(\), but this movement has 2 dimensions: give 2 numbers \[m\]."),
+        (
+            {"start": 1.0},
+            r"start has shape \(\), but this movement has 2 dimensions: give 2 numbers \[m\].",
+        ),
         ({"goal": [0.1, math.nan]}, r"goal is \[0.1 +nan\], but it must be finite \[m\]."),
         ({"start": [math.inf, 0]}, r"start is \[inf +0.\], but it must be finite \[m\]."),
         ({"goal": "right"}, r"goal is 'right', but it must be 2 numbers \[m\]."),
@@ -73,24 +76,32 @@ def test_what_cannot_be_drawn_is_said_in_a_sentence(p, asked, answer):
 def test_the_original_refuses_a_movement_that_ends_where_it_began_and_names_the_coordinate():
     t = np.linspace(0, 1, 100)
     path = np.column_stack([t, np.sin(2 * np.pi * t) * np.array(t < 1)])
-    with pytest.raises(SettingError, match=r"equal in coordinate 1 \(y\)\. Settings\.star\(\) can\."):
+    with pytest.raises(
+        SettingError, match=r"equal in coordinate 1 \(y\)\. Settings\.star\(\) can\."
+    ):
         DMP.imitate(Trajectory(t, path), Settings.original())
     assert np.isfinite(DMP.imitate(Trajectory(t, path)).rollout().position).all()
 
 
 def test_only_a_trajectory_can_be_imitated():
-    with pytest.raises(TrajectoryError, match=r"learned from a Trajectory\(t, position\), but got an ndarray\."):
+    with pytest.raises(
+        TrajectoryError, match=r"learned from a Trajectory\(t, position\), but got an ndarray\."
+    ):
         DMP.imitate(np.zeros((10, 2)))
 
 
 def test_more_kernels_than_samples_are_refused_here_too():
-    with pytest.raises(SettingError, match=r"n_kernels is 9, but the trajectory has only 8 samples; use at most 8."):
+    with pytest.raises(
+        SettingError, match=r"n_kernels is 9, but the trajectory has only 8 samples; use at most 8."
+    ):
         DMP.imitate(letter(8), Settings.star(n_kernels=9))
     assert DMP.imitate(letter(8), Settings.star(n_kernels=8)).weights.shape == (8, 2)
 
 
 @pytest.mark.parametrize("alpha", [1.0, 500.0, 10_000.0])
-@pytest.mark.parametrize("preset", [Settings.star, Settings.joint, Settings.plus, Settings.original])
+@pytest.mark.parametrize(
+    "preset", [Settings.star, Settings.joint, Settings.plus, Settings.original]
+)
 def test_any_stiffness_that_is_taken_is_followed(alpha, preset):
     demo = letter()
     drawn = DMP.imitate(demo, preset(alpha=alpha)).rollout().position
@@ -99,5 +110,7 @@ def test_any_stiffness_that_is_taken_is_followed(alpha, preset):
 
 def test_a_primitive_says_in_one_line_what_it_is():
     t = np.linspace(0, 2, 241)
-    learned = DMP.imitate(Trajectory(t, np.column_stack([np.sin(t), t])), Settings.star(n_kernels=20))
+    learned = DMP.imitate(
+        Trajectory(t, np.column_stack([np.sin(t), t])), Settings.star(n_kernels=20)
+    )
     assert repr(learned) == "DMP(20 kernels, 2-D, 2.000 s, star)"

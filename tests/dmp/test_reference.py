@@ -16,11 +16,15 @@ from tests.dmp.ink import letter, letters
 
 
 def swinging(**changes):
-    return Settings.star(**{"phase": "sigmoid", "damping": 0.6, "kernel_width": 3.0, "kernel_sigma": 1.0} | changes)
+    return Settings.star(
+        **{"phase": "sigmoid", "damping": 0.6, "kernel_width": 3.0, "kernel_sigma": 1.0} | changes
+    )
 
 
 def smooth(**changes):
-    return Settings.star(**{"kernel": "mollifier", "kernel_width": 2.5, "integrator": "lagged"} | changes)
+    return Settings.star(
+        **{"kernel": "mollifier", "kernel_width": 2.5, "integrator": "lagged"} | changes
+    )
 
 
 def unswerving(**changes):
@@ -41,7 +45,9 @@ def acceleration(p, state, left, way, change):
     K, decay = (alpha / (2 * p.settings.damping)) ** 2, p.settings.phase_decay
     linear, sigmoid = p.settings.phase == "linear", p.settings.phase == "sigmoid"
     s = left if linear else np.exp(-decay * (1 - left))
-    fed = alpha if linear else alpha * decay * s - decay**2 * s  # what 1 - s needs of spring and pen
+    fed = (
+        alpha if linear else alpha * decay * s - decay**2 * s
+    )  # what 1 - s needs of spring and pen
     if sigmoid:
         m = p.settings.phase_middle
         k = decay / (1 - m)
@@ -92,7 +98,14 @@ def plain(p, goal, steps):
 @given(
     letters(),
     st.sampled_from(PRESETS),
-    st.sampled_from([{}, {"kernel_width": 0.7}, {"kernel_width": 2.5}, {"kernel_width": 0.8, "kernel_sigma": 0.5}]),
+    st.sampled_from(
+        [
+            {},
+            {"kernel_width": 0.7},
+            {"kernel_width": 2.5},
+            {"kernel_width": 0.8, "kernel_sigma": 0.5},
+        ]
+    ),
     st.floats(-0.1, 0.1),
 )
 def test_the_fast_path_is_the_plain_loop(demo, preset, changes, shift):
@@ -108,13 +121,17 @@ def test_a_rollout_with_only_the_goal_changed_is_the_long_way_to_it(demo, preset
     p = DMP.imitate(demo, preset(n_kernels=5))
     goal = p.goal + shift
     quick, long = p.rollout(goal=goal), p.rollout(goal=goal, duration=p.duration)
-    assert np.abs(quick.position - long.position).max() <= 1e-12 * max(1, np.abs(long.position).max())
+    assert np.abs(quick.position - long.position).max() <= 1e-12 * max(
+        1, np.abs(long.position).max()
+    )
     plainly = (p.start + p._path(goal - p.start, p.steps))[p._own]
     assert np.abs(quick.position - plainly).max() <= 1e-12 * max(1, np.abs(plainly).max())
     assert np.array_equal(quick.t, demo.t)
     assert not quick.position.flags.writeable
     as_shown = p.rollout().position
-    assert np.abs(p.rollout(goal=p.goal).position - as_shown).max() <= 1e-12 * max(1, np.abs(as_shown).max())
+    assert np.abs(p.rollout(goal=p.goal).position - as_shown).max() <= 1e-12 * max(
+        1, np.abs(as_shown).max()
+    )
 
 
 @pytest.mark.filterwarnings("ignore:overflow")
@@ -133,7 +150,11 @@ def exact(p, goal, times):
     """The same movement by SciPy's integrator, kernel by kernel so that no jump of the forcing hides in a step."""
     way = goal - p.start
     change, D = way - (p.goal - p.start), len(way)
-    v = p.start_velocity * p.duration * (way / (p.goal - p.start) if p.settings.transform == "original" else 1)
+    v = (
+        p.start_velocity
+        * p.duration
+        * (way / (p.goal - p.start) if p.settings.transform == "original" else 1)
+    )
     N = p.settings.n_kernels
     cuts = np.unique(np.concatenate([np.arange(N + 1) / N, (np.arange(2 * N + 1) / (2 * N))]))
     state, out = np.concatenate([p.start, v]), {0.0: p.start}
@@ -144,7 +165,9 @@ def exact(p, goal, times):
             return np.concatenate([x[D:], acceleration(p, (x[:D], x[D:]), left, way, change)])
 
         wanted = times[(times > a) & (times <= b)]
-        solved = solve_ivp(rate, (a, b), state, rtol=1e-8, atol=1e-11, t_eval=np.unique([*wanted, b]))
+        solved = solve_ivp(
+            rate, (a, b), state, rtol=1e-8, atol=1e-11, t_eval=np.unique([*wanted, b])
+        )
         out.update(zip(solved.t, solved.y[:D].T, strict=True))
         state = solved.y[:, -1]
     return np.array([out[t] for t in times])

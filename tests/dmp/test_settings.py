@@ -22,13 +22,17 @@ def test_every_setting_has_a_default_a_plain_name_and_a_range_or_choices():
     assert (width.label, width.term) == ("how wide each bump is", "kernel width")
 
 
-@pytest.mark.parametrize("each", [each for each in knobs() if not each.choices], ids=lambda each: each.name)
+@pytest.mark.parametrize(
+    "each", [each for each in knobs() if not each.choices], ids=lambda each: each.name
+)
 def test_a_number_is_taken_at_the_ends_of_its_range_and_refused_beyond(each):
     limit = each.limit or each.high
     for fine in (each.low, each.high, limit):
         assert getattr(Settings(**{each.name: fine}), each.name) == fine
     for bad in (each.low - 1, limit + 1, math.nan, "wide", [1], True):
-        with pytest.raises(SettingError, match=f"{each.name} is {re.escape(repr(bad))}, but it must be .*between"):
+        with pytest.raises(
+            SettingError, match=f"{each.name} is {re.escape(repr(bad))}, but it must be .*between"
+        ):
             Settings(**{each.name: bad})
 
 
@@ -39,33 +43,60 @@ def test_an_error_says_what_it_is_and_what_it_must_be():
     assert isinstance(caught.value, (TeachError, ValueError))
     with pytest.raises(SettingError) as caught:
         Settings(n_kernels=2.5)
-    assert str(caught.value) == "n_kernels is 2.5, but it must be a whole number between 1 and 3000."
+    assert (
+        str(caught.value) == "n_kernels is 2.5, but it must be a whole number between 1 and 3000."
+    )
     with pytest.raises(SettingError) as caught:
         Settings(phase="linnear")
-    assert str(caught.value) == "phase is 'linnear', but it must be one of: 'linear', 'exponential', 'sigmoid'."
+    assert (
+        str(caught.value)
+        == "phase is 'linnear', but it must be one of: 'linear', 'exponential', 'sigmoid'."
+    )
     with pytest.raises(SettingError, match=r"^kernel_width is None, but it must be between"):
         Settings(kernel_width=None)
 
 
 def test_a_stiffness_that_no_step_can_follow_is_refused_with_the_largest_that_works():
-    with pytest.raises(SettingError, match=r"^alpha is 1000000.0, but it must be between 1 and 10000\.$"):
+    with pytest.raises(
+        SettingError, match=r"^alpha is 1000000.0, but it must be between 1 and 10000\.$"
+    ):
         Settings.star(alpha=1e6)
 
 
 def test_an_unknown_setting_is_answered_with_those_that_exist():
     for ask in (lambda: Settings.joint(kernel_widht=2.0), lambda: knob_of("kernel_widht")):
         with pytest.raises(
-            SettingError, match=r"There is no setting 'kernel_widht'. The settings are: n_kernels, kernel_wid"
+            SettingError,
+            match=r"There is no setting 'kernel_widht'. The settings are: n_kernels, kernel_wid",
         ):
             ask()
 
 
 def test_presets_are_those_of_the_design_and_take_changes():
-    star, original, joint, plus = Settings.star(), Settings.original(), Settings.joint(), Settings.plus()
+    star, original, joint, plus = (
+        Settings.star(),
+        Settings.original(),
+        Settings.joint(),
+        Settings.plus(),
+    )
     assert star == Settings()
-    assert (star.phase, star.transform, star.fit, star.integrator) == ("linear", "star", "lwr", "explicit")
-    assert (star.kernel_width, star.kernel_sigma, star.smoothing, star.feed_goal) == (1.0, math.inf, 10.0, True)
-    assert (original.phase, original.phase_decay, original.transform) == ("exponential", 4.6, "original")
+    assert (star.phase, star.transform, star.fit, star.integrator) == (
+        "linear",
+        "star",
+        "lwr",
+        "explicit",
+    )
+    assert (star.kernel_width, star.kernel_sigma, star.smoothing, star.feed_goal) == (
+        1.0,
+        math.inf,
+        10.0,
+        True,
+    )
+    assert (original.phase, original.phase_decay, original.transform) == (
+        "exponential",
+        4.6,
+        "original",
+    )
     assert (original.kernel_width, original.kernel_sigma, original.alpha) == (math.inf, 0.65, 25.0)
     assert (original.fit, original.feed_goal) == ("lwr", False)
     assert (joint.fit, joint.kernel_sigma, joint.integrator) == ("joint", 0.65, "semi-implicit")
@@ -87,5 +118,7 @@ def test_numbers_are_found_from_the_movement_where_none_are_given():
 
 
 def test_more_kernels_than_samples_are_refused():
-    with pytest.raises(SettingError, match=r"n_kernels is 6, but the trajectory has only 5 samples; use at most 5."):
+    with pytest.raises(
+        SettingError, match=r"n_kernels is 6, but the trajectory has only 5 samples; use at most 5."
+    ):
         Settings.star(n_kernels=6).resolved(1.0, 5)

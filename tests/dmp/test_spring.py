@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from dmp_teach.dmp.spring import Spring
+from dmp_teach.dmp.integrators import Spring
 
 springs = st.builds(
     lambda alpha, finer, integrator: Spring(alpha, int(max(50, 2 * alpha) * finer), integrator),
@@ -34,7 +34,9 @@ def test_the_spring_comes_to_rest_at_its_goal_without_passing_it(spring):
     assert z[-1, 0] == pytest.approx(1 - rest, abs=0.06)
 
 
-@pytest.mark.parametrize(("integrator", "limit"), [("explicit", 4.0), ("semi-implicit", 4 * (2**0.5 - 1))])
+@pytest.mark.parametrize(
+    ("integrator", "limit"), [("explicit", 4.0), ("semi-implicit", 4 * (2**0.5 - 1))]
+)
 def test_a_spring_diverges_beyond_the_stated_stiffness_and_not_before(integrator, limit):
     for alpha, calm in ((0.99 * limit * 400, True), (1.01 * limit * 400, False)):
         spring = Spring(alpha, 400, integrator)

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
-from dmp_teach.dmp.stepping import Rollout
+from dmp_teach.dmp.stepper import Rollout
 from dmp_teach.errors import TrajectoryError
 from tests.dmp.ink import letter, letters
 
@@ -37,7 +37,9 @@ def test_undisturbed_steps_are_the_rollout(demo, kind, shift, factor):
     assert np.abs(stepped.position - drawn).max() <= 1e-12 * max(1, np.abs(drawn).max())
     assert stepped.duration == pytest.approx(T)
     waiting = Rollout.begin(p, goal=goal, patience=0.01).to_the_end()
-    assert np.abs(waiting.position[:-1] - drawn[: len(waiting) - 1]).max() <= 1e-9 * max(1, np.abs(drawn).max())
+    assert np.abs(waiting.position[:-1] - drawn[: len(waiting) - 1]).max() <= 1e-9 * max(
+        1, np.abs(drawn).max()
+    )
 
 
 @few
@@ -46,13 +48,17 @@ def test_a_pushed_pen_comes_back_to_its_path(demo, kind, when, seed):
     p = DMP.imitate(demo, kind)
     hand = np.random.default_rng(seed).normal(size=len(p.start))
     begin, end = when * p.duration, (when + 0.05) * p.duration
-    pushed = Rollout.begin(p).to_the_end(lambda t: 100 * hand / p.duration**2 if begin < t < end else None)
+    pushed = Rollout.begin(p).to_the_end(
+        lambda t: 100 * hand / p.duration**2 if begin < t < end else None
+    )
     off = np.linalg.norm(pushed.position - p.start - p.shown, axis=1)
     before = pushed.t < begin - 1e-9
     assert off[before].max(initial=0) < 1e-12
     assert off.max() > 1e-3 * np.linalg.norm(hand)
     spring, during = Rollout.begin(p).plan.spring, (pushed.t[:-1] > begin) & (pushed.t[:-1] < end)
-    alone = spring.follow(np.outer(during, 100 * hand))  # the spring's own answer, whatever the letter
+    alone = spring.follow(
+        np.outer(during, 100 * hand)
+    )  # the spring's own answer, whatever the letter
     assert np.abs(np.linalg.norm(alone, axis=1) - off).max() <= 1e-9 * off.max()
     if p.settings.alpha >= 30:
         assert off[-1] < 0.05 * off.max()
@@ -100,7 +106,10 @@ def test_with_patience_the_clock_waits_for_a_pen_that_is_held():
     def hold(t):
         return (6.0, 6.0) if 0.8 < t < 1.4 else None
 
-    hasty, patient = Rollout.begin(p).to_the_end(hold), Rollout.begin(p, patience=0.005).to_the_end(hold)
+    hasty, patient = (
+        Rollout.begin(p).to_the_end(hold),
+        Rollout.begin(p, patience=0.005).to_the_end(hold),
+    )
     assert hasty.duration == pytest.approx(2.5)
     assert 3.0 < patient.duration < 4.0
     shown = p.start + p.shown
@@ -117,11 +126,26 @@ def test_with_patience_the_clock_waits_for_a_pen_that_is_held():
 @pytest.mark.parametrize(
     ("ask", "answer"),
     [
-        (lambda p: Rollout.begin(p, goal=(1, 2, 3)), r"goal has shape \(3,\), but this movement has 2 dimensions"),
-        (lambda p: Rollout.begin(p, duration=0), "duration is 0, but it must be a time longer than 0 s"),
-        (lambda p: Rollout.begin(p, patience=0), "patience is 0, but it must be a distance over 0 m, or None"),
-        (lambda p: Rollout.begin(p).step(push=3.0), r"push has shape \(\), but this movement has 2 dimensions"),
-        (lambda p: Rollout.begin(p).step(push=(math.nan, 0)), "push is .*nan.*, but it must be finite"),
+        (
+            lambda p: Rollout.begin(p, goal=(1, 2, 3)),
+            r"goal has shape \(3,\), but this movement has 2 dimensions",
+        ),
+        (
+            lambda p: Rollout.begin(p, duration=0),
+            "duration is 0, but it must be a time longer than 0 s",
+        ),
+        (
+            lambda p: Rollout.begin(p, patience=0),
+            "patience is 0, but it must be a distance over 0 m, or None",
+        ),
+        (
+            lambda p: Rollout.begin(p).step(push=3.0),
+            r"push has shape \(\), but this movement has 2 dimensions",
+        ),
+        (
+            lambda p: Rollout.begin(p).step(push=(math.nan, 0)),
+            "push is .*nan.*, but it must be finite",
+        ),
         (lambda p: Rollout.begin(p).moved("left"), "by is 'left', but it must be 2 numbers"),
         (
             lambda p: Rollout.begin(p, patience=1e-4).to_the_end(lambda t: (500.0, 0.0)),

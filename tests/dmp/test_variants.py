@@ -10,11 +10,11 @@ from hypothesis import strategies as st
 from scipy.linalg import expm
 
 from dmp_teach.dmp.equation import Equation, turned_and_scaled
+from dmp_teach.dmp.integrators import Spring, least_steps, propagator
 from dmp_teach.dmp.kernels import Kernels
 from dmp_teach.dmp.phase import Phase
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
-from dmp_teach.dmp.spring import Spring, least_steps, propagator
 from dmp_teach.errors import SettingWarning
 from dmp_teach.trajectory import Trajectory
 from tests.dmp.ink import letter, letters, rms
@@ -59,14 +59,20 @@ def test_a_one_sided_kernel_is_awake_wherever_the_paper_prints_it():
 
 @pytest.mark.parametrize(
     ("stand", "centers"),
-    [("phases", [0.125, 0.375, 0.625, 0.875]), ("ends", [0, 1 / 3, 2 / 3, 1]), ("grid", [0.25, 0.5, 0.75, 1])],
+    [
+        ("phases", [0.125, 0.375, 0.625, 0.875]),
+        ("ends", [0, 1 / 3, 2 / 3, 1]),
+        ("grid", [0.25, 0.5, 0.75, 1]),
+    ],
 )
 @pytest.mark.parametrize("phase", [Phase(), Phase("exponential", 1.0)])
 def test_centres_that_are_phases_are_phases_whatever_the_clock(stand, centers, phase):
     kernels = Kernels(4, 1.0, 0.5, phase, stand=stand)
     assert kernels.centers == pytest.approx(centers)
     assert np.diagonal(kernels.heights(kernels.centers))[:-1] == pytest.approx(1)
-    assert kernels.heights(np.array([centers[1] + 0.1]))[0, 1] == pytest.approx(math.exp(-0.5 * 0.8**2))
+    assert kernels.heights(np.array([centers[1] + 0.1]))[0, 1] == pytest.approx(
+        math.exp(-0.5 * 0.8**2)
+    )
 
 
 @few
@@ -84,7 +90,9 @@ def test_a_similarity_carries_way_onto_way_and_turns_no_more_than_it_must(rng, D
             assert S @ across == pytest.approx(scale * across, abs=1e-9)
 
 
-@pytest.mark.parametrize("way", [[1.0, 0.5], [0.3, -0.2, 0.1], [0.0, 0.0, 2.0], [-1.0], [1.0, 2.0, 3.0, 4.0]])
+@pytest.mark.parametrize(
+    "way", [[1.0, 0.5], [0.3, -0.2, 0.1], [0.0, 0.0, 2.0], [-1.0], [1.0, 2.0, 3.0, 4.0]]
+)
 def test_a_way_turned_right_round_is_turned_in_the_page_and_a_line_is_turned_over(way):
     way = np.array(way)
     S = turned_and_scaled(-way, way)
@@ -104,7 +112,9 @@ def test_a_similar_letter_is_the_letter_turned_and_scaled_and_its_start_velocity
     p = DMP.imitate(demo, Settings.star(transform="similarity"))
     new = rng.normal(size=len(way))
     drawn, S = p.rollout(goal=p.start + new).position - p.start, turned_and_scaled(new, way)
-    assert np.allclose(drawn, (p.rollout().position - p.start) @ S.T, atol=1e-9 * np.abs(drawn).max())
+    assert np.allclose(
+        drawn, (p.rollout().position - p.start) @ S.T, atol=1e-9 * np.abs(drawn).max()
+    )
     star = DMP.imitate(demo).rollout().position
     assert np.array_equal(p.rollout().position, star)
 
@@ -113,7 +123,9 @@ def test_a_similar_letter_is_the_letter_turned_and_scaled_and_its_start_velocity
 @given(st.floats(1, 200), st.floats(0.1, 2.0), st.floats(1e-4, 0.1))
 def test_the_exact_spring_is_the_matrix_exponential(alpha, damping, h):
     K = (alpha / (2 * damping)) ** 2
-    assert np.allclose(propagator(K, alpha, h), expm(h * np.array([[0, 1], [-K, -alpha]])), rtol=1e-7, atol=1e-9)
+    assert np.allclose(
+        propagator(K, alpha, h), expm(h * np.array([[0, 1], [-K, -alpha]])), rtol=1e-7, atol=1e-9
+    )
 
 
 def test_the_exact_spring_follows_a_held_push_to_the_last_digit_whatever_its_steps():
@@ -132,10 +144,16 @@ def test_with_the_exact_spring_a_finer_dt_draws_the_same_path_where_kernels_end_
 
 
 @few
-@given(st.floats(1, 200), st.floats(0.1, 2.0), st.sampled_from(["explicit", "semi-implicit", "exact", "lagged"]))
+@given(
+    st.floats(1, 200),
+    st.floats(0.1, 2.0),
+    st.sampled_from(["explicit", "semi-implicit", "exact", "lagged"]),
+)
 def test_in_the_steps_that_it_is_given_no_spring_diverges(alpha, damping, integrator):
     steps = math.ceil(least_steps(alpha, damping))
-    kicked = np.abs(Spring(8 * alpha, 8 * steps, integrator, damping).kick())  # the same steps, eight times as long
+    kicked = np.abs(
+        Spring(8 * alpha, 8 * steps, integrator, damping).kick()
+    )  # the same steps, eight times as long
     assert kicked[6 * steps :].max() <= kicked[: 2 * steps].max()
 
 
@@ -165,13 +183,17 @@ def test_central_differences_need_a_push_close_to_that_of_the_exact_inverse(demo
 
 @pytest.mark.parametrize("phase", ["linear", "exponential", "sigmoid"])
 @pytest.mark.parametrize("fit", ["lwr", "bias", "joint"])
-@pytest.mark.parametrize("kernel", [{}, {"kernel": "mollifier", "kernel_width": 2.5}, {"kernel_sigma": 0.65}])
+@pytest.mark.parametrize(
+    "kernel", [{}, {"kernel": "mollifier", "kernel_width": 2.5}, {"kernel_sigma": 0.65}]
+)
 def test_every_phase_kernel_and_fit_draws_a_letter_within_its_millimetres(phase, fit, kernel):
     about = {"kernel_width": 2.0, **kernel, "phase": phase, "fit": fit}
     for seed in range(4):
         demo = letter(301, 2.5, seed=seed)
         drawn = DMP.imitate(demo, Settings.star(**about)).rollout().position
-        assert rms(drawn, demo.position) < {"lwr": 6.0, "bias": 1.0, "joint": 1.0}[fit]  # overlap is what LWR ignores
+        assert (
+            rms(drawn, demo.position) < {"lwr": 6.0, "bias": 1.0, "joint": 1.0}[fit]
+        )  # overlap is what LWR ignores
 
 
 def test_only_with_feed_forward_does_a_moved_goal_of_the_linear_phase_arrive():
@@ -183,9 +205,13 @@ def test_only_with_feed_forward_does_a_moved_goal_of_the_linear_phase_arrive():
 @pytest.mark.parametrize("phase", ["exponential", "sigmoid"])
 @pytest.mark.parametrize("alpha", [12.0, 30.0, 60.0])
 def test_a_goal_that_is_fed_forward_moves_the_path_by_what_the_phase_has_run_down(phase, alpha):
-    equation = Equation(Settings.star(alpha=alpha, n_kernels=6, phase=phase, integrator="exact"), 4000)
+    equation = Equation(
+        Settings.star(alpha=alpha, n_kernels=6, phase=phase, integrator="exact"), 4000
+    )
     moved, s = equation.answer()[:, 0], Phase(phase).at(np.linspace(1, 0, 4001))
-    late = np.linspace(0, 1, 4001) > 16 / alpha  # by then the pen has forgotten that it began at rest
+    late = (
+        np.linspace(0, 1, 4001) > 16 / alpha
+    )  # by then the pen has forgotten that it began at rest
     assert np.abs(moved - (1 - s))[late].max(initial=0) < 0.01
     assert abs(1 - moved[-1]) < 0.03
 
@@ -194,7 +220,8 @@ def test_a_goal_that_is_fed_forward_moves_the_path_by_what_the_phase_has_run_dow
 def test_truncated_kernels_touch_gap_and_overlap_by_their_width(phase):
     s = Phase(phase).at(np.linspace(1, 0.002, 499))
     touching, gapped, overlapping = (
-        (Kernels(10, width, 0.5, Phase(phase)).heights(s) > 0).sum(axis=1) for width in (1.0, 0.6, 1.5)
+        (Kernels(10, width, 0.5, Phase(phase)).heights(s) > 0).sum(axis=1)
+        for width in (1.0, 0.6, 1.5)
     )
     assert set(touching) == {1}
     assert set(gapped) == {0, 1}
@@ -227,5 +254,11 @@ def test_touching_kernels_say_nothing_and_gaps_are_said_once():
 
 def test_a_stroke_that_stands_still_is_learned_by_dmp_star():
     still = Trajectory(np.linspace(0, 1, 50), np.full((50, 2), 0.3))
-    for preset in (Settings.star, Settings.joint, Settings.plus, Settings.as_fixed, Settings.as_coded):
+    for preset in (
+        Settings.star,
+        Settings.joint,
+        Settings.plus,
+        Settings.as_fixed,
+        Settings.as_coded,
+    ):
         assert DMP.imitate(still, preset()).rollout().position == pytest.approx(0.3)

@@ -13,15 +13,17 @@ import pytest
 from scipy.spatial import cKDTree
 
 from dmp_teach.errors import RecordingError
+from dmp_teach.files.writing import ASSETS
 from dmp_teach.ink import alphabet
 from dmp_teach.ink.alphabet import SIGNS, alphabets, characters, file_name, recording_of, signs
 from dmp_teach.letters.letter import Letter
-from dmp_teach.paths import ASSETS
 
 EVERY = [(name, letter) for name in alphabets() for letter in characters(name)]
 PUNCTUATION = [(name, sign) for name in alphabets() for sign in signs(name)]
 STROKES = (  # how many strokes a letter has in the round hand, and in the slanted one; one where nothing is said
-    dict.fromkeys("fijtx457BDKMNPQRTXYkæœ", 2) | dict.fromkeys("AFHI", 3) | {"E": 4, "Æ": 5, "Œ": 5},
+    dict.fromkeys("fijtx457BDKMNPQRTXYkæœ", 2)
+    | dict.fromkeys("AFHI", 3)
+    | {"E": 4, "Æ": 5, "Œ": 5},
     dict.fromkeys("fijtx457ABDGKPQRTXYæœ", 2) | dict.fromkeys("EFHI", 3) | dict.fromkeys("ÆŒ", 4),
 )
 DIAERESIS, CEDILLA = "\u0308", "\u0327"
@@ -34,7 +36,9 @@ LANGUAGES = {  # what each wants beside a to z
     "Swedish": "åäö",
 }
 every_sign = pytest.mark.parametrize(("name", "sign"), PUNCTUATION)
-every_letter = pytest.mark.parametrize(("name", "letter"), EVERY, ids=["-".join(pair) for pair in EVERY])
+every_letter = pytest.mark.parametrize(
+    ("name", "letter"), EVERY, ids=["-".join(pair) for pair in EVERY]
+)
 
 
 @cache
@@ -88,7 +92,9 @@ def test_two_writers_have_all_62_letters_and_then_accents_for_six_languages():
         assert set("".join(LANGUAGES.values())) <= set(accented)
         assert len(accented) == 57
         assert not any(map(str.isascii, accented))
-        assert "".join(accented) == "".join(sorted(accented, key=lambda letter: (letter.isupper(), letter)))
+        assert "".join(accented) == "".join(
+            sorted(accented, key=lambda letter: (letter.isupper(), letter))
+        )
     assert len({recording_of("a", name).writer for name in alphabets()}) == 2
 
 
@@ -96,14 +102,20 @@ def test_two_writers_have_all_62_letters_and_then_accents_for_six_languages():
 def test_every_small_letter_has_its_capital_and_every_capital_its_small_letter(name):
     """But ß, whose capital is SS."""
     every = set(characters(name)) - set(digits)
-    assert {letter.upper() for letter in every} - {"SS"} == {letter for letter in every if letter.isupper()}
-    assert {letter.lower() for letter in every} | {"ß"} == {letter for letter in every if letter.islower()}
+    assert {letter.upper() for letter in every} - {"SS"} == {
+        letter for letter in every if letter.isupper()
+    }
+    assert {letter.lower() for letter in every} | {"ß"} == {
+        letter for letter in every if letter.islower()
+    }
 
 
 def test_the_first_alphabet_is_taken_unless_another_is_named():
     assert characters() == characters("round")
     assert np.array_equal(recording_of("a").position, recording_of("a", "round").position)
-    assert not np.array_equal(recording_of("a").position[:99], recording_of("a", "slanted").position[:99])
+    assert not np.array_equal(
+        recording_of("a").position[:99], recording_of("a", "slanted").position[:99]
+    )
 
 
 @every_letter
@@ -118,7 +130,11 @@ def test_every_letter_is_a_recording_at_120_hz_that_stands_on_its_line(name, let
     assert width < 0.15
     lowest = recording.position[:, 1].min()
     below = (letter == "Q" or CEDILLA in normalize("NFD", letter)) and -0.04 < lowest < -0.005
-    assert -0.005 < lowest < 0.005 or (normalize("NFD", letter)[0] in "fgjpqyz" and -0.08 < lowest < -0.03) or below
+    assert (
+        -0.005 < lowest < 0.005
+        or (normalize("NFD", letter)[0] in "fgjpqyz" and -0.08 < lowest < -0.03)
+        or below
+    )
 
 
 @every_letter
@@ -156,8 +172,13 @@ def test_bends_are_slow_as_the_two_thirds_power_law_says(name):
         bends.append(bend[away & (bend > 4)])
         speeds.append(speed[away & (bend > 4)])
     bends, speeds = np.log(np.concatenate(bends)), np.log(np.concatenate(speeds))
-    for low, high, least, most, together in ((4, np.inf, -0.42, -0.28, -0.6), (4, 100, -0.35, -0.14, -0.4)):
-        some = (bends > np.log(low)) & (bends < np.log(high))  # all bends, then those without the corners
+    for low, high, least, most, together in (
+        (4, np.inf, -0.42, -0.28, -0.6),
+        (4, 100, -0.35, -0.14, -0.4),
+    ):
+        some = (bends > np.log(low)) & (
+            bends < np.log(high)
+        )  # all bends, then those without the corners
         assert least < np.polyfit(bends[some], speeds[some], 1)[0] < most
         assert np.corrcoef(bends[some], speeds[some])[0, 1] < together
 
@@ -187,16 +208,22 @@ def test_the_bowl_of_d_runs_from_the_top_of_its_bar_to_the_foot(name):
     assert np.linalg.norm(bowl[0] - bar[0]) < 0.006
     assert np.linalg.norm(bowl[-1] - bar[-1]) < 0.006
     chord = bowl[-1] - bowl[0]
-    aside = np.abs(np.cross(np.append(chord, 0), np.pad(bowl - bowl[0], ((0, 0), (0, 1))))[:, 2]) / np.linalg.norm(
-        chord
-    )
+    aside = np.abs(
+        np.cross(np.append(chord, 0), np.pad(bowl - bowl[0], ((0, 0), (0, 1))))[:, 2]
+    ) / np.linalg.norm(chord)
     assert aside.max() > 0.4 * np.linalg.norm(chord)
 
 
 def test_capitals_are_as_high_as_stems_or_a_bit_less_and_x_is_one_height():
     for name in alphabets():
-        top = {letter: ink_of(recording_of(letter, name))[:, 1].max() for letter in characters(name)[:62]}
-        stem, middle = np.mean([top[letter] for letter in "bdhkl"]), np.mean([top[letter] for letter in "amnouxz"])
+        top = {
+            letter: ink_of(recording_of(letter, name))[:, 1].max()
+            for letter in characters(name)[:62]
+        }
+        stem, middle = (
+            np.mean([top[letter] for letter in "bdhkl"]),
+            np.mean([top[letter] for letter in "amnouxz"]),
+        )
         for letter in ascii_uppercase:
             assert 0.92 * stem < top[letter] < 1.02 * stem, letter
         for letter in "acegmnopqrsuvwxyz":
@@ -205,9 +232,13 @@ def test_capitals_are_as_high_as_stems_or_a_bit_less_and_x_is_one_height():
 
 def test_capitals_have_the_old_roman_proportions():
     for name in alphabets():
-        wide = {letter: np.ptp(upright(recording_of(letter, name), name)[:, 0]) for letter in ascii_uppercase}
+        wide = {
+            letter: np.ptp(upright(recording_of(letter, name), name)[:, 0])
+            for letter in ascii_uppercase
+        }
         narrow, middle, full = (
-            np.mean([wide[letter] for letter in group]) for group in ("BEFLPRS", "AHNTUVXYZ", "CDGOQ")
+            np.mean([wide[letter] for letter in group])
+            for group in ("BEFLPRS", "AHNTUVXYZ", "CDGOQ")
         )
         assert 1.1 * narrow < min(middle, full)
         assert max(middle, full) < wide["M"] < wide["W"]
@@ -219,7 +250,9 @@ def test_every_stem_of_a_hand_leans_alike():
         hand, _ = script().ALPHABETS[name]
         for letter in "BDEFHKLPRT":
             stem = recording_of(letter, name).strokes()[0].position
-            middle = stem[(stem[:, 1] > 0.2 * stem[:, 1].max()) & (stem[:, 1] < 0.9 * stem[:, 1].max())]
+            middle = stem[
+                (stem[:, 1] > 0.2 * stem[:, 1].max()) & (stem[:, 1] < 0.9 * stem[:, 1].max())
+            ]
             lean = np.polyfit(middle[:, 1], middle[:, 0], 1)[0]
             assert abs(lean - hand.slant - 0.01) < 0.06, letter
 
@@ -242,7 +275,9 @@ def test_every_sign_is_a_recording_that_is_found_stroke_by_stroke_and_learned(na
         assert abs(stroke.t[0] - begin) < 0.05
         assert abs(stroke.t[-1] - end) < 0.05
     assert Letter.learn(recording).error < 0.9e-3
-    np.testing.assert_allclose(recording.position, script().recording(name, sign).position, atol=2e-6)
+    np.testing.assert_allclose(
+        recording.position, script().recording(name, sign).position, atol=2e-6
+    )
 
 
 @every_sign
@@ -268,9 +303,13 @@ def test_half_a_turn_makes_one_sign_of_another(name, sign, usual):
     """About the middle of its box, to what a hand wobbles; each stroke still begins at its top."""
     turned, other = recording_of(sign, name), recording_of(usual, name)
     size = script().ALPHABETS[name][0].size
-    here, there = (ink - (ink.min(axis=0) + ink.max(axis=0)) / 2 for ink in (ink_of(turned), -ink_of(other)))
+    here, there = (
+        ink - (ink.min(axis=0) + ink.max(axis=0)) / 2 for ink in (ink_of(turned), -ink_of(other))
+    )
     assert cKDTree(here).query(there)[0].max() < 0.08 * size
-    assert all(stroke.position[0, 1] > stroke.position[-1, 1] - 0.5 * size for stroke in turned.strokes())
+    assert all(
+        stroke.position[0, 1] > stroke.position[-1, 1] - 0.5 * size for stroke in turned.strokes()
+    )
 
 
 @every_letter
@@ -292,7 +331,10 @@ def test_an_accent_is_written_after_its_letter_and_above_or_below_it(name):
             assert marks[:, 1].max() < 0.004
         else:
             assert 0.006 < marks[:, 1].min() - body[:, 1].max() < 0.030, letter
-        flat, about = (ink - np.outer(ink[:, 1], (script().ALPHABETS[name][0].slant, 0)) for ink in (marks, body))
+        flat, about = (
+            ink - np.outer(ink[:, 1], (script().ALPHABETS[name][0].slant, 0))
+            for ink in (marks, body)
+        )
         assert about[:, 0].min() - 0.015 < flat[:, 0].mean() < about[:, 0].max() + 0.002, letter
 
 
@@ -315,21 +357,27 @@ def test_the_script_writes_the_letters_that_are_here(name, letter):
 def test_the_script_writes_all_letters_and_the_same_bytes_twice(tmp_path):
     for folder in ("once", "twice"):
         script().main(tmp_path / folder)
-    once, twice = ({p.relative_to(r): p.read_bytes() for p in r.rglob("*.json")} for r in tmp_path.iterdir())
+    once, twice = (
+        {p.relative_to(r): p.read_bytes() for p in r.rglob("*.json")} for r in tmp_path.iterdir()
+    )
     assert once == twice
     assert set(once) == {p.relative_to(alphabet.FOLDER) for p in alphabet.FOLDER.rglob("*.json")}
 
 
 @pytest.mark.parametrize("letter", ["ж", "", "ab", "a\u0300\u0301", "../round/a", 3, None, ["a"]])
 def test_an_unknown_letter_is_answered_with_those_that_exist(letter):
-    with pytest.raises(RecordingError, match=r"The alphabet 'round' has no .*; it has: a b c .* B .*R"):
+    with pytest.raises(
+        RecordingError, match=r"The alphabet 'round' has no .*; it has: a b c .* B .*R"
+    ):
         recording_of(letter)
 
 
 @pytest.mark.parametrize("name", ["runes", "", "../alphabets/round", 3, ["round"], Path("round")])
 def test_an_unknown_alphabet_is_answered_with_those_that_exist(name):
     for ask in (lambda: recording_of("a", name), lambda: characters(name)):
-        with pytest.raises(RecordingError, match=r"There is no alphabet .*; there are: round, slanted\."):
+        with pytest.raises(
+            RecordingError, match=r"There is no alphabet .*; there are: round, slanted\."
+        ):
             ask()
 
 
@@ -342,8 +390,22 @@ def test_where_there_is_no_alphabet_the_script_is_named(tmp_path, monkeypatch):
 def test_files_of_another_kind_in_an_alphabet_are_no_letters(tmp_path, monkeypatch):
     monkeypatch.setattr(alphabet, "FOLDER", tmp_path)
     (tmp_path / "mine").mkdir()
-    odd = ("small_u0062.json", "small_u00E4.json", "capital_a.json", "small_u0308.json", "small_.json", "sign_dot.json")
-    for file in ("small_a.json", "small_u00e4.json", "notes_b.json", "small_ab.json", "readme.json", *odd):
+    odd = (
+        "small_u0062.json",
+        "small_u00E4.json",
+        "capital_a.json",
+        "small_u0308.json",
+        "small_.json",
+        "sign_dot.json",
+    )
+    for file in (
+        "small_a.json",
+        "small_u00e4.json",
+        "notes_b.json",
+        "small_ab.json",
+        "readme.json",
+        *odd,
+    ):
         (tmp_path / "mine" / file).write_text("{}")
     assert characters("mine") == ("a", "ä")
 

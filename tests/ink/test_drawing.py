@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 import dmp_teach
-from dmp_teach.ink import drawing
+from dmp_teach.ink import svg_repr as drawing
 from dmp_teach.ink.alphabet import characters, signs
 from dmp_teach.trajectory import Trajectory
 
@@ -43,10 +43,12 @@ def test_a_person_is_dots_and_the_robot_a_line_in_the_colours_of_the_panels():
     assert "dasharray" in person
     assert drawing.ROBOT in robot
     assert "dasharray" not in robot
-    tokens = (ROOT / "dmp_teach" / "views" / "tokens.css").read_text()
+    tokens = (ROOT / "dmp_teach" / "views" / "scene" / "tokens.css").read_text()
     for name in ("child", "robot", "ink", "paper", "paper-edge"):
         color = re.search(rf"--dt-{name}: (#[0-9a-f]+)", tokens)[1]
-        assert color in (drawing.CHILD, drawing.ROBOT, drawing.INK, drawing.PAPER, drawing.EDGE), name
+        assert color in (drawing.CHILD, drawing.ROBOT, drawing.INK, drawing.PAPER, drawing.EDGE), (
+            name
+        )
 
 
 def test_up_is_up_and_the_shape_is_kept():
@@ -60,7 +62,9 @@ def test_up_is_up_and_the_shape_is_kept():
 
 def test_a_long_line_of_text_is_not_wider_than_a_notebook_and_a_very_long_stroke_has_few_points():
     t = np.arange(20_000.0)
-    long = drawing.svg_of([Trajectory(t, np.column_stack([t, 0.01 * np.sin(t)]))], "long", dotted=True)
+    long = drawing.svg_of(
+        [Trajectory(t, np.column_stack([t, 0.01 * np.sin(t)]))], "long", dotted=True
+    )
     assert int(fromstring(long).get("width")) < 1000
     assert len(long) < 20_000
 

@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 
 from dmp_teach.errors import PathError, RecordingError
 from dmp_teach.ink.alphabet import recording_of
-from dmp_teach.ink.our_json import from_json, read_json, to_json, write_json
 from dmp_teach.ink.recording import Recording
+from dmp_teach.ink.recording_json import from_json, read_json, to_json, write_json
 
 FILES = Path(__file__).parent / "files"
 numbers = st.floats(-1e6, 1e6, allow_nan=False)
@@ -28,7 +28,9 @@ pseudonyms = st.none() | st.sampled_from(["w01", "writer-1", "W7", "fox", "b_2"]
 )
 def test_what_is_written_is_read_again_bit_for_bit(steps, begin, about, data):
     t = np.concatenate([[0.0], np.cumsum(np.round(steps, 3))])
-    position = np.reshape(data.draw(st.lists(numbers, min_size=3 * len(t), max_size=3 * len(t))), (-1, 3))
+    position = np.reshape(
+        data.draw(st.lists(numbers, min_size=3 * len(t), max_size=3 * len(t))), (-1, 3)
+    )
     strokes, force = (((0, len(t)),), t / t[-1]) if data.draw(st.booleans()) else (None, None)
     again = from_json(to_json(Recording(t, position, *about, strokes, force)).encode(), "ink.json")
     assert np.array_equal(again.t, t)
@@ -69,7 +71,9 @@ REAL = [
 @pytest.mark.parametrize("writer", REAL)
 def test_names_addresses_and_dates_are_not_written(tmp_path, writer):
     t = np.arange(3.0)
-    with pytest.raises(RecordingError, match=r"writer is .*, but must be a pseudonym such as 'w01'"):
+    with pytest.raises(
+        RecordingError, match=r"writer is .*, but must be a pseudonym such as 'w01'"
+    ):
         write_json(Recording(t, np.zeros((3, 3)), "a", writer), tmp_path / "a.json")
     assert list(tmp_path.iterdir()) == []
 
@@ -88,12 +92,27 @@ GOOD = {
 ROW = [0.0, 0.0, 0.0, 0.0]
 MALFORMED = {
     "another format": ({"format": "font"}, "'format' must be 'dmp_teach recording'"),
-    "newer version": ({"version": 3}, "version is 3, but this program reads version 1 and 2; update dmp_teach"),
-    "version 0": ({"version": 0}, "version is 0, but this program reads version 1 and 2; save it again"),
-    "version as text": ({"version": "1"}, "version is '1', but this program reads version 1 and 2; save it again"),
+    "newer version": (
+        {"version": 3},
+        "version is 3, but this program reads version 1 and 2; update dmp_teach",
+    ),
+    "version 0": (
+        {"version": 0},
+        "version is 0, but this program reads version 1 and 2; save it again",
+    ),
+    "version as text": (
+        {"version": "1"},
+        "version is '1', but this program reads version 1 and 2; save it again",
+    ),
     "version true": ({"version": True}, "version is True"),
-    "a real name": ({"writer": "Kim Lee"}, "writer is 'Kim Lee', but must be a pseudonym such as 'w01' or null"),
-    "a clock": ({"samples": [[1.7e9, 0, 0, 0]] * 3}, "the first time is 1700000000.0, but must be 0: no clock is kept"),
+    "a real name": (
+        {"writer": "Kim Lee"},
+        "writer is 'Kim Lee', but must be a pseudonym such as 'w01' or null",
+    ),
+    "a clock": (
+        {"samples": [[1.7e9, 0, 0, 0]] * 3},
+        "the first time is 1700000000.0, but must be 0: no clock is kept",
+    ),
     "a heavy press": ({"pressure": [0, 1.5, 0]}, "pressure[1] is 1.5, but must be between 0 and 1"),
     "a name": ({"name": "Kim"}, "fields too many or too few: name;"),
     "a number for a letter": ({"character": 3}, "character is 3, but must be text or null"),
@@ -101,20 +120,47 @@ MALFORMED = {
     "text for a baseline": ({"baseline": "0"}, "baseline is '0', but must be a number [m] or null"),
     "true for a baseline": ({"baseline": True}, "baseline is True"),
     "other units": ({"units": {"t": "ms"}}, "units is {'t': 'ms'}, but must be"),
-    "strokes not pairs": ({"strokes": [[0, 1, 2]]}, "strokes is [[0, 1, 2]], but must be pairs [start, end]"),
+    "strokes not pairs": (
+        {"strokes": [[0, 1, 2]]},
+        "strokes is [[0, 1, 2]], but must be pairs [start, end]",
+    ),
     "strokes not whole": ({"strokes": [[0, 1.5]]}, "strokes is [[0, 1.5]], but must be pairs"),
     "strokes too long": ({"strokes": [[0, 9]]}, "given_strokes is ((0, 9),)"),
     "no strokes": ({"strokes": []}, "given_strokes is empty"),
-    "pressure too short": ({"pressure": [0.1]}, "pressure is [0.1], but must be null or one number for every sample"),
+    "pressure too short": (
+        {"pressure": [0.1]},
+        "pressure is [0.1], but must be null or one number for every sample",
+    ),
     "pressure as text": ({"pressure": "hard"}, "pressure is 'hard'"),
     "samples no list": ({"samples": 7}, "samples is 7, but must be rows [t, x, y, z]"),
-    "no samples": ({"samples": [], "pressure": None, "strokes": None}, "A recording needs a clean path"),
-    "one sample": ({"samples": [ROW], "pressure": None, "strokes": None}, "needs at least 2 samples"),
-    "a short row": ({"samples": [[0.0, 1.0]]}, "samples[0] is [0.0, 1.0], but must be four finite numbers"),
-    "text in a row": ({"samples": [ROW, [0.4, "1", 0, 0]]}, "samples[1] is [0.4, '1', 0, 0], but must be four"),
-    "null in a row": ({"samples": [ROW, [0.4, None, 0, 0]]}, "samples[1] is [0.4, None, 0, 0], but must be four"),
-    "an endless number": ({"samples": [ROW, [10**400, 0, 0, 0]]}, "but must be four finite numbers"),
-    "another planet": ({"samples": [ROW, [1, 0, 2e6, 0]]}, "samples[1] is [1, 0, 2000000.0, 0], but must be at most 1"),
+    "no samples": (
+        {"samples": [], "pressure": None, "strokes": None},
+        "A recording needs a clean path",
+    ),
+    "one sample": (
+        {"samples": [ROW], "pressure": None, "strokes": None},
+        "needs at least 2 samples",
+    ),
+    "a short row": (
+        {"samples": [[0.0, 1.0]]},
+        "samples[0] is [0.0, 1.0], but must be four finite numbers",
+    ),
+    "text in a row": (
+        {"samples": [ROW, [0.4, "1", 0, 0]]},
+        "samples[1] is [0.4, '1', 0, 0], but must be four",
+    ),
+    "null in a row": (
+        {"samples": [ROW, [0.4, None, 0, 0]]},
+        "samples[1] is [0.4, None, 0, 0], but must be four",
+    ),
+    "an endless number": (
+        {"samples": [ROW, [10**400, 0, 0, 0]]},
+        "but must be four finite numbers",
+    ),
+    "another planet": (
+        {"samples": [ROW, [1, 0, 2e6, 0]]},
+        "samples[1] is [1, 0, 2000000.0, 0], but must be at most 1",
+    ),
     "time standing still": ({"samples": [ROW] * 3}, "times must increase"),
 }
 
@@ -145,7 +191,9 @@ def test_a_good_file_is_read(tmp_path):
     assert recording.position.shape == (3, 3)
     assert recording.pressure.tolist() == [0.1, 0.5, 0.2]
     path.write_bytes(b"\xef\xbb\xbf" + json.dumps(GOOD, indent=4).replace("\n", "\r\n").encode())
-    assert np.array_equal(read_json(path).position, recording.position), "an editor's mark and line ends do no harm"
+    assert np.array_equal(read_json(path).position, recording.position), (
+        "an editor's mark and line ends do no harm"
+    )
 
 
 def test_version_1_is_read_for_ever():
@@ -153,7 +201,11 @@ def test_version_1_is_read_for_ever():
     recording = read_json(FILES / "version_1.json")
     assert (recording.character, recording.writer, recording.baseline) == ("l", "writer-1", -0.01)
     assert recording.t.tolist() == [0.5, 0.6, 0.7]
-    assert recording.position.tolist() == [[0.0, 0.1, 0.0], [0.001, 0.05, -0.0001], [0.0, 0.0, 0.002]]
+    assert recording.position.tolist() == [
+        [0.0, 0.1, 0.0],
+        [0.001, 0.05, -0.0001],
+        [0.0, 0.0, 0.002],
+    ]
     assert recording.given_strokes == ((0, 3),)
     assert recording.pressure is None
 
@@ -169,7 +221,10 @@ def test_version_2_is_read_for_ever():
 NOT_JSON = {
     "text": (b"hello", "is not plain JSON"),
     "empty": (b"", "is empty"),
-    "twice the same": (b'{"format": "x", "format": "dmp_teach recording"}', "a name occurs twice in one object"),
+    "twice the same": (
+        b'{"format": "x", "format": "dmp_teach recording"}',
+        "a name occurs twice in one object",
+    ),
     "UTF-16": (json.dumps(GOOD).encode("utf-16"), "is not plain JSON"),
     "NUL": (json.dumps(GOOD).encode() + b"\0", "is not plain JSON"),
     "an integer of 5000 digits": (b'{"format": ' + b"1" * 5000 + b"}", "is not plain JSON"),
@@ -177,8 +232,14 @@ NOT_JSON = {
     "bytes": (b"\x80\x04\x95", "is not plain JSON"),
     "deep": (b"[" * 100_000, "is not plain JSON"),
     "nan": (json.dumps(GOOD | {"baseline": float("nan")}).encode(), "NaN is not a number"),
-    "infinity": (json.dumps(GOOD | {"baseline": float("inf")}).encode(), "Infinity is not a number"),
-    "too large": (json.dumps(GOOD).replace('"baseline": 0.0', '"baseline": 1e999').encode(), "baseline is inf"),
+    "infinity": (
+        json.dumps(GOOD | {"baseline": float("inf")}).encode(),
+        "Infinity is not a number",
+    ),
+    "too large": (
+        json.dumps(GOOD).replace('"baseline": 0.0', '"baseline": 1e999').encode(),
+        "baseline is inf",
+    ),
     "a list": (b"[]", "'format' must be 'dmp_teach recording'"),
 }
 
@@ -215,7 +276,10 @@ def test_a_write_that_fails_leaves_what_was_there(tmp_path, monkeypatch, broken)
         raise OSError(28, "No space left on device")
 
     monkeypatch.setattr(os, broken, full)
-    with pytest.raises(PathError, match=r"a\.json' cannot be written: No space left on device\. What was there is un"):
+    with pytest.raises(
+        PathError,
+        match=r"a\.json' cannot be written: No space left on device\. What was there is un",
+    ):
         write_json(recording_of("D"), path)
     assert path.read_bytes() == before
     assert [file.name for file in tmp_path.iterdir()] == ["a.json"]
@@ -227,7 +291,10 @@ def test_a_folder_that_is_not_there_cannot_be_written_to(tmp_path):
 
 
 def test_places_that_could_not_be_read_again_are_not_written(tmp_path):
-    with pytest.raises(RecordingError, match=r"the farthest place is 2000000\.0, but must be at most 1000000 m away"):
+    with pytest.raises(
+        RecordingError,
+        match=r"the farthest place is 2000000\.0, but must be at most 1000000 m away",
+    ):
         write_json(Recording([0.0, 1.0], [[0, 0, 0], [0, 2e6, 0]]), tmp_path / "a.json")
 
 

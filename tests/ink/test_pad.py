@@ -19,10 +19,14 @@ def events(seed=0, seconds=1.2, begin=5.0, size=0.05, pressure=0.5):
     rng = np.random.default_rng(seed)
     t = begin + np.sort(np.append(rng.uniform(0, seconds, round(60 * seconds)), [0, seconds]))
     u = (t - begin) / seconds
-    return np.column_stack([t, size * np.cos(4 * u), size * np.sin(4 * u), np.full(len(t), pressure)])
+    return np.column_stack(
+        [t, size * np.cos(4 * u), size * np.sin(4 * u), np.full(len(t), pressure)]
+    )
 
 
-uneven = st.builds(events, st.integers(0, 1000), st.floats(0.3, 4), st.floats(0, 1e6), st.floats(0.01, 0.2))
+uneven = st.builds(
+    events, st.integers(0, 1000), st.floats(0.3, 4), st.floats(0, 1e6), st.floats(0.01, 0.2)
+)
 
 
 @given(uneven)
@@ -38,7 +42,9 @@ def test_a_stroke_is_even_and_begins_and_ends_where_the_pen_did(rows):
 @given(uneven)
 def test_every_point_that_was_caught_lies_on_the_stroke_and_nothing_lies_beyond_them(rows):
     stroke = pad_stroke(rows)
-    seen = np.column_stack([np.interp(rows[:, 0], stroke.path.t, axis) for axis in stroke.path.position.T])
+    seen = np.column_stack(
+        [np.interp(rows[:, 0], stroke.path.t, axis) for axis in stroke.path.position.T]
+    )
     longest = np.linalg.norm(np.diff(rows[:, 1:3], axis=0), axis=1).max()
     assert np.linalg.norm(seen - rows[:, 1:3], axis=1).max() <= longest
     for axis in (0, 1):
@@ -114,7 +120,9 @@ def test_a_stroke_too_fast_for_the_pad_is_kept_and_says_so(seconds):
 def sparsely(stroke, points):
     """A stroke of our alphabet as a pad sees it that catches only some points."""
     t = np.linspace(stroke.t[0], stroke.t[-1], points)
-    return np.column_stack([t, *(np.interp(t, stroke.t, axis) for axis in stroke.position.T), 0 * t])
+    return np.column_stack(
+        [t, *(np.interp(t, stroke.t, axis) for axis in stroke.position.T), 0 * t]
+    )
 
 
 def test_a_bow_is_too_fast_where_its_points_cut_it_off_however_many_there_are():
@@ -134,11 +142,15 @@ def test_no_letter_at_its_own_tempo_is_too_fast_also_for_a_slow_pad(rate):
 
 
 @given(uneven, st.floats(0.1, 3.0), st.floats(-3, 3))
-def test_what_is_cut_off_grows_with_the_ink_and_does_not_depend_on_its_place_or_turn(rows, size, angle):
+def test_what_is_cut_off_grows_with_the_ink_and_does_not_depend_on_its_place_or_turn(
+    rows, size, angle
+):
     other = rows.copy()
     turn = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
     other[:, 1:3] = 0.01 + size * rows[:, 1:3] @ turn
-    assert pad_stroke(other).unseen == pytest.approx(size * pad_stroke(rows).unseen, rel=1e-3, abs=1e-9)
+    assert pad_stroke(other).unseen == pytest.approx(
+        size * pad_stroke(rows).unseen, rel=1e-3, abs=1e-9
+    )
 
 
 def test_pressure_is_kept_where_the_pad_can_tell_and_is_none_elsewhere():

@@ -12,10 +12,10 @@ from hypothesis import strategies as st
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import LetterError, TrajectoryError
 from dmp_teach.ink.alphabet import recording_of
+from dmp_teach.letters.compose.geometry import corners, cut, nearest
+from dmp_teach.letters.compose.roles import strokes_in_role
+from dmp_teach.letters.compose.shelf import Shelf
 from dmp_teach.letters.letter import Letter
-from dmp_teach.letters.outline import corners, cut, nearest
-from dmp_teach.letters.roles import strokes_in_role
-from dmp_teach.letters.shelf import Shelf
 from dmp_teach.trajectory import Trajectory
 
 SHELF = Shelf.of(recording_of(character) for character in "BDlonmi4")
@@ -52,7 +52,9 @@ def test_moving_every_stroke_moves_the_letter(by, goal, transform):
 @given(st.sampled_from(tuple(SHELF)), SPOTS, SPOTS, FORMS)
 def test_ends_lie_where_they_were_led(piece, start, goal, transform):
     led = piece.using("star").led(start=start, goal=start + (0.06, 0.02) + 0.4 * goal)
-    np.testing.assert_allclose(led.drawn.position[[0, -1]], [start, start + (0.06, 0.02) + 0.4 * goal], atol=1e-6)
+    np.testing.assert_allclose(
+        led.drawn.position[[0, -1]], [start, start + (0.06, 0.02) + 0.4 * goal], atol=1e-6
+    )
     bowl = BOWL.using(transform).led(goal=goal)
     np.testing.assert_allclose(bowl.at("goal"), goal, atol=1e-6)
     np.testing.assert_allclose(bowl.at("start"), BOWL.at("start"), atol=1e-12)
@@ -78,7 +80,9 @@ def test_a_snapped_end_goes_the_shortest_way():
 
 @settings(max_examples=20, deadline=None)
 @given(st.floats(0.2, 4), st.floats(-360, 360), SPOTS)
-def test_twice_the_weights_are_twice_the_stroke_and_turned_weights_the_stroke_turned(factor, degrees, goal):
+def test_twice_the_weights_are_twice_the_stroke_and_turned_weights_the_stroke_turned(
+    factor, degrees, goal
+):
     led = BOWL.led(goal=goal)
     way = led.drawn.position - led.drawn.position[0]
     larger, turned = led.scaled(factor).drawn.position, led.turned(degrees).drawn.position
@@ -119,7 +123,13 @@ def test_strokes_come_one_after_the_other_with_the_time_of_a_lift(pieces):
 
 def test_a_letter_that_comes_again_by_the_same_hand_takes_the_place_of_the_first():
     first, again = (Letter.learn(recording_of("D", hand)) for hand in ("round", "slanted"))
-    shelf = Shelf.of([recording_of("D"), recording_of("o"), replace(recording_of("D", "slanted"), writer="writer-1")])
+    shelf = Shelf.of(
+        [
+            recording_of("D"),
+            recording_of("o"),
+            replace(recording_of("D", "slanted"), writer="writer-1"),
+        ]
+    )
     assert len(shelf) == len(first.strokes) + 1
     np.testing.assert_array_equal(shelf["D.1"].drawn.position, again.write()[0].position)
 
@@ -129,7 +139,8 @@ LOOPED = [("o", 1, "round"), ("l", 1, "round")]  # the slanted hand draws a loop
 
 
 @pytest.mark.parametrize(
-    ("character", "count", "alphabet"), [(*each, hand) for each in CUTS for hand in ("round", "slanted")] + LOOPED
+    ("character", "count", "alphabet"),
+    [(*each, hand) for each in CUTS for hand in ("round", "slanted")] + LOOPED,
 )
 def test_strokes_are_cut_where_they_turn_sharply(character, count, alphabet):
     (stroke,) = recording_of(character, alphabet).strokes()
@@ -172,7 +183,8 @@ def test_a_d_without_a_corner_is_refused_in_a_sentence():
     s = np.linspace(0, 2 * np.pi, 200)
     ring = Trajectory(s / 3, 0.05 * np.column_stack([np.cos(s), np.sin(s)]))
     with pytest.raises(
-        LetterError, match=r"^This D, drawn in one stroke, has no 'bar': .*take another recording of it\.$"
+        LetterError,
+        match=r"^This D, drawn in one stroke, has no 'bar': .*take another recording of it\.$",
     ):
         Letter.make("P", Shelf.of({"D": Letter.learn([ring])}))
 
@@ -181,7 +193,13 @@ def test_a_shelf_is_read_by_name():
     assert SHELF["D.1"] is SHELF["D"][0]
     assert [part.name for part in SHELF["n.1"].cut()] == ["n.1a", SHELF["n.1b"].name]
     assert SHELF.letters == tuple("BDlonmi4")
-    assert [name in SHELF for name in ("D", "D.2", "D.3", "d", 4)] == [True, True, False, False, False]
+    assert [name in SHELF for name in ("D", "D.2", "D.3", "d", 4)] == [
+        True,
+        True,
+        False,
+        False,
+        False,
+    ]
     assert len(SHELF) == len(list(SHELF)) == sum(len(SHELF[c]) for c in SHELF.letters)
     assert re.fullmatch(r"Shelf\(B.1, B.2, D.1, D.2, l.1, .*; by writer-1\)", repr(SHELF))
     assert repr(SHELF["D.1"]).startswith("Piece(D.1 by writer-1, ")
@@ -191,9 +209,15 @@ def test_several_writers_stand_on_one_shelf_and_are_asked_for_by_name():
     both = Shelf.of(recording_of("D", alphabet) for alphabet in ("round", "slanted"))
     assert both.writers == ("writer-1", "writer-2")
     assert both.by("writer-2").writers == ("writer-2",)
-    with pytest.raises(LetterError, match=r"'D' was written by writer-1, writer-2; ask shelf\.by\(writer\)\['D.1'\]\."):
+    with pytest.raises(
+        LetterError,
+        match=r"'D' was written by writer-1, writer-2; ask shelf\.by\(writer\)\['D.1'\]\.",
+    ):
         both["D.1"]
-    with pytest.raises(LetterError, match=r"no stroke by 'w9' on this shelf; it has strokes by writer-1, writer-2\."):
+    with pytest.raises(
+        LetterError,
+        match=r"no stroke by 'w9' on this shelf; it has strokes by writer-1, writer-2\.",
+    ):
         both.by("w9")
 
 
@@ -204,26 +228,62 @@ def test_several_writers_stand_on_one_shelf_and_are_asked_for_by_name():
         (lambda: SHELF["d"], r"There is no 'd' on this shelf\. The nearest are D\.1, D\.2\."),
         (lambda: SHELF[3], r"There is no '3' on this shelf\. It has B\.1, "),
         (lambda: Shelf.of([]), r"A shelf is made of letters, but got none"),
-        (lambda: Shelf.of("abc"), r"A shelf is made of recordings, or of \{'D': letter\}, but got a str\."),
-        (lambda: Shelf.of([Letter.learn(recording_of("D"))]), r"does not say which character it is; give it by name"),
-        (lambda: Letter.compose([]), r"composed of strokes from a shelf \(Piece\), but got nothing"),
+        (
+            lambda: Shelf.of("abc"),
+            r"A shelf is made of recordings, or of \{'D': letter\}, but got a str\.",
+        ),
+        (
+            lambda: Shelf.of([Letter.learn(recording_of("D"))]),
+            r"does not say which character it is; give it by name",
+        ),
+        (
+            lambda: Letter.compose([]),
+            r"composed of strokes from a shelf \(Piece\), but got nothing",
+        ),
         (lambda: Letter.compose([BAR.drawn]), r"but got a Trajectory"),
-        (lambda: Letter.compose([BAR], "original"), r"transform is 'original', but strokes are led by 'star' or"),
-        (lambda: BAR.at("side"), r"There is no place 'side' on a stroke; give a part from 0 to 1, or 'start'"),
+        (
+            lambda: Letter.compose([BAR], "original"),
+            r"transform is 'original', but strokes are led by 'star' or",
+        ),
+        (
+            lambda: BAR.at("side"),
+            r"There is no place 'side' on a stroke; give a part from 0 to 1, or 'start'",
+        ),
         (lambda: BAR.at(2), r"There is no place 2 on a stroke"),
-        (lambda: BAR.height(3), r"There is no height 3 on D\.1; give a part from 0 \(bottom\) to 1 \(top\)"),
+        (
+            lambda: BAR.height(3),
+            r"There is no height 3 on D\.1; give a part from 0 \(bottom\) to 1 \(top\)",
+        ),
         (lambda: BAR.height("top"), r"There is no height 'top' on D\.1"),
         (lambda: BAR.touching("D.2"), r"must be a Piece, such as shelf\['D\.1'\], but is 'D\.2'"),
         (lambda: BAR.slid("top", 2), r"must be a Piece, .* but is 2\."),
         (lambda: Letter.compose(3), r"composed of strokes from a shelf \(Piece\), but got an int"),
-        (lambda: BAR.led(side=(0, 0)), r"A stroke has no end 'side'; it can be led by 'start', 'goal', 'upper' or"),
-        (lambda: BAR.led(start=(0, 0), upper=(0, 0)), r"start and upper are the same end of D\.1; lead it once"),
+        (
+            lambda: BAR.led(side=(0, 0)),
+            r"A stroke has no end 'side'; it can be led by 'start', 'goal', 'upper' or",
+        ),
+        (
+            lambda: BAR.led(start=(0, 0), upper=(0, 0)),
+            r"start and upper are the same end of D\.1; lead it once",
+        ),
         (lambda: BAR.touching(BOWL, "left"), r"A stroke has no end 'left'"),
         (lambda: BAR.scaled(0), r"factor is 0, but a stroke can be scaled by 0\.001 to 1000"),
-        (lambda: BAR.turned("round"), r"degrees is 'round', but a stroke can be turned by -360 to 360"),
-        (lambda: BAR.moved((0, 1)).slid("top", BOWL), r"D\.2 is from .* mm high, and nothing can be slid to it at"),
-        (lambda: BAR.meeting((0, -3)), r"D\.1 is from .* to .* mm high, and nothing can be slid to it at -3000 mm"),
-        (lambda: strokes_in_role("hat", SHELF["D"]), r"There is no role 'hat' for a stroke; there are all, stem"),
+        (
+            lambda: BAR.turned("round"),
+            r"degrees is 'round', but a stroke can be turned by -360 to 360",
+        ),
+        (
+            lambda: BAR.moved((0, 1)).slid("top", BOWL),
+            r"D\.2 is from .* mm high, and nothing can be slid to it at",
+        ),
+        (
+            lambda: BAR.meeting((0, -3)),
+            r"D\.1 is from .* to .* mm high, and nothing can be slid to it at -3000 mm",
+        ),
+        (
+            lambda: strokes_in_role("hat", SHELF["D"]),
+            r"There is no role 'hat' for a stroke; there are all, stem",
+        ),
     ],
 )
 def test_what_cannot_be_is_said_in_a_sentence(wrong, answer):
@@ -232,7 +292,11 @@ def test_what_cannot_be_is_said_in_a_sentence(wrong, answer):
 
 
 def test_points_that_are_none_are_refused():
-    for wrong in (lambda: BAR.moved(3), lambda: BAR.led(goal=(np.nan, 0)), lambda: BAR.put("top", "high")):
+    for wrong in (
+        lambda: BAR.moved(3),
+        lambda: BAR.led(goal=(np.nan, 0)),
+        lambda: BAR.put("top", "high"),
+    ):
         with pytest.raises(TrajectoryError):
             wrong()
 
@@ -242,7 +306,9 @@ def test_strokes_of_the_original_form_can_be_moved_but_not_turned():
     moved = Letter.compose([bar, bowl.moved((0.01, 0))]).write()[1].position
     np.testing.assert_allclose(moved, bowl.drawn.position + np.array([0.01, 0]), atol=1e-12)
     for change in (lambda: bar.turned(9), lambda: bar.scaled(2), lambda: bar.using("star")):
-        with pytest.raises(LetterError, match=r"D\.1 was learned with the original form, .*Settings\.star\(\)"):
+        with pytest.raises(
+            LetterError, match=r"D\.1 was learned with the original form, .*Settings\.star\(\)"
+        ):
             change()
 
 

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import LetterError, TrajectoryError
-from dmp_teach.ink import drawing
+from dmp_teach.ink import svg_repr as drawing
 from dmp_teach.ink.alphabet import recording_of
 from dmp_teach.letters.letter import Letter, rms_distance
 from dmp_teach.trajectory import Trajectory
@@ -33,12 +33,17 @@ def test_a_letter_is_written_as_it_was_shown(letter_d):
 
 @pytest.mark.parametrize("character", list("aem8"))
 @pytest.mark.parametrize("seconds", [0.25, 0.4, 0.7])
-def test_a_letter_that_was_written_in_a_moment_is_learned_as_finely_as_a_slow_one(character, seconds):
+def test_a_letter_that_was_written_in_a_moment_is_learned_as_finely_as_a_slow_one(
+    character, seconds
+):
     """As a pad sees it: 120 points a second at most."""
     (slow,) = recording_of(character).strokes()
     t = np.linspace(0, seconds, round(120 * seconds) + 1)
     quick = Trajectory(
-        t, np.column_stack([np.interp(t / seconds * slow.duration, slow.t - slow.t[0], x) for x in slow.position.T])
+        t,
+        np.column_stack(
+            [np.interp(t / seconds * slow.duration, slow.t - slow.t[0], x) for x in slow.position.T]
+        ),
     )
     size = np.ptp(quick.position, axis=0).max()
     assert Letter.learn((quick,)).error < 0.02 * size
@@ -50,7 +55,9 @@ def test_a_letter_of_ordinary_pace_is_learned_with_the_kernels_of_the_preset():
     for character in "aDm":
         recording = recording_of(character)
         for mine, preset in zip(
-            Letter.learn(recording).primitives, Letter.learn(recording, Settings.star()).primitives, strict=True
+            Letter.learn(recording).primitives,
+            Letter.learn(recording, Settings.star()).primitives,
+            strict=True,
         ):
             assert mine.settings == preset.settings
 
@@ -108,19 +115,34 @@ def test_a_letter_is_learned_from_strokes_or_one_stroke_too():
     [
         ({"goals": {2: (0, 0)}}, "goals names stroke 2, but this letter has stroke 0, 1."),
         ({"starts": {-1: (0, 0)}}, "starts names stroke -1, but this letter has stroke 0, 1."),
-        ({"goal_shifts": {"last": (0, 0)}}, "goal_shifts names stroke 'last', but this letter has stroke 0, 1."),
-        ({"goals": {1: (0, 0)}, "goal_shifts": {1: (0, 0)}}, "Stroke 1 has a goal and a goal shift; give one of them."),
+        (
+            {"goal_shifts": {"last": (0, 0)}},
+            "goal_shifts names stroke 'last', but this letter has stroke 0, 1.",
+        ),
+        (
+            {"goals": {1: (0, 0)}, "goal_shifts": {1: (0, 0)}},
+            "Stroke 1 has a goal and a goal shift; give one of them.",
+        ),
         (
             {"goal_shifts": {1: (0, 0, 0)}},
             r"The goal shift of stroke 1 is \(0, 0, 0\), but it must be 2 numbers \[m\].",
         ),
-        ({"goal_shifts": {1: "far"}}, r"The goal shift of stroke 1 is 'far', but it must be 2 numbers \[m\]."),
-        ({"goal_shifts": {1: 0.1}}, r"The goal shift of stroke 1 is 0.1, but it must be 2 numbers \[m\]."),
+        (
+            {"goal_shifts": {1: "far"}},
+            r"The goal shift of stroke 1 is 'far', but it must be 2 numbers \[m\].",
+        ),
+        (
+            {"goal_shifts": {1: 0.1}},
+            r"The goal shift of stroke 1 is 0.1, but it must be 2 numbers \[m\].",
+        ),
         (
             {"goal_shifts": {1: (math.nan, 0)}},
             r"The goal shift of stroke 1 is \(nan, 0\), but it must be finite \[m\].",
         ),
-        ({"goals": [(0, 0)]}, r"goals must be a dictionary, stroke number: point \[m\], but is a list."),
+        (
+            {"goals": [(0, 0)]},
+            r"goals must be a dictionary, stroke number: point \[m\], but is a list.",
+        ),
         ({"duration": 0}, "duration is 0, but it must be a time longer than 0 s."),
         ({"duration": math.inf}, "duration is inf, but it must be a time longer than 0 s."),
         ({"duration": "slow"}, "duration is 'slow', but it must be a time longer than 0 s."),
@@ -138,10 +160,20 @@ def test_a_goal_that_is_no_point_is_said_by_the_stroke(letter_d):
 
 def test_what_cannot_be_learned_is_said_in_a_sentence():
     one, two = scrawl(100, 1.0), scrawl(100, 1.0, begin=0.5)
-    for nothing, what in (([], "nothing"), ([one, 3], "an int"), (None, "None"), ("a.csv", "a str")):
-        with pytest.raises(LetterError, match=f"learned from a recording or from strokes .Trajectory., but got {what}"):
+    for nothing, what in (
+        ([], "nothing"),
+        ([one, 3], "an int"),
+        (None, "None"),
+        ("a.csv", "a str"),
+    ):
+        with pytest.raises(
+            LetterError,
+            match=f"learned from a recording or from strokes .Trajectory., but got {what}",
+        ):
             Letter.learn(nothing)
-    with pytest.raises(LetterError, match=r"Stroke 1 begins at 0.5 s, before stroke 0 ends at 1.0 s"):
+    with pytest.raises(
+        LetterError, match=r"Stroke 1 begins at 0.5 s, before stroke 0 ends at 1.0 s"
+    ):
         Letter.learn([one, two])
 
 
@@ -174,9 +206,13 @@ def test_a_letter_may_be_written_in_one_stroke_that_never_stops(letter_d):
 
 
 def test_what_cannot_be_joined_is_said_in_a_sentence(letter_d):
-    with pytest.raises(LetterError, match=r"goals names stroke 2, but this letter has stroke 0, 1\."):
+    with pytest.raises(
+        LetterError, match=r"goals names stroke 2, but this letter has stroke 0, 1\."
+    ):
         letter_d.joined(goals={2: (0, 0)})
-    with pytest.raises(LetterError, match=r"Stroke 1 has a goal and a goal shift; give one of them\."):
+    with pytest.raises(
+        LetterError, match=r"Stroke 1 has a goal and a goal shift; give one of them\."
+    ):
         letter_d.joined(goals={1: (0, 0)}, goal_shifts={1: (0, 0)})
     with pytest.raises(TrajectoryError, match=r"overlap is 9\.0, but it must be between -5 s and"):
         letter_d.joined(overlap=9.0)
@@ -198,7 +234,12 @@ def test_a_letter_below_a_cell_is_the_robots_line():
 
 def test_strokes_of_a_letter_have_as_many_dimensions():
     t = np.linspace(0, 1, 50)
-    flat, high = Trajectory(t, np.column_stack([t, t**2])), Trajectory(t + 2, np.column_stack([t, t**2, t]))
-    with pytest.raises(LetterError, match="Stroke 1 has 3 dimensions, but stroke 0 has 2; all strokes of a letter"):
+    flat, high = (
+        Trajectory(t, np.column_stack([t, t**2])),
+        Trajectory(t + 2, np.column_stack([t, t**2, t])),
+    )
+    with pytest.raises(
+        LetterError, match="Stroke 1 has 3 dimensions, but stroke 0 has 2; all strokes of a letter"
+    ):
         Letter.learn((flat, high))
     assert Letter.learn((Trajectory(t, t[:, None]),))._repr_svg_() is None

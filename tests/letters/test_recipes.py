@@ -8,15 +8,15 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from dmp_teach.errors import LetterError
+from dmp_teach.formats.read import read_recording
 from dmp_teach.ink.alphabet import alphabets, characters, recording_of
-from dmp_teach.ink.reader import read_recording
-from dmp_teach.ink.score import score
+from dmp_teach.letters.compose.geometry import nearest
+from dmp_teach.letters.compose.recipes import made, makeable, needed, recipes
+from dmp_teach.letters.compose.roles import strokes_in_role
+from dmp_teach.letters.compose.shelf import Shelf
 from dmp_teach.letters.letter import Letter
-from dmp_teach.letters.outline import nearest
-from dmp_teach.letters.recipes import made, makeable, needed, recipes
-from dmp_teach.letters.roles import strokes_in_role
-from dmp_teach.letters.shelf import Shelf
-from dmp_teach.studies.new_letters import p_from_d
+from dmp_teach.scoring.letter_score import score
+from dmp_teach.studies.experiments.d_to_p import p_from_d
 from dmp_teach.trajectory import Trajectory
 from tests.recordings import RECORDINGS, needs_recordings
 
@@ -27,7 +27,9 @@ FORMS = ("star", "similarity")
 def shelves():
     wanted = {letter for _, how in recipes() for letter in needed(how)}
     return {
-        name: Shelf.of(recording_of(letter, name) for letter in characters(name) if letter in wanted)
+        name: Shelf.of(
+            recording_of(letter, name) for letter in characters(name) if letter in wanted
+        )
         for name in alphabets()
     }
 
@@ -70,7 +72,11 @@ def test_made_letters_hang_together(shelves, alphabet):
         size = np.ptp(np.concatenate([stroke.position for stroke in strokes]), axis=0).max()
         for number, stroke in enumerate(strokes):
             others = [other.position for k, other in enumerate(strokes) if k != number]
-            gaps = [np.linalg.norm(nearest(other, p) - p) for other in others for p in stroke.position[::3]]
+            gaps = [
+                np.linalg.norm(nearest(other, p) - p)
+                for other in others
+                for p in stroke.position[::3]
+            ]
             assert min(gaps) < 0.06 * size, (character, how, number)
 
 
@@ -89,21 +95,36 @@ def test_the_first_line_is_taken_that_can_be():
     lo = Shelf.of(recording_of(letter) for letter in "lo")
     assert {"b", "d", "p", "q"} <= set(makeable(lo))
     assert Letter.make("b", lo).made_of == ("l.1b", "o.1")
-    assert Letter.make("b", Shelf.of(recording_of(letter) for letter in "loD")).made_of == ("D.1", "o.1")
+    assert Letter.make("b", Shelf.of(recording_of(letter) for letter in "loD")).made_of == (
+        "D.1",
+        "o.1",
+    )
 
 
 @pytest.mark.parametrize("alphabet", alphabets())
 def test_made_letters_are_written_in_the_order_and_direction_of_school(shelves, alphabet):
     for character, how in recipes():
-        found = score(Letter.make(character, shelves[alphabet], recipe=how), recording_of(character, alphabet))
-        assert not {"order", "reversed"} & {fault.name for fault in found.faults}, (character, how, found.sentence)
+        found = score(
+            Letter.make(character, shelves[alphabet], recipe=how), recording_of(character, alphabet)
+        )
+        assert not {"order", "reversed"} & {fault.name for fault in found.faults}, (
+            character,
+            how,
+            found.sentence,
+        )
 
 
 def test_a_leg_that_is_led_at_both_ends_is_straight_unless_another_way_is_asked_for(shelves):
     """Turned and scaled; DMP* keeps the way of the bar, and adds to it."""
     shelf = shelves["round"]
-    legs = [Letter.make("R", shelf, transform).write()[2].position for transform in (None, "similarity", "star")]
-    ends = [np.linalg.norm(leg[-1] - leg[0]) / np.linalg.norm(np.diff(leg, axis=0), axis=1).sum() for leg in legs]
+    legs = [
+        Letter.make("R", shelf, transform).write()[2].position
+        for transform in (None, "similarity", "star")
+    ]
+    ends = [
+        np.linalg.norm(leg[-1] - leg[0]) / np.linalg.norm(np.diff(leg, axis=0), axis=1).sum()
+        for leg in legs
+    ]
     assert ends[0] == pytest.approx(ends[1], abs=1e-3)
     assert ends[0] > max(0.98, ends[2])
 
@@ -112,7 +133,9 @@ def test_what_leads_down_has_no_loop_and_no_hook(shelves):
     for alphabet in alphabets():
         (down,) = strokes_in_role("down", shelves[alphabet]["l"])
         path = down.drawn.position
-        assert np.ptp(path[:, 1]) == pytest.approx(np.ptp(shelves[alphabet]["l"][0].shown.position[:, 1]), rel=0.02)
+        assert np.ptp(path[:, 1]) == pytest.approx(
+            np.ptp(shelves[alphabet]["l"][0].shown.position[:, 1]), rel=0.02
+        )
         assert (np.diff(path[:, 1]) <= 1e-4).all()
 
 
@@ -141,12 +164,16 @@ def test_every_letter_has_a_top_and_a_bottom():
 
 
 def test_no_letter_is_made_of_no_name():
-    with pytest.raises(LetterError, match="character is None, but must be the letter to make, such as 'P'"):
+    with pytest.raises(
+        LetterError, match="character is None, but must be the letter to make, such as 'P'"
+    ):
         Letter.make(None, Shelf.of([recording_of("D")]))
 
 
 def test_last_is_the_order_of_writing_and_not_of_the_recipe(shelves):
-    letter = Letter.make("p", shelves["round"], recipe="o all last, D bar put upper at 1:left/1:top meet 1:left")
+    letter = Letter.make(
+        "p", shelves["round"], recipe="o all last, D bar put upper at 1:left/1:top meet 1:left"
+    )
     assert letter.made_of == ("D.1", "o.1")
 
 
@@ -159,11 +186,20 @@ def test_a_line_of_ones_own_makes_a_letter():
 @pytest.mark.parametrize(
     ("ask", "answer"),
     [
-        (("%", None), r"There is no recipe for '%'; there are recipes for P R B .*Give one: recipe='\.\.\.'"),
+        (
+            ("%", None),
+            r"There is no recipe for '%'; there are recipes for P R B .*Give one: recipe='\.\.\.'",
+        ),
         (("w", None), r"'w' is made of v, but this shelf has D, o: put the missing ones on it"),
         (("P", "D bar, D bowl bend"), r"A recipe cannot 'bend'; it can: lead END to SPOT"),
-        (("P", "D"), r"A stroke of a recipe is a letter and a role, such as 'D bar', but this is 'D'"),
-        (("P", "D bar, D bowl lead lower to 3:0.5"), r"names stroke 3, but so far it has 1; they are counted from 1"),
+        (
+            ("P", "D"),
+            r"A stroke of a recipe is a letter and a role, such as 'D bar', but this is 'D'",
+        ),
+        (
+            ("P", "D bar, D bowl lead lower to 3:0.5"),
+            r"names stroke 3, but so far it has 1; they are counted from 1",
+        ),
         (("P", "D all size 2"), r"'D' has 2 strokes, but 'size 2' is for one; name it by its role"),
         (("P", "D bar, D bowl put side at 1:top"), r"There is no place 'side'"),
         (("P", "D bar, D bowl put top at 1:side"), r"There is no place 'side'"),
@@ -187,7 +223,8 @@ def test_where_a_letter_cannot_be_taken_apart_the_next_recipe_is_tried():
 
 def test_a_letter_is_made_from_a_shelf():
     with pytest.raises(
-        LetterError, match=r"A letter is made from a Shelf, but got a dict; use Shelf\.of\(recordings\)"
+        LetterError,
+        match=r"A letter is made from a Shelf, but got a dict; use Shelf\.of\(recordings\)",
     ):
         made("P", {})
 
@@ -212,7 +249,10 @@ def test_every_writers_d_makes_a_p_of_that_writer_however_it_was_drawn():
     assert all(item.recognisable for way in ("DMP*", "similarity") for item in found.by(way))
     for recording in of_d:
         bar, bowl = Letter.make("P", Shelf.of([recording])).write()
-        assert min(np.linalg.norm(nearest(bar.position, end) - end) for end in bowl.position[[0, -1]]) < 1e-4
+        assert (
+            min(np.linalg.norm(nearest(bar.position, end) - end) for end in bowl.position[[0, -1]])
+            < 1e-4
+        )
 
 
 @settings(max_examples=25, deadline=None)
@@ -224,7 +264,10 @@ def test_every_writers_d_makes_a_p_of_that_writer_however_it_was_drawn():
 )
 def test_any_d_makes_a_p(name, form, ways, transform):
     """Slanted, narrow, large, in any order and direction: the bowl meets the bar half way up."""
-    strokes = [_drawn(stroke, form, up) for stroke, up in zip(recording_of("D", name).strokes(), ways[:2], strict=True)]
+    strokes = [
+        _drawn(stroke, form, up)
+        for stroke, up in zip(recording_of("D", name).strokes(), ways[:2], strict=True)
+    ]
     strokes = strokes[::-1] if ways[2] else strokes
     late = Trajectory(strokes[1].t + strokes[0].t[-1] + 0.4, strokes[1].position)
     p = Letter.make("P", Shelf.of({"D": Letter.learn([strokes[0], late])}), transform)

@@ -13,9 +13,9 @@ from hypothesis import strategies as st
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import LetterError, PathError
 from dmp_teach.ink.alphabet import recording_of
-from dmp_teach.letters import saved
+from dmp_teach.letters import letter_json as saved
+from dmp_teach.letters.compose.shelf import Shelf
 from dmp_teach.letters.letter import Letter
-from dmp_teach.letters.shelf import Shelf
 from dmp_teach.trajectory import Trajectory
 
 PRESETS = ["star", "original", "joint", "plus", "as_printed", "as_coded", "as_fixed"]
@@ -52,7 +52,9 @@ def test_a_letter_that_was_saved_writes_the_same_to_the_last_bit(tmp_path, prese
 
 @pytest.mark.parametrize("transform", ["star", "similarity"])
 def test_other_transforms_and_endless_kernels_are_kept(tmp_path, transform):
-    letter = Letter.learn(recording_of("M"), Settings.joint(transform=transform, kernel_width=np.inf))
+    letter = Letter.learn(
+        recording_of("M"), Settings.joint(transform=transform, kernel_width=np.inf)
+    )
     again = Letter.load(letter.save(tmp_path / "m.json"))
     for asked in ASKED:
         assert same(letter, again, **asked)
@@ -64,7 +66,9 @@ def test_a_letter_that_was_composed_is_kept(tmp_path):
     again = Letter.load(letter.save(tmp_path / "p.json"))
     assert same(letter, again)
     assert again.made_of == letter.made_of
-    assert {k: tuple(v) for k, v in again.led_to.items()} == {k: tuple(v) for k, v in letter.led_to.items()}
+    assert {k: tuple(v) for k, v in again.led_to.items()} == {
+        k: tuple(v) for k, v in letter.led_to.items()
+    }
 
 
 @pytest.mark.parametrize("began", [41_000.0, 1.7e9])  # seconds since midnight, and since 1970
@@ -82,7 +86,10 @@ def test_a_letter_keeps_its_clock_unless_it_may_be_one_of_the_world(tmp_path, be
 def content(tmp_path_factory):
     """A saved letter of two short strokes, as an object."""
     t = np.linspace(0, 0.5, 25)
-    strokes = [Trajectory(t, np.column_stack([0.1 * t, t**2])), Trajectory(t + 1, np.column_stack([t**2, 0.1 * t]))]
+    strokes = [
+        Trajectory(t, np.column_stack([0.1 * t, t**2])),
+        Trajectory(t + 1, np.column_stack([t**2, 0.1 * t])),
+    ]
     path = Letter.learn(strokes).save(tmp_path_factory.mktemp("saved") / "l.json")
     return json.loads(path.read_text())
 
@@ -105,33 +112,79 @@ def test_a_file_that_was_changed_is_refused(tmp_path, content):
     (tmp_path / "l.json").write_text(text)
     assert len(Letter.load(tmp_path / "l.json").strokes) == 2
     (tmp_path / "l.json").write_text(text.replace('"duration": 0.5', '"duration": 0.6', 1))
-    with pytest.raises(LetterError, match=r"l\.json: check is .*it was changed after it was saved; save again"):
+    with pytest.raises(
+        LetterError, match=r"l\.json: check is .*it was changed after it was saved; save again"
+    ):
         Letter.load(tmp_path / "l.json")
 
 
 FORGED = {
-    "version": (("version",), 2, "version is 2, but this program reads version 1; update dmp_teach"),
+    "version": (
+        ("version",),
+        2,
+        "version is 2, but this program reads version 1; update dmp_teach",
+    ),
     "format": (("format",), "font", "this is not a dmp_teach letter"),
     "units": (("units",), {"t": "ms"}, "units is {'t': 'ms'}, but must be"),
-    "no strokes": (("strokes",), [], "strokes is [], but must be a list, with a primitive for each"),
-    "flat stroke": (("strokes", 0), [[0.0, 1.0]], "strokes[0] is [[0.0, 1.0]], but must be finite numbers, any x 3"),
-    "time stands still": (("strokes", 0), [[0.0, 1.0, 1.0]] * 3, "t[1] is 0.0 s and does not come after"),
-    "text": (("primitives", 0, "goal"), [0.0, "1"], "primitives[0].goal is [0.0, '1'], but must be finite numbers, 2"),
-    "no weights": (("primitives", 1, "weights"), [], "primitives[1].weights is [], but must be finite numbers, 6 x 2"),
+    "no strokes": (
+        ("strokes",),
+        [],
+        "strokes is [], but must be a list, with a primitive for each",
+    ),
+    "flat stroke": (
+        ("strokes", 0),
+        [[0.0, 1.0]],
+        "strokes[0] is [[0.0, 1.0]], but must be finite numbers, any x 3",
+    ),
+    "time stands still": (
+        ("strokes", 0),
+        [[0.0, 1.0, 1.0]] * 3,
+        "t[1] is 0.0 s and does not come after",
+    ),
+    "text": (
+        ("primitives", 0, "goal"),
+        [0.0, "1"],
+        "primitives[0].goal is [0.0, '1'], but must be finite numbers, 2",
+    ),
+    "no weights": (
+        ("primitives", 1, "weights"),
+        [],
+        "primitives[1].weights is [], but must be finite numbers, 6 x 2",
+    ),
     "ragged": (("primitives", 1, "weights"), [[1.0], [1.0, 2.0]], "primitives[1].weights is"),
     "biases": (("primitives", 0, "biases"), [[1.0, 2.0]], "primitives[0].biases is [[1.0, 2.0]]"),
     "huge": (("primitives", 0, "start"), [10**400, 0.0], "primitives[0].start is"),
     "a step too few": (("primitives", 0, "steps"), 3, "primitives[0].path is"),
-    "steps": (("primitives", 0, "steps"), 1.5, "primitives[0].steps is 1.5, but must be a whole number of steps"),
-    "duration": (("primitives", 0, "duration"), -1.0, "primitives[0].duration is -1.0, but must be a time longer"),
+    "steps": (
+        ("primitives", 0, "steps"),
+        1.5,
+        "primitives[0].steps is 1.5, but must be a whole number of steps",
+    ),
+    "duration": (
+        ("primitives", 0, "duration"),
+        -1.0,
+        "primitives[0].duration is -1.0, but must be a time longer",
+    ),
     "times": (("primitives", 0, "times"), [0.0, 0.0], "t[1] is 0.0 s and does not come after"),
     "notes": (("primitives", 0, "notes"), "x", "primitives[0].notes is 'x', but must be sentences"),
     "a field": (("primitives", 0, "code"), "import os", "primitives[0] is {"),
-    "a setting": (("primitives", 0, "settings", "phase"), "moon", "phase is 'moon', but it must be one of"),
+    "a setting": (
+        ("primitives", 0, "settings", "phase"),
+        "moon",
+        "phase is 'moon', but it must be one of",
+    ),
     "a setting more": (("primitives", 0, "settings", "name"), "Kim", "primitives[0].settings is {"),
-    "alpha": (("primitives", 0, "settings", "alpha"), None, "but must be complete: n_kernels and alpha are numbers"),
+    "alpha": (
+        ("primitives", 0, "settings", "alpha"),
+        None,
+        "but must be complete: n_kernels and alpha are numbers",
+    ),
     "kernels": (("primitives", 0, "settings", "n_kernels"), 7, "primitives[0].weights is"),
-    "led": (("led_to",), {"7": [0.0, 0.0]}, "led_to is {'7': [0.0, 0.0]}, but must be a goal by the number"),
+    "led": (
+        ("led_to",),
+        {"7": [0.0, 0.0]},
+        "led_to is {'7': [0.0, 0.0]}, but must be a goal by the number",
+    ),
     "made": (("made_of",), [1], "made_of is [1], but must be a list of names"),
 }
 
@@ -147,7 +200,9 @@ def test_a_forged_field_is_named_even_with_its_sum_made_again(tmp_path, content,
 
 @pytest.mark.parametrize("field", saved.FIELDS)
 def test_a_missing_field_is_refused(tmp_path, content, field):
-    (tmp_path / "l.json").write_text(json.dumps({name: value for name, value in content.items() if name != field}))
+    (tmp_path / "l.json").write_text(
+        json.dumps({name: value for name, value in content.items() if name != field})
+    )
     with pytest.raises(LetterError, match=r"l\.json: "):
         Letter.load(tmp_path / "l.json")
 
@@ -155,11 +210,14 @@ def test_a_missing_field_is_refused(tmp_path, content, field):
 @settings(max_examples=60, deadline=None, suppress_health_check=list(HealthCheck))
 @given(
     keys=st.sampled_from(
-        [("primitives", 0, name) for name in (*saved.PRIMITIVE, "path")] + [(f,) for f in saved.FIELDS[2:7]]
+        [("primitives", 0, name) for name in (*saved.PRIMITIVE, "path")]
+        + [(f,) for f in saved.FIELDS[2:7]]
     ),
     value=st.recursive(
         st.none() | st.booleans() | st.integers() | st.floats() | st.text(max_size=3),
-        lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=3), inner, max_size=3),
+        lambda inner: (
+            st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=3), inner, max_size=3)
+        ),
     ),
 )
 def test_anything_in_any_field_is_a_letter_or_a_sentence(tmp_path, content, keys, value):

@@ -8,9 +8,9 @@ from hypothesis import strategies as st
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import LetterError, SettingError, TrajectoryError
 from dmp_teach.ink.alphabet import recording_of
-from dmp_teach.letters.alike import learned_alike, path_of
 from dmp_teach.letters.letter import Letter
 from dmp_teach.letters.styles import Style
+from dmp_teach.letters.styles_basis import learned_alike, path_of
 from dmp_teach.trajectory import Trajectory
 from tests.recordings import RECORDINGS, needs_recordings
 
@@ -20,7 +20,9 @@ SHEARS = (-0.3, -0.1, 0.0, 0.25, 0.5)
 def slanted(strokes, shear, size=1.0, tempo=1.0):
     """The same letter by a writer who leans, writes larger or slower, elsewhere on the page."""
     lean = np.array([[1, shear], [0, 1]])
-    return tuple(Trajectory(tempo * s.t, size * s.position @ lean.T + (0.1 * shear, 0.05)) for s in strokes)
+    return tuple(
+        Trajectory(tempo * s.t, size * s.position @ lean.T + (0.1 * shear, 0.05)) for s in strokes
+    )
 
 
 @pytest.fixture(scope="module")
@@ -47,7 +49,9 @@ def lean(letter):
     return way[0] / way[1]
 
 
-@pytest.mark.parametrize("preset", [Settings.star(), Settings.joint(), Settings.plus(), Settings.as_fixed()])
+@pytest.mark.parametrize(
+    "preset", [Settings.star(), Settings.joint(), Settings.plus(), Settings.as_fixed()]
+)
 def test_the_mean_of_the_weights_draws_the_mean_of_the_letters(preset):
     style = Style.of([recording_of("m", hand) for hand in ("round", "slanted")], preset)
     drawn = np.mean([path_of(letter) for letter in style.letters], axis=0)
@@ -58,7 +62,10 @@ def test_the_mean_of_the_weights_draws_the_mean_of_the_letters(preset):
 
 def test_learned_alike_a_letter_is_as_near_as_learned_alone():
     for letter, hand in zip(
-        learned_alike([Letter.learn(recording_of("D", hand)) for hand in ("round", "slanted")], same_size=False),
+        learned_alike(
+            [Letter.learn(recording_of("D", hand)) for hand in ("round", "slanted")],
+            same_size=False,
+        ),
         ("round", "slanted"),
         strict=True,
     ):
@@ -70,13 +77,20 @@ def test_learned_alike_a_letter_is_as_near_as_learned_alone():
 
 
 @settings(deadline=None, max_examples=25)
-@given(shares=st.lists(st.floats(-0.5, 1.5), min_size=5, max_size=5).filter(lambda s: abs(sum(s)) > 0.3))
+@given(
+    shares=st.lists(st.floats(-0.5, 1.5), min_size=5, max_size=5).filter(
+        lambda s: abs(sum(s)) > 0.3
+    )
+)
 def test_a_blend_draws_the_same_blend_of_the_letters(style, shares):
     shares = np.array(shares) / sum(shares)
     blend = style.blend(dict(zip(style.writers, shares, strict=True)))
     expected = np.tensordot(shares, [path_of(letter) for letter in style.letters], axes=1)
     assert np.abs(path_of(blend) - expected).max() < 1e-9
-    assert all(before.t[-1] < after.t[0] for before, after in zip(blend.strokes, blend.strokes[1:], strict=False))
+    assert all(
+        before.t[-1] < after.t[0]
+        for before, after in zip(blend.strokes, blend.strokes[1:], strict=False)
+    )
 
 
 def test_all_of_one_writer_is_that_writer(style):
@@ -150,7 +164,9 @@ def test_a_style_that_is_led_through_a_point_passes_it(hands):
         there = [np.interp(0.4, clock, axis) for axis in letter.strokes[0].position.T]
         assert np.linalg.norm(np.subtract(there, point)) < 0.002
     assert np.trace(led.covariance) < np.trace(hands.covariance)
-    assert np.allclose(led.through(0, 0.4, point).centre, led.centre, atol=0.02), "it is led there already"
+    assert np.allclose(led.through(0, 0.4, point).centre, led.centre, atol=0.02), (
+        "it is led there already"
+    )
 
 
 def test_order_and_direction_of_strokes_are_found_by_shape(writers):
@@ -159,18 +175,23 @@ def test_order_and_direction_of_strokes_are_found_by_shape(writers):
     other = (turned, Trajectory(bar.t + turned.t[-1] + 0.4, bar.position))
     style = Style.of([writers[2], other])
     assert np.abs(path_of(style.letters[0]) - path_of(style.letters[1])).max() < 0.02
-    assert np.linalg.norm(style.mean.strokes[1].position[0] - style.letters[0].strokes[1].position[0]) < 0.01
+    assert (
+        np.linalg.norm(style.mean.strokes[1].position[0] - style.letters[0].strokes[1].position[0])
+        < 0.01
+    )
 
 
 def test_a_made_letter_is_written_and_moved_like_any_other(style):
     strokes = style.mean.write(goal_shifts={1: (0.02, 0.03)})
-    assert np.allclose(strokes[1].position[-1], style.mean.primitives[1].goal + np.array([0.02, 0.03]), atol=1e-3)
+    assert np.allclose(
+        strokes[1].position[-1], style.mean.primitives[1].goal + np.array([0.02, 0.03]), atol=1e-3
+    )
     assert style.mean.error < 1e-9
 
 
 @needs_recordings
 def test_the_mean_of_the_recorded_letters_lies_among_them():
-    from dmp_teach.ink.reader import read_recording  # noqa: PLC0415
+    from dmp_teach.formats.read import read_recording  # noqa: PLC0415
 
     letters = [read_recording(path) for path in RECORDINGS if path.stem.startswith("a_")]
     style = Style.of(letters)
@@ -183,7 +204,10 @@ def test_the_mean_of_the_recorded_letters_lies_among_them():
 @pytest.mark.parametrize(
     ("ask", "words"),
     [
-        (lambda s: Style.of([]), "A style is what several letters share, but got 0; give at least 2."),
+        (
+            lambda s: Style.of([]),
+            "A style is what several letters share, but got 0; give at least 2.",
+        ),
         (
             lambda s: Style.of([recording_of("D"), recording_of("D").strokes()[:1]]),
             "Letter 1 has 1 stroke and letter 0 has 2, and they are not the same parts. Blend letters that are made of "
@@ -193,22 +217,55 @@ def test_the_mean_of_the_recorded_letters_lies_among_them():
             lambda s: s.blend({"1": 0.5, "2": 0.6}),
             "The shares add up to 1.1, but must add up to 1, such as 0.7 and 0.3.",
         ),
-        (lambda s: s.blend({"me": 1}), "There is no letter by 'me' in this style; there are: 1, 2, 3, 4, 5."),
-        (lambda s: s.morph("1", "me", 0.5), "There is no letter by 'me' in this style; there are: 1, 2, 3, 4, 5."),
+        (
+            lambda s: s.blend({"me": 1}),
+            "There is no letter by 'me' in this style; there are: 1, 2, 3, 4, 5.",
+        ),
+        (
+            lambda s: s.morph("1", "me", 0.5),
+            "There is no letter by 'me' in this style; there are: 1, 2, 3, 4, 5.",
+        ),
         (lambda s: s.letter([3.5]), "coordinates is [3.5], but each must be between -3 and 3."),
-        (lambda s: s.letter(np.zeros((2, 2))), "coordinates has shape (2, 2), but there are 4 principal styles."),
+        (
+            lambda s: s.letter(np.zeros((2, 2))),
+            "coordinates has shape (2, 2), but there are 4 principal styles.",
+        ),
         (
             lambda s: s.through(2, 0.5, (0, 0)),
             "stroke is 2, but strokes are numbered from 0 to 1.",
         ),
-        (lambda s: s.through(0, "half", (0, 0)), "part is 'half', but must be a number between 0 and 1."),
-        (lambda s: s.through(0, 0.5, (0, 0), near=0), "near is 0, but must be a number between 1e-06 and 1."),
-        (lambda s: s.morph("1", "5", np.inf), "part is inf, but must be a number between -10 and 10."),
-        (lambda s: s.letter("bold"), "coordinates is 'bold', but must be a number between -3 and 3."),
-        (lambda s: s.blend({"1": "all"}), "The share of 1 is 'all', but must be a number between -10 and 10."),
-        (lambda s: s.blend(["1"]), "shares is ['1'], but must be a dictionary, writer: share, such as {'w01': 1.0}."),
-        (lambda s: s.sample(3), "rng is 3, but must be a generator, such as np.random.default_rng(1)."),
-        (lambda s: Style.of(3), "A style is learned from letters, but got 3; give a list of recordings."),
+        (
+            lambda s: s.through(0, "half", (0, 0)),
+            "part is 'half', but must be a number between 0 and 1.",
+        ),
+        (
+            lambda s: s.through(0, 0.5, (0, 0), near=0),
+            "near is 0, but must be a number between 1e-06 and 1.",
+        ),
+        (
+            lambda s: s.morph("1", "5", np.inf),
+            "part is inf, but must be a number between -10 and 10.",
+        ),
+        (
+            lambda s: s.letter("bold"),
+            "coordinates is 'bold', but must be a number between -3 and 3.",
+        ),
+        (
+            lambda s: s.blend({"1": "all"}),
+            "The share of 1 is 'all', but must be a number between -10 and 10.",
+        ),
+        (
+            lambda s: s.blend(["1"]),
+            "shares is ['1'], but must be a dictionary, writer: share, such as {'w01': 1.0}.",
+        ),
+        (
+            lambda s: s.sample(3),
+            "rng is 3, but must be a generator, such as np.random.default_rng(1).",
+        ),
+        (
+            lambda s: Style.of(3),
+            "A style is learned from letters, but got 3; give a list of recordings.",
+        ),
     ],
 )
 def test_what_cannot_be_is_answered(style, ask, words):
@@ -218,7 +275,9 @@ def test_what_cannot_be_is_answered(style, ask, words):
 
 
 def test_a_point_that_is_none_is_refused(style):
-    with pytest.raises(TrajectoryError, match=r"^point is \[ ?0\. nan\], but it must be finite \[m\]\.$"):
+    with pytest.raises(
+        TrajectoryError, match=r"^point is \[ ?0\. nan\], but it must be finite \[m\]\.$"
+    ):
         style.through(0, 0.5, (0, np.nan))
 
 
@@ -228,5 +287,7 @@ def test_the_original_transformation_cannot_be_blended():
 
 
 def test_a_style_is_of_one_letter():
-    with pytest.raises(LetterError, match="of one letter, but these are 'D', 'P'; give one character's"):
+    with pytest.raises(
+        LetterError, match="of one letter, but these are 'D', 'P'; give one character's"
+    ):
         Style.of([recording_of("D"), recording_of("P")])

@@ -12,16 +12,22 @@ from scipy.spatial import cKDTree
 
 from dmp_teach.errors import LetterError, RecordingError
 from dmp_teach.ink.alphabet import SIGNS, alphabets, characters, recording_of
-from dmp_teach.letters import words
-from dmp_teach.letters.hand import Hand, plain
 from dmp_teach.letters.letter import Letter
-from dmp_teach.letters.lines import lines
-from dmp_teach.letters.linking import linked
-from dmp_teach.letters.meeting import body_and_marks, can_arrive, can_leave, leaving, meeting
-from dmp_teach.letters.spacing import distance, linked_distance
+from dmp_teach.letters.text import words
+from dmp_teach.letters.text.connection_points import (
+    body_and_marks,
+    can_arrive,
+    can_leave,
+    leaving,
+    meeting,
+)
+from dmp_teach.letters.text.connections import linked
+from dmp_teach.letters.text.handwriting import Hand, plain
+from dmp_teach.letters.text.lines import lines
+from dmp_teach.letters.text.spacing import distance, linked_distance
 from dmp_teach.robot.fetch import Fetch
+from dmp_teach.robot.layout import place
 from dmp_teach.robot.page import Page
-from dmp_teach.robot.place import place
 from dmp_teach.trajectory import Trajectory
 
 
@@ -51,7 +57,9 @@ def _filled(path):
 
 
 def fastest(stroke):
-    return float((np.linalg.norm(np.diff(stroke.position, axis=0), axis=1) / np.diff(stroke.t)).max())
+    return float(
+        (np.linalg.norm(np.diff(stroke.position, axis=0), axis=1) / np.diff(stroke.t)).max()
+    )
 
 
 @settings(max_examples=40, deadline=None)
@@ -59,7 +67,9 @@ def fastest(stroke):
 def test_neighbours_do_not_touch(name, one, other):
     hand = HANDS[name]
     left, right = hand.glyph(one), hand.glyph(other)
-    apart, _ = cKDTree(dense(left)).query(dense(right) + np.array([distance(left, right, hand.x_height), 0]))
+    apart, _ = cKDTree(dense(left)).query(
+        dense(right) + np.array([distance(left, right, hand.x_height), 0])
+    )
     assert apart.min() > 0.1 * hand.x_height
 
 
@@ -85,7 +95,13 @@ def test_punctuation_stands_where_it_should(name):
 
     for letters in ("o", "y", "T", "B"):
         rest = dense(word(letters, name)) / size
-        for mark, low, high in ((".", 0, 0.15), (",", -0.3, 0.15), ("-", 0.4, 0.6), ("'", 1.5, 1.95), ("?", 0, 1.9)):
+        for mark, low, high in (
+            (".", 0, 0.15),
+            (",", -0.3, 0.15),
+            ("-", 0.4, 0.6),
+            ("'", 1.5, 1.95),
+            ("?", 0, 1.9),
+        ):
             ink = sign(letters + mark)
             assert low - 0.05 < ink[:, 1].min() < ink[:, 1].max() < high + 0.05
             beside = [(x, rest[np.abs(rest[:, 1] - y) < 0.2, 0]) for x, y in ink[::20]]
@@ -118,8 +134,13 @@ def test_dots_and_crosses_come_before_the_sign_that_follows():
         ink = word(text, "slanted", joined=True)
         end = HANDS["slanted"].glyph(text[-1])
         for drawn, shown in zip(ink[-len(end) :], end, strict=True):
-            np.testing.assert_allclose(np.diff(drawn.position, axis=0), np.diff(shown.position, axis=0), atol=1e-12)
-    assert len(word("it-it", "slanted", joined=True)) == 2 * len(word("it", "slanted", joined=True)) + 1
+            np.testing.assert_allclose(
+                np.diff(drawn.position, axis=0), np.diff(shown.position, axis=0), atol=1e-12
+            )
+    assert (
+        len(word("it-it", "slanted", joined=True))
+        == 2 * len(word("it", "slanted", joined=True)) + 1
+    )
 
 
 @pytest.mark.parametrize(
@@ -139,12 +160,26 @@ def test_print_and_parted_accents_are_written_plainly(printed, plain):
 
 
 def test_a_line_spaces_print_as_what_is_written_for_it():
-    for printed, typed in (("so\u2026 yes", "so... yes"), ("\u201cno\u201d \u2014 no", '"no" - no')):
+    for printed, typed in (
+        ("so\u2026 yes", "so... yes"),
+        ("\u201cno\u201d \u2014 no", '"no" - no'),
+    ):
         for one, other in zip(lines(printed), lines(typed), strict=True):
             np.testing.assert_array_equal(one.position, other.position)
 
 
-SPELT = ("¿Qué?", "¡Hola!", "NÃO", "LÕES", "Œuvre", "NOËL", "Île", "Ægir", "L\u2019Haÿ-les-Roses", "ALTÉRATION")
+SPELT = (
+    "¿Qué?",
+    "¡Hola!",
+    "NÃO",
+    "LÕES",
+    "Œuvre",
+    "NOËL",
+    "Île",
+    "Ægir",
+    "L\u2019Haÿ-les-Roses",
+    "ALTÉRATION",
+)
 SPELT += ("ÙLTIMO", "2+2=4", "3/4", "wait\u2026", "«ça»", "déjà!", "œæœ")
 
 
@@ -157,8 +192,12 @@ def test_every_language_that_we_have_letters_for_is_written(name, text):
     assert len(joined) <= len(apart) == sum(map(len, glyphs))
     size = HANDS[name].x_height
     for ink in (apart, joined):
-        assert points(ink)[:, 1].max() == pytest.approx(points(sum(glyphs, ()))[:, 1].max(), abs=0.05 * size)
-        assert points(ink)[:, 1].min() == pytest.approx(points(sum(glyphs, ()))[:, 1].min(), abs=0.05 * size)
+        assert points(ink)[:, 1].max() == pytest.approx(
+            points(sum(glyphs, ()))[:, 1].max(), abs=0.05 * size
+        )
+        assert points(ink)[:, 1].min() == pytest.approx(
+            points(sum(glyphs, ()))[:, 1].min(), abs=0.05 * size
+        )
 
 
 @cache
@@ -181,7 +220,11 @@ def _joints(hand):
         if can_leave(one, bodies[0], hand.x_height) and can_arrive(other, bodies[1], hand.x_height):
             step = linked_distance(glyphs, bodies, hand.x_height)
             start = bodies[1][0]
-            yield one + other, bodies[0][-1], Trajectory(start.t, start.position + np.array([step, 0]))
+            yield (
+                one + other,
+                bodies[0][-1],
+                Trajectory(start.t, start.position + np.array([step, 0])),
+            )
 
 
 @pytest.mark.parametrize("name", alphabets())
@@ -190,7 +233,11 @@ def test_joined_letters_touch_only_by_the_way_between_them(name):
     for pair, end, start in joints(name):
         a = leaving(end, size)
         met = meeting(end.position[a], start, size)
-        right = Trajectory(start.t[met.sample :], start.position[met.sample :]) if not met.back else start
+        right = (
+            Trajectory(start.t[met.sample :], start.position[met.sample :])
+            if not met.back
+            else start
+        )
         apart, _ = cKDTree(_filled(end.position[: a + 1])).query(_filled(right.position))
         assert apart.min() > 0.1 * size, pair
 
@@ -203,7 +250,9 @@ def test_a_pen_that_moves_keeps_its_heading_where_letters_meet(name):
         both, *seams = connection(end, start, size)
         step = np.diff(both.position, axis=0)
         speed = np.linalg.norm(step, axis=1) / np.diff(both.t)
-        turn = np.abs(np.degrees(np.angle(np.exp(1j * np.diff(np.arctan2(step[:, 1], step[:, 0]))))))
+        turn = np.abs(
+            np.degrees(np.angle(np.exp(1j * np.diff(np.arctan2(step[:, 1], step[:, 0])))))
+        )
         for seam in seams:
             around = slice(max(seam - 2, 0), seam + 1)
             moves = np.minimum(speed[:-1], speed[1:])[around] > 0.25 * np.median(speed)
@@ -235,7 +284,10 @@ def test_the_white_between_letters_is_even(name):
         left, right = hand.glyph(one), hand.glyph(other)
         moved = dense(right) + np.array([distance(left, right, hand.x_height), 0])
         bands = np.linspace(0.02, 0.98, 40) * hand.x_height
-        edges = [[ink[np.abs(ink[:, 1] - y) < 0.03 * hand.x_height, 0] for ink in (dense(left), moved)] for y in bands]
+        edges = [
+            [ink[np.abs(ink[:, 1] - y) < 0.03 * hand.x_height, 0] for ink in (dense(left), moved)]
+            for y in bands
+        ]
         gaps = [b.min() - a.max() if len(a) and len(b) else np.inf for a, b in edges]
         whites.append(np.minimum(gaps, 0.5 * hand.x_height).mean() / hand.x_height)
         boxes.append((moved[:, 0].min() - dense(left)[:, 0].max()) / hand.x_height)
@@ -279,7 +331,8 @@ def test_a_joined_word_never_jumps_and_never_has_more_strokes(name, text):
 
 
 @pytest.mark.parametrize(
-    ("text", "name", "strokes"), [("hello", "slanted", 1), ("nine", "slanted", 2), ("mute", "round", 2)]
+    ("text", "name", "strokes"),
+    [("hello", "slanted", 1), ("nine", "slanted", 2), ("mute", "round", 2)],
 )
 def test_a_pen_lifts_only_for_dots_and_crosses_where_all_letters_join(text, name, strokes):
     ink = word(text, name, joined=True)
@@ -307,7 +360,9 @@ def test_capitals_and_digits_begin_afresh(name):
 
 def test_a_word_of_one_letter_is_that_letter():
     (stroke,), (shown,) = word("o"), Letter.learn(recording_of("o")).write()
-    np.testing.assert_allclose(stroke.position - stroke.position[0], shown.position - shown.position[0], atol=1e-12)
+    np.testing.assert_allclose(
+        stroke.position - stroke.position[0], shown.position - shown.position[0], atol=1e-12
+    )
 
 
 @settings(max_examples=20, deadline=None)
@@ -322,7 +377,10 @@ def test_another_size_is_the_same_word_scaled(size):
 @pytest.mark.parametrize("tempo", [0, 0.4, 1])
 def test_the_time_grows_with_a_power_of_the_size(tempo):
     """Strokes and lifts alike; with 1 the speed stays, with 0 the time."""
-    usual, small = word("tip", tempo=tempo), word("tip", x_height=HANDS["round"].x_height / 8, tempo=tempo)
+    usual, small = (
+        word("tip", tempo=tempo),
+        word("tip", x_height=HANDS["round"].x_height / 8, tempo=tempo),
+    )
     assert small.duration == pytest.approx(usual.duration / 8**tempo)
     for one, two in zip(usual, small, strict=True):
         assert two.duration == pytest.approx(one.duration / 8**tempo)
@@ -357,7 +415,9 @@ def test_ones_own_letters_write_the_word(joined):
     )
     for one, other in zip(*both, strict=True):
         for corner in (np.min, np.max):
-            assert np.abs(corner(one.position, axis=0) - corner(other.position, axis=0)).max() < 1e-3
+            assert (
+                np.abs(corner(one.position, axis=0) - corner(other.position, axis=0)).max() < 1e-3
+            )
     assert np.abs(points(both[0])[-1] - points(word("baa", joined=joined))[-1]).max() > 1e-3
     recorded = word("a", letters={"a": recording_of("a", "slanted")})
     tall = np.ptp(points(word("a"))[:, 1])
@@ -377,22 +437,39 @@ def test_a_connection_keeps_both_strokes_and_their_speeds():
 
 @settings(max_examples=30, deadline=None)
 @given(
-    HAND, st.lists(st.tuples(st.floats(-1, 2), st.floats(-1, 2)), min_size=2, max_size=5, unique=True), st.booleans()
+    HAND,
+    st.lists(st.tuples(st.floats(-1, 2), st.floats(-1, 2)), min_size=2, max_size=5, unique=True),
+    st.booleans(),
 )
 def test_whatever_ones_own_letter_looks_like_it_is_joined_or_the_pen_lifts(name, corners, back):
     way = np.linspace(0, len(corners) - 1, 120)
-    path = np.column_stack([np.interp(way, range(len(corners)), axis) for axis in np.transpose(corners)])
+    path = np.column_stack(
+        [np.interp(way, range(len(corners)), axis) for axis in np.transpose(corners)]
+    )
     if np.ptp(path[:, 1]) < 0.3 or np.linalg.norm(np.diff(path, axis=0), axis=1).min() < 1e-4:
         return
     own = Letter.learn(Trajectory(np.linspace(0, 1, 120), path))
     ink = word("nana" if back else "vaoa", name, joined=True, letters={"a": own})
-    assert all((np.diff(stroke.t) > 0).all() and np.isfinite(stroke.position).all() for stroke in ink)
+    assert all(
+        (np.diff(stroke.t) > 0).all() and np.isfinite(stroke.position).all() for stroke in ink
+    )
     assert all(before.t[-1] < after.t[0] for before, after in pairwise(ink))
 
 
 def test_what_comes_back_to_the_left_is_a_mark():
-    for character, marks in (("x", 1), ("t", 1), ("i", 1), ("o", 0), ("k", 0), ("H", 0), ("A", 0), ("5", 0)):
-        assert len(body_and_marks(character, HANDS["round"].glyph(character))[1]) == marks, character
+    for character, marks in (
+        ("x", 1),
+        ("t", 1),
+        ("i", 1),
+        ("o", 0),
+        ("k", 0),
+        ("H", 0),
+        ("A", 0),
+        ("5", 0),
+    ):
+        assert len(body_and_marks(character, HANDS["round"].glyph(character))[1]) == marks, (
+            character
+        )
 
 
 def test_accents_are_written_too():
@@ -407,10 +484,19 @@ def test_accents_are_written_too():
         (lambda: word(""), r"A word is letters without a space, but got ''"),
         (lambda: word("two words"), r"but got 'two words'; teach\.lines writes text with spaces"),
         (lambda: word("a%"), r"The alphabet 'round' has no '%'; it has: a b c"),
-        (lambda: word("%", letters={"%": recording_of("o")}), r"There is a letter for '%', but nobody knows how tall"),
+        (
+            lambda: word("%", letters={"%": recording_of("o")}),
+            r"There is a letter for '%', but nobody knows how tall",
+        ),
         (lambda: word("a", letters=[1]), r"letters is a list, but must be \{'a': letter\}"),
-        (lambda: word("h", letters={"h": 3}), r"letters\['h'\] cannot be written\. A letter is learned .* got an int"),
-        (lambda: word("h", letters={"h": []}), r"letters\['h'\] cannot be written\. A letter is learned .* nothing"),
+        (
+            lambda: word("h", letters={"h": 3}),
+            r"letters\['h'\] cannot be written\. A letter is learned .* got an int",
+        ),
+        (
+            lambda: word("h", letters={"h": []}),
+            r"letters\['h'\] cannot be written\. A letter is learned .* nothing",
+        ),
         (lambda: word("hi", joined="yes"), r"joined is 'yes', but must be True or False"),
         (lambda: lines("hi", joined=2), r"joined is 2, but must be True or False"),
         (
@@ -419,7 +505,10 @@ def test_accents_are_written_too():
         ),
         (lambda: lines("a", pitch="wide"), r"pitch is 'wide', but must be a length from 0 to 10 m"),
         (lambda: word("a", x_height=0), r"x_height is 0, but must be a height from 0\.0001 to 1 m"),
-        (lambda: word("a", tempo=2), r"tempo is 2, but must be from 0 \(the same time in every size\) to 1"),
+        (
+            lambda: word("a", tempo=2),
+            r"tempo is 2, but must be from 0 \(the same time in every size\) to 1",
+        ),
         (lambda: lines("a", tempo="fast"), r"tempo is 'fast', but must be from 0"),
         (lambda: lines("  \n "), r"There is nothing to write in"),
         (lambda: lines("a", margin=-1), r"margin is -1, but must be a length from 0 to 10 m"),
@@ -432,7 +521,9 @@ def test_what_cannot_be_written_is_said_in_a_sentence(ask, answer):
 
 
 def test_an_alphabet_that_is_none_is_named_by_those_that_are():
-    with pytest.raises(RecordingError, match=r"There is no alphabet 'gothic'; there are: round, slanted"):
+    with pytest.raises(
+        RecordingError, match=r"There is no alphabet 'gothic'; there are: round, slanted"
+    ):
         word("a", "gothic")
 
 
@@ -474,17 +565,23 @@ def whites(name, parts, strokes, size):
         upright = np.concatenate(ink) @ (1.0, -HANDS[name].lean) / size
         ends.append((upright.min(), upright.max()))
     assert next(strokes, None) is None
-    return np.array([after[0] - before[1] for before, after in zip(ends[::2], ends[1::2], strict=True)])
+    return np.array(
+        [after[0] - before[1] for before, after in zip(ends[::2], ends[1::2], strict=True)]
+    )
 
 
 def seams(name, some, others):
     """For all pairs of these: the white in a word of the two, and the white between two words."""
     rows = [[part for other in others for part in (one, other)] for one in some]
-    apart = lines("\n".join(map(" ".join, rows)), x_height=0.004, width=10, height=10, alphabet=name)
+    apart = lines(
+        "\n".join(map(" ".join, rows)), x_height=0.004, width=10, height=10, alphabet=name
+    )
     between = whites(name, [part for row in rows for part in row], apart, 0.004)
     pairs = [(one, other) for one in some for other in others]
     hand = HANDS[name]
-    return [whites(name, pair, hand.word("".join(pair), False), hand.x_height)[0] for pair in pairs], between
+    return [
+        whites(name, pair, hand.word("".join(pair), False), hand.x_height)[0] for pair in pairs
+    ], between
 
 
 @pytest.mark.parametrize("name", alphabets())
@@ -538,10 +635,13 @@ def test_text_fits_or_the_error_names_a_size_that_does(x_height, width, height):
 
 
 def test_what_does_not_fit_is_said():
-    with pytest.raises(LetterError, match=r"the word 'wide' is \d+ mm wide, but a line has 10 mm; x_height=.* fits"):
+    with pytest.raises(
+        LetterError, match=r"the word 'wide' is \d+ mm wide, but a line has 10 mm; x_height=.* fits"
+    ):
         lines("wide", width=0.05)
     with pytest.raises(
-        LetterError, match=r"there is room for \d lines inside the margins, but the text needs more; x_"
+        LetterError,
+        match=r"there is room for \d lines inside the margins, but the text needs more; x_",
     ):
         lines(TEXT, height=0.1, x_height=0.02)
 

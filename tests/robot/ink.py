@@ -37,6 +37,15 @@ def letters(draw):
     for _ in range(draw(st.integers(1, 3))):
         duration = draw(st.floats(0.3, 2.5))
         rate = draw(st.sampled_from([60, 120, 240, 100]))
-        strokes.append(wave(duration, rate, clock, width=size, height=1.4 * size, seed=draw(st.integers(0, 10**6))))
+        strokes.append(
+            wave(
+                duration,
+                rate,
+                clock,
+                width=size,
+                height=1.4 * size,
+                seed=draw(st.integers(0, 10**6)),
+            )
+        )
         clock = strokes[-1].t[-1] + draw(st.floats(0.05, 3))
     return tuple(strokes)

@@ -12,7 +12,9 @@ PYTHON = "/usr/bin/python3"
 HAS_ROS = (
     Path("/usr/bin/roscore").exists()
     and Path("/usr/bin/rosbag").exists()
-    and not subprocess.call([PYTHON, "-c", "import rospy"], stderr=subprocess.DEVNULL, env={"PATH": "/usr/bin:/bin"})
+    and not subprocess.call(
+        [PYTHON, "-c", "import rospy"], stderr=subprocess.DEVNULL, env={"PATH": "/usr/bin:/bin"}
+    )
 )
 ALONE = ["unshare", "--user", "--map-root-user", "--net"]
 """A network of one's own, of loopback alone: the C++ player listens on every address that it finds."""
@@ -61,11 +63,18 @@ def play_on_a_real_roscore(bag, topics, home):
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
         port = str(probe.getsockname()[1])
-    env = {"PATH": "/usr/bin:/bin", "HOME": str(home), "ROS_HOME": str(home), "ROS_LOG_DIR": str(home)}
+    env = {
+        "PATH": "/usr/bin:/bin",
+        "HOME": str(home),
+        "ROS_HOME": str(home),
+        "ROS_LOG_DIR": str(home),
+    }
     env |= {"ROS_MASTER_URI": f"http://127.0.0.1:{port}", "ROS_IP": "127.0.0.1"}
     alone = subprocess.call([*ALONE, "true"], env=env, stderr=subprocess.DEVNULL) == 0
     command = [*(ALONE if alone else []), PYTHON, "-c", WORLD, str(bag), port, str(alone), *topics]
-    world = subprocess.Popen(command, env=env, cwd=home, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    world = subprocess.Popen(
+        command, env=env, cwd=home, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE
+    )
     try:
         out, errors = world.communicate(timeout=50)
     finally:
@@ -75,4 +84,7 @@ def play_on_a_real_roscore(bag, topics, home):
             world.communicate()
     assert world.returncode == 0, errors
     heard = json.loads(out.splitlines()[-1])
-    return {topic: message | {"data": base64.b64decode(message["data"])} for topic, message in heard.items()}
+    return {
+        topic: message | {"data": base64.b64decode(message["data"])}
+        for topic, message in heard.items()
+    }

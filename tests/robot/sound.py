@@ -3,9 +3,9 @@
 import numpy as np
 
 from dmp_teach.robot.arm import JOINTS
-from dmp_teach.robot.model import Model
-from dmp_teach.robot.plan import RATE
-from dmp_teach.robot.speed import FASTEST
+from dmp_teach.robot.model.kinematics import Model
+from dmp_teach.robot.pen_path import RATE
+from dmp_teach.robot.time_scaling import FASTEST
 
 MODEL = Model.load()
 LIMITS = [MODEL.joint(name) for name in JOINTS]
@@ -23,7 +23,15 @@ def assert_sound(motion):
     assert (X[:, :3, 2] @ motion.page.normal).max() < 0
     assert (motion.q >= [joint.lower - 1e-9 for joint in LIMITS]).all()
     assert (motion.q <= [joint.upper + 1e-9 for joint in LIMITS]).all()
-    speed = np.abs(np.diff(motion.q, axis=0)).max(axis=0) * RATE / [joint.velocity for joint in LIMITS]
+    speed = (
+        np.abs(np.diff(motion.q, axis=0)).max(axis=0) * RATE / [joint.velocity for joint in LIMITS]
+    )
     assert speed.max() <= FASTEST + 1e-9
     np.testing.assert_allclose(motion.t, np.arange(len(motion.t)) / RATE)
-    assert len(motion.q) == len(motion.tip) == len(motion.target) == len(motion.pen_down) == len(motion.t)
+    assert (
+        len(motion.q)
+        == len(motion.tip)
+        == len(motion.target)
+        == len(motion.pen_down)
+        == len(motion.t)
+    )

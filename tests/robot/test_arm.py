@@ -12,7 +12,7 @@ from dmp_teach.robot import arm
 from dmp_teach.robot.arm import JOINTS, Solver, solver_here
 from dmp_teach.robot.fetch import Fetch
 from dmp_teach.robot.page import Page
-from dmp_teach.robot.plan import RATE, plan_pen
+from dmp_teach.robot.pen_path import RATE, plan_pen
 from dmp_teach.trajectory import Trajectory
 from tests.recordings import RECORDINGS, needs_recordings
 from tests.robot import ink
@@ -21,7 +21,12 @@ from tests.robot.sound import LIMITS, assert_sound
 
 pytest.importorskip("placo", reason="PlaCo is not on this platform")
 
-SHEETS = (Page.table(), Page.board(), Page.table(width=0.297, height=0.21), Page.board(width=0.297, height=0.21))
+SHEETS = (
+    Page.table(),
+    Page.board(),
+    Page.table(width=0.297, height=0.21),
+    Page.board(width=0.297, height=0.21),
+)
 
 
 @law(examples=12, letter=ink.letters(), page=st.sampled_from(SHEETS))
@@ -52,7 +57,9 @@ def test_a_hasty_large_letter_is_slowed():
 @pytest.mark.parametrize("corner", list(itertools.product((-1, 1), (-1, 1))))
 def test_every_corner_of_a_default_page_can_be_written_on(page, corner):
     at = np.multiply(corner, page.size / 2 - 0.005 - 0.015)
-    motion = Fetch().write((Trajectory([0, 0.5, 1], [[0, 0], [0.03, 0.03], [0, 0.03]]),), page, at=at)
+    motion = Fetch().write(
+        (Trajectory([0, 0.5, 1], [[0, 0], [0.03, 0.03], [0, 0.03]]),), page, at=at
+    )
     assert_sound(motion)
     assert not [note for note in motion.notes if "reach" in note]
 
@@ -100,7 +107,9 @@ def test_the_same_input_gives_the_same_motion_whatever_was_written_before():
 
 def test_progress_is_told_in_three_steps_and_often():
     told = []
-    motion = Fetch().write(LETTER, Page.table(), progress=lambda step, part: told.append((step, part)))
+    motion = Fetch().write(
+        LETTER, Page.table(), progress=lambda step, part: told.append((step, part))
+    )
     assert list(dict.fromkeys(step for step, _ in told)) == ["reach", "plan", "joints"]
     assert all(0 <= part <= 1 for _, part in told)
     assert len(told) > 4 * motion.duration
@@ -134,7 +143,9 @@ def test_two_threads_write_at_once_and_do_not_mix():
     alone = {page: Fetch().write(LETTER, page).q for page in SHEETS[:2]}
     found = {}
     threads = [
-        threading.Thread(target=lambda page=page: found.__setitem__(page, Fetch().write(LETTER, page).q))
+        threading.Thread(
+            target=lambda page=page: found.__setitem__(page, Fetch().write(LETTER, page).q)
+        )
         for page in SHEETS[:2]
     ]
     for thread in threads:
@@ -162,7 +173,8 @@ def test_nothing_is_printed(capfd):
 
 
 @pytest.mark.parametrize(
-    ("name", "nearest"), [("elbow_flex", "elbow_flex_joint"), ("wrist_rol_joint", "wrist_roll_joint")]
+    ("name", "nearest"),
+    [("elbow_flex", "elbow_flex_joint"), ("wrist_rol_joint", "wrist_roll_joint")],
 )
 def test_a_joint_that_is_none_is_not_masked_in_silence(name, nearest):
     with pytest.raises(JointError, match=nearest):
@@ -184,7 +196,9 @@ def test_a_pen_that_already_stands_upright_or_upside_down_is_no_trouble(sign):
 def test_the_posture_comes_to_rest():
     solver = solver_here()
     target = np.array([0.7, 0, 0.72])
-    solver.stand((0.386, -0.11, -0.45, -0.37, 1.53, -1.39, -0.88, 0.82), np.array([0.0, 0, 1]), torso=True)
+    solver.stand(
+        (0.386, -0.11, -0.45, -0.37, 1.53, -1.39, -0.88, 0.82), np.array([0.0, 0, 1]), torso=True
+    )
     solver.approach(target)
     solver.settle(target)
     before = solver.pen()[:3, 3].copy(), solver.joints()
@@ -199,13 +213,18 @@ def test_joints_that_turn_for_ever_do_not_jump_at_half_a_turn():
     states = np.zeros((500, solver.state_size))
     column = solver.columns["forearm_roll_joint"]
     states[:, column], states[:, column + 1] = np.cos(turns), np.sin(turns)
-    np.testing.assert_allclose(solver.unpacked(states)[:, JOINTS.index("forearm_roll_joint")], turns)
+    np.testing.assert_allclose(
+        solver.unpacked(states)[:, JOINTS.index("forearm_roll_joint")], turns
+    )
 
 
 def test_where_placo_is_missing_the_sentence_says_what_to_do(monkeypatch):
     monkeypatch.setitem(sys.modules, "placo", None)
     monkeypatch.setattr(arm, "_here", threading.local())
-    with pytest.raises(MissingPartError, match=r"Letters, sliders and plots work without it\..*pip install placo.*WSL"):
+    with pytest.raises(
+        MissingPartError,
+        match=r"Letters, sliders and plots work without it\..*pip install placo.*WSL",
+    ):
         Fetch()
 
 

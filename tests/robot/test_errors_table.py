@@ -22,9 +22,9 @@ from dmp_teach.errors import (
 from dmp_teach.robot import arm
 from dmp_teach.robot.arm import JOINTS
 from dmp_teach.robot.fetch import Fetch
-from dmp_teach.robot.model import Model
+from dmp_teach.robot.model.kinematics import Model
 from dmp_teach.robot.page import Page
-from dmp_teach.robot.simulate import simulate
+from dmp_teach.robot.simulation.simulate import simulate
 from dmp_teach.trajectory import Trajectory
 from tests.robot.ink import LETTER
 
@@ -37,7 +37,9 @@ def motion():
 
 
 def test_a_page_out_of_reach_which_corner_how_many_mm_the_nearest_page_that_works():
-    with pytest.raises(ReachError, match=r"The ink's [a-z ]+ is \d+ mm out of the arm's reach\. Try Page\.") as caught:
+    with pytest.raises(
+        ReachError, match=r"The ink's [a-z ]+ is \d+ mm out of the arm's reach\. Try Page\."
+    ) as caught:
         Fetch().write(LETTER, Page.table(x=1.1))
     assert repr(caught.value.cure) in str(caught.value)
     Fetch().write(LETTER, caught.value.cure)
@@ -45,7 +47,8 @@ def test_a_page_out_of_reach_which_corner_how_many_mm_the_nearest_page_that_work
 
 def test_near_singular_a_warning_with_the_distance_to_move():
     with pytest.warns(
-        ReachWarning, match=r"nearly stretched out here.*; \d+ mm from here it is at ease\. Try Page"
+        ReachWarning,
+        match=r"nearly stretched out here.*; \d+ mm from here it is at ease\. Try Page",
     ) as seen:
         motion = Fetch().write(LETTER, Page.table(x=0.88))
     assert str(seen[0].message) in motion.notes
@@ -53,14 +56,19 @@ def test_near_singular_a_warning_with_the_distance_to_move():
 
 
 def test_a_letter_larger_than_the_page_both_sizes_the_largest_that_fits():
-    with pytest.raises(PageError, match=r"would be \d+ x \d+ mm, but the page is 210 x 297 mm.*size=0\.\d+"):
+    with pytest.raises(
+        PageError, match=r"would be \d+ x \d+ mm, but the page is 210 x 297 mm.*size=0\.\d+"
+    ):
         Fetch().write(LETTER, Page.table(), size=0.5)
 
 
 def test_too_fast_what_it_was_slowed_to_by_which_joint_and_where():
     hasty = tuple(Trajectory(s.t / 4, s.position) for s in LETTER)
     motion = Fetch().write(hasty, Page.table(), size=0.19)
-    words = re.match(r"slowed from (\d\.\d\d) s to (\d\.\d\d) s: (\w+), .* Slower is stroke 0 from ", motion.notes[0])
+    words = re.match(
+        r"slowed from (\d\.\d\d) s to (\d\.\d\d) s: (\w+), .* Slower is stroke 0 from ",
+        motion.notes[0],
+    )
     assert float(words[1]) < float(words[2]) == pytest.approx(motion.duration, abs=0.006)
     assert words[3] in JOINTS
 
@@ -79,29 +87,40 @@ def test_numbers_that_no_movement_has_row_and_value(t, position, says):
 
 
 def test_millimetres_instead_of_metres():
-    with pytest.raises(PageError, match=r"The ink is \d+ x \d+ m\..*if yours are in millimetres, divide them by 1000"):
+    with pytest.raises(
+        PageError,
+        match=r"The ink is \d+ x \d+ m\..*if yours are in millimetres, divide them by 1000",
+    ):
         Fetch().write(tuple(Trajectory(s.t, 1000 * s.position) for s in LETTER), Page.table())
 
 
 def test_a_5_mm_jump_inside_a_stroke_which_sample_and_how_far():
     stroke = LETTER[0]
     along = stroke.position[40] - stroke.position[39]
-    position = stroke.position + 0.005 * (np.arange(len(stroke)) >= 40)[:, None] * along / np.linalg.norm(along)
-    with pytest.raises(TrajectoryError, match=r"Stroke 0 jumps by \d\.\d mm in 8\.3 ms at sample 40 \(t = 0\.733 s\)"):
+    position = stroke.position + 0.005 * (np.arange(len(stroke)) >= 40)[
+        :, None
+    ] * along / np.linalg.norm(along)
+    with pytest.raises(
+        TrajectoryError,
+        match=r"Stroke 0 jumps by \d\.\d mm in 8\.3 ms at sample 40 \(t = 0\.733 s\)",
+    ):
         Fetch().write((Trajectory(stroke.t, position),), Page.table())
 
 
 def test_no_ink_how_far_from_the_paper_and_the_cure(motion):
     pytest.importorskip("pybullet", reason="pybullet is not on this platform")
     (told, *_) = simulate(motion, page_height_error=-0.006).findings
-    assert re.match(r"No ink: the pen's tip stayed [\d.]+ to [\d.]+ mm over the paper\. Plan again", told)
+    assert re.match(
+        r"No ink: the pen's tip stayed [\d.]+ to [\d.]+ mm over the paper\. Plan again", told
+    )
 
 
 def test_partial_ink_which_part_and_the_cure(motion):
     pytest.importorskip("pybullet", reason="pybullet is not on this platform")
     told = " ".join(simulate(motion, page_tilt=np.radians(5)).findings)
     assert re.search(
-        r"of the letter has no ink, .*: there the tip is up to [\d.]+ mm over the paper\. Plan again", told
+        r"of the letter has no ink, .*: there the tip is up to [\d.]+ mm over the paper\. Plan again",
+        told,
     )
 
 
@@ -114,16 +133,24 @@ def test_pressed_too_hard_how_many_newtons_and_the_cure(motion):
 
 def test_an_unknown_joint_or_frame_the_nearest_names():
     model = Model.load()
-    with pytest.raises(JointError, match=r"no joint called 'elbow_flex'\. The nearest names: 'elbow_flex_joint'"):
+    with pytest.raises(
+        JointError, match=r"no joint called 'elbow_flex'\. The nearest names: 'elbow_flex_joint'"
+    ):
         model.joint("elbow_flex")
-    with pytest.raises(JointError, match=r"no frame called 'pen_tipp'\. The nearest names: 'pen_tip'"):
+    with pytest.raises(
+        JointError, match=r"no frame called 'pen_tipp'\. The nearest names: 'pen_tip'"
+    ):
         model.frame("pen_tipp", np.zeros(1), ("elbow_flex_joint",))
 
 
-def test_without_placo_what_is_missing_what_still_works_how_to_get_it_and_the_rest_goes_on(monkeypatch, motion):
+def test_without_placo_what_is_missing_what_still_works_how_to_get_it_and_the_rest_goes_on(
+    monkeypatch, motion
+):
     monkeypatch.setitem(sys.modules, "placo", None)
     monkeypatch.setattr(arm, "_here", threading.local())
-    with pytest.raises(MissingPartError, match=r"PlaCo, which is not here.*work without it\..*pip install placo"):
+    with pytest.raises(
+        MissingPartError, match=r"PlaCo, which is not here.*work without it\..*pip install placo"
+    ):
         Fetch()
     again = type(motion)(**{name: getattr(motion, name) for name in motion.__dataclass_fields__})
     with pytest.raises(MissingPartError, match="PlaCo"):
@@ -137,7 +164,9 @@ def test_without_pybullet_what_is_missing_what_still_works_how_to_get_it(motion,
     assert Fetch().write(LETTER, Page.table()).duration == motion.duration
 
 
-def test_a_kernel_interrupted_while_simulating_its_client_closed_what_was_written_returned(motion, monkeypatch):
+def test_a_kernel_interrupted_while_simulating_its_client_closed_what_was_written_returned(
+    motion, monkeypatch
+):
     bullet = pytest.importorskip("pybullet", reason="pybullet is not on this platform")
 
     def interrupt(step, part):

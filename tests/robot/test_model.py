@@ -14,8 +14,8 @@ from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
 
 from dmp_teach.errors import JointError, TrajectoryError
-from dmp_teach.paths import ASSETS
-from dmp_teach.robot.model import GRIP, Model
+from dmp_teach.files.writing import ASSETS
+from dmp_teach.robot.model.kinematics import GRIP, Model
 
 ROBOTS = ("fetch.urdf", "fetch_sprung.urdf")
 
@@ -81,12 +81,19 @@ def test_placo_reads_the_same_robot(q):
     placo = pytest.importorskip("placo", reason="PlaCo has no build for this platform")
     for name in ROBOTS:
         poses = fetch(name).link_poses(q, DRIVEN)
-        for link in ("gripper_link", "pen_tip", "head_camera_rgb_optical_frame", "l_gripper_finger_link"):
+        for link in (
+            "gripper_link",
+            "pen_tip",
+            "head_camera_rgb_optical_frame",
+            "l_gripper_finger_link",
+        ):
             robot = read_by_placo(placo, name)
             for joint, value in zip(DRIVEN, q, strict=True):
                 robot.set_joint(joint, value)
             robot.update_kinematics()
-            np.testing.assert_allclose(robot.get_T_world_frame(link), poses[link][0], rtol=0, atol=1e-9)
+            np.testing.assert_allclose(
+                robot.get_T_world_frame(link), poses[link][0], rtol=0, atol=1e-9
+            )
 
 
 @cache
@@ -120,7 +127,9 @@ def test_the_pen_is_tilted_45_degrees_and_its_nib_is_95_mm_out(q):
     poses = fetch().link_poses(q, DRIVEN)
     gripper, tip = poses["gripper_link"][0], poses["pen_tip"][0]
     along = np.linalg.inv(gripper) @ tip
-    np.testing.assert_allclose(along[:3, 2], (np.sqrt(0.5), 0, -np.sqrt(0.5)), atol=1e-12)  # z: out of the nib
+    np.testing.assert_allclose(
+        along[:3, 2], (np.sqrt(0.5), 0, -np.sqrt(0.5)), atol=1e-12
+    )  # z: out of the nib
     np.testing.assert_allclose(along[:3, 3], 0.095 * along[:3, 2], atol=1e-12)
 
 
@@ -128,7 +137,9 @@ def test_the_pen_is_tilted_45_degrees_and_its_nib_is_95_mm_out(q):
 def test_the_sprung_pen_rests_4_mm_further_out_and_slides_along_itself(slide):
     fixed, sprung = (fetch(name).frame("pen_tip", [q], joints) for name, q, joints in _pens(slide))
     np.testing.assert_allclose(sprung[0, :3, :3], fixed[0, :3, :3], atol=1e-12)
-    np.testing.assert_allclose(sprung[0, :3, 3], fixed[0, :3, 3] + (0.004 + slide) * fixed[0, :3, 2], atol=1e-12)
+    np.testing.assert_allclose(
+        sprung[0, :3, 3], fixed[0, :3, 3] + (0.004 + slide) * fixed[0, :3, 2], atol=1e-12
+    )
     joint = fetch("fetch_sprung.urdf").joint("pen_slide_joint")
     assert (joint.type, joint.lower, joint.upper) == ("prismatic", -0.012, 0.0)
 
@@ -143,7 +154,10 @@ def _pens(slide):
 
 def test_nothing_but_the_nib_is_at_the_nib():
     pieces = [(v.link, v) for v in fetch().visuals if v.link in ("pen_link", "pen_tip")]
-    ends = {link: max(v.vertices[:, 2].max() for name, v in pieces if name == link) for link, _ in pieces}
+    ends = {
+        link: max(v.vertices[:, 2].max() for name, v in pieces if name == link)
+        for link, _ in pieces
+    }
     assert ends["pen_tip"] == 0.0
     assert 0.090 < ends["pen_link"] < 0.095
 
@@ -158,7 +172,9 @@ def test_the_fingers_touch_the_holder_where_they_rest():
     holder = next(v for v in fetch().visuals if v.link == "pen_holder_link").vertices[:, 1].max()
     assert inner[0].min() == pytest.approx(holder, abs=5e-4)
     assert inner[1].max() == pytest.approx(-holder, abs=5e-4)
-    lower, upper = (getattr(fetch().joint("r_gripper_finger_joint"), name) for name in ("lower", "upper"))
+    lower, upper = (
+        getattr(fetch().joint("r_gripper_finger_joint"), name) for name in ("lower", "upper")
+    )
     assert lower < GRIP < upper
 
 
@@ -168,7 +184,11 @@ def test_every_link_weighs_something_and_can_be_turned(name):
         assert float(link.find("inertial/mass").attrib["value"]) > 0
         i = {key: float(value) for key, value in link.find("inertial/inertia").attrib.items()}
         tensor = np.array(
-            [[i["ixx"], i["ixy"], i["ixz"]], [i["ixy"], i["iyy"], i["iyz"]], [i["ixz"], i["iyz"], i["izz"]]]
+            [
+                [i["ixx"], i["ixy"], i["ixz"]],
+                [i["ixy"], i["iyy"], i["iyz"]],
+                [i["ixz"], i["iyz"], i["izz"]],
+            ]
         )
         principal = np.linalg.eigvalsh(tensor)
         assert principal[0] > 0, link.attrib["name"]
@@ -176,7 +196,10 @@ def test_every_link_weighs_something_and_can_be_turned(name):
 
 
 def test_masses_and_centres_are_the_facts():
-    links = {link.attrib["name"]: link for link in ET.parse(ASSETS / "fetch.urdf").getroot().findall("link")}
+    links = {
+        link.attrib["name"]: link
+        for link in ET.parse(ASSETS / "fetch.urdf").getroot().findall("link")
+    }
     for row in facts("fetch_links.csv"):
         if row["mass"]:
             inertial = links[row["link"]].find("inertial")
@@ -193,7 +216,9 @@ def test_pybullet_reads_every_link_and_piece(capfd):
             body = pybullet.loadURDF(str(ASSETS / name), useFixedBase=True, physicsClientId=client)
             assert pybullet.getNumJoints(body, client) == len(fetch(name).joints)
             shapes = pybullet.getVisualShapeData(body, physicsClientId=client)
-            assert sum(shape[2] == pybullet.GEOM_MESH for shape in shapes) == len(fetch(name).visuals)
+            assert sum(shape[2] == pybullet.GEOM_MESH for shape in shapes) == len(
+                fetch(name).visuals
+            )
     finally:
         pybullet.disconnect(client)
     said = capfd.readouterr()
@@ -202,9 +227,17 @@ def test_pybullet_reads_every_link_and_piece(capfd):
 
 
 def test_the_committed_files_are_what_the_script_makes(tmp_path):
-    subprocess.run([sys.executable, str(ASSETS / "make_fetch.py"), "--out", str(tmp_path)], check=True)
-    made = {path.relative_to(tmp_path): path.read_bytes() for path in tmp_path.rglob("*") if path.is_file()}
-    assert {path.name for path in (ASSETS / "meshes").iterdir()} == {p.name for p in made if p.suffix == ".obj"}
+    subprocess.run(
+        [sys.executable, str(ASSETS / "make_fetch.py"), "--out", str(tmp_path)], check=True
+    )
+    made = {
+        path.relative_to(tmp_path): path.read_bytes()
+        for path in tmp_path.rglob("*")
+        if path.is_file()
+    }
+    assert {path.name for path in (ASSETS / "meshes").iterdir()} == {
+        p.name for p in made if p.suffix == ".obj"
+    }
     for path, content in made.items():
         assert (ASSETS / path).read_bytes() == content, f"{path} is old: run assets/make_fetch.py"
 
@@ -214,8 +247,12 @@ def test_shells_fill_the_boxes_of_the_real_ones():
         if row["xmin"]:
             points = np.concatenate([v.vertices for v in fetch().visuals if v.link == row["link"]])
             low, high = numbers(row, "xmin", "ymin", "zmin"), numbers(row, "xmax", "ymax", "zmax")
-            np.testing.assert_allclose(points.min(axis=0), low, rtol=0, atol=2.5e-3, err_msg=row["link"])
-            np.testing.assert_allclose(points.max(axis=0), high, rtol=0, atol=2.5e-3, err_msg=row["link"])
+            np.testing.assert_allclose(
+                points.min(axis=0), low, rtol=0, atol=2.5e-3, err_msg=row["link"]
+            )
+            np.testing.assert_allclose(
+                points.max(axis=0), high, rtol=0, atol=2.5e-3, err_msg=row["link"]
+            )
 
 
 def test_the_shells_are_light_enough_for_a_page():
@@ -230,7 +267,9 @@ def test_every_piece_is_closed_smooth_and_faces_outwards(piece):
     corners = piece.vertices[piece.faces]
     area = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     assert (np.linalg.norm(area, axis=1) > 0).all()
-    np.testing.assert_allclose(area.sum(axis=0), 0, atol=1e-6)  # closed: what faces one way is matched by the other
+    np.testing.assert_allclose(
+        area.sum(axis=0), 0, atol=1e-6
+    )  # closed: what faces one way is matched by the other
     assert np.einsum("ij,ij->", corners[:, 0], np.cross(corners[:, 1], corners[:, 2])) > 0
     np.testing.assert_allclose(np.linalg.norm(piece.normals, axis=1), 1, atol=2e-3)
     flat = area / np.linalg.norm(area, axis=1, keepdims=True)
@@ -244,13 +283,22 @@ def test_every_piece_is_closed_smooth_and_faces_outwards(piece):
 
 def test_values_are_locked():
     joint, piece = fetch().joints[0], fetch().visuals[0]
-    for array in (joint.X_parent_joint, joint.axis, piece.vertices, piece.normals, piece.faces, piece.color):
+    for array in (
+        joint.X_parent_joint,
+        joint.axis,
+        piece.vertices,
+        piece.normals,
+        piece.faces,
+        piece.color,
+    ):
         with pytest.raises(ValueError, match="read-only"):
             array[0] = 0
 
 
 def test_an_unknown_joint_is_told_the_nearest_names():
-    with pytest.raises(JointError, match=r"no joint that moves called 'elbow_joint'.*'elbow_flex_joint'"):
+    with pytest.raises(
+        JointError, match=r"no joint that moves called 'elbow_joint'.*'elbow_flex_joint'"
+    ):
         fetch().link_poses([[0.0]], ["elbow_joint"])
     with pytest.raises(JointError, match=r"no joint called 'torso'.*'torso_"):
         fetch().joint("torso")
@@ -272,7 +320,8 @@ def test_a_joint_named_twice_is_refused():
 
 
 @pytest.mark.parametrize(
-    ("q", "says"), [([[0.0, 1.0]], r"shape \(1, 2\)"), ([[np.nan]], r"q\[0\] of elbow_flex_joint is nan")]
+    ("q", "says"),
+    [([[0.0, 1.0]], r"shape \(1, 2\)"), ([[np.nan]], r"q\[0\] of elbow_flex_joint is nan")],
 )
 def test_positions_that_do_not_fit_are_refused(q, says):
     with pytest.raises(TrajectoryError, match=says):
@@ -282,7 +331,10 @@ def test_positions_that_do_not_fit_are_refused(q, says):
 def test_a_robot_that_hangs_in_the_air_is_refused(tmp_path):
     path = Path(tmp_path / "loose.urdf")
     joint = '<joint name="j" type="fixed"><parent link="nowhere"/><child link="hand"/></joint>'
-    path.write_text(f'<robot name="loose"><link name="base"/><link name="hand"/>{joint}</robot>', encoding="utf-8")
+    path.write_text(
+        f'<robot name="loose"><link name="base"/><link name="hand"/>{joint}</robot>',
+        encoding="utf-8",
+    )
     with pytest.raises(JointError, match="'j' hangs on 'nowhere', which the root never reaches"):
         Model.load(path)
 
@@ -290,6 +342,8 @@ def test_a_robot_that_hangs_in_the_air_is_refused(tmp_path):
 def test_a_shell_that_is_no_mesh_is_refused(tmp_path):
     path = Path(tmp_path / "box.urdf")
     visual = '<visual><geometry><box size="1 1 1"/></geometry></visual>'
-    path.write_text(f'<robot name="box"><link name="base">{visual}</link></robot>', encoding="utf-8")
+    path.write_text(
+        f'<robot name="box"><link name="base">{visual}</link></robot>', encoding="utf-8"
+    )
     with pytest.raises(JointError, match="A visual of 'base' is not a mesh"):
         _ = Model.load(path).visuals

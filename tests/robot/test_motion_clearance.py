@@ -7,11 +7,11 @@ from hypothesis import strategies as st
 from dmp_teach.errors import ReachError
 from dmp_teach.robot import fetch
 from dmp_teach.robot.arm import JOINTS
-from dmp_teach.robot.clearance import AROUND, LEAST, THIN, Near, nearest, plain
 from dmp_teach.robot.fetch import Fetch
+from dmp_teach.robot.model.proximity import AROUND, LEAST, THIN, Near, nearest, plain
+from dmp_teach.robot.model.solids import Clearances
 from dmp_teach.robot.page import Page
-from dmp_teach.robot.reach import Unreachable
-from dmp_teach.robot.solids import Clearances
+from dmp_teach.robot.reach.check import Unreachable
 from tests.robot import ink
 from tests.robot.ink import LETTER, law
 from tests.robot.sound import LIMITS, MODEL, assert_sound
@@ -25,7 +25,11 @@ HIGH = np.array([min(joint.upper, np.pi) for joint in LIMITS])
 def brute(poses, page):
     """The least distance of every pair that counts, at every sample."""
     clearances = Clearances(page, AROUND)
-    counts = [number for number, pair in enumerate(clearances.pairs) if not (pair[1] == "page" and "pen" in pair[0])]
+    counts = [
+        number
+        for number, pair in enumerate(clearances.pairs)
+        if not (pair[1] == "page" and "pen" in pair[0])
+    ]
     return clearances(poses)[:, counts]
 
 
@@ -45,7 +49,11 @@ def test_looking_at_some_samples_finds_what_looking_at_all_of_them_finds(seed, s
         assert first.row == np.argmax((away < LEAST).any(axis=1))
 
 
-@law(examples=6, letter=ink.letters(), page=st.sampled_from([Page.table(x=0.4), Page.board(), Page.table(z=0.5)]))
+@law(
+    examples=6,
+    letter=ink.letters(),
+    page=st.sampled_from([Page.table(x=0.4), Page.board(), Page.table(z=0.5)]),
+)
 def test_what_is_written_keeps_clear_of_the_robot_and_the_table(letter, page):
     motion = Fetch().write(letter, page)
     assert brute(MODEL.link_poses(motion.q[::4], JOINTS), page).min() >= LEAST
@@ -81,7 +89,9 @@ def test_a_page_in_the_robots_lap_is_refused_with_a_page_that_works(x):
 WRONG = {
     "nearest": lambda poses, page, *rest: 2 * (Near(240, -0.004, "forearm_roll_link", "page"),),
     "_check_tip": lambda X, plan, page: raised("The arm loses the pen's path."),
-    "_joints_for": lambda *rest: raised("However slowly the pen goes, the arm would have to hurry."),
+    "_joints_for": lambda *rest: raised(
+        "However slowly the pen goes, the arm would have to hurry."
+    ),
 }
 
 
@@ -98,7 +108,9 @@ def test_what_the_stance_did_not_foresee_is_refused_with_a_page_for_which_the_sa
 ):
     right = getattr(fetch, what)
     monkeypatch.setattr(
-        fetch, what, lambda *given: (WRONG[what] if any(each is page for each in given) else right)(*given)
+        fetch,
+        what,
+        lambda *given: (WRONG[what] if any(each is page for each in given) else right)(*given),
     )
     with pytest.raises(
         ReachError, match=r"^(After 1\.00 s the arm's forearm would go into what|The arm lo|How)"
@@ -121,14 +133,18 @@ def test_an_arm_that_would_go_into_the_table_on_its_way_is_told_when_and_where_t
 
 def test_where_no_page_helps_one_is_told_to_write_smaller(monkeypatch):
     monkeypatch.setattr(fetch, "nearest", WRONG["nearest"])
-    with pytest.raises(ReachError, match=r"4 mm deep\. Write smaller, or move the page\.$") as caught:
+    with pytest.raises(
+        ReachError, match=r"4 mm deep\. Write smaller, or move the page\.$"
+    ) as caught:
         Fetch().write(LETTER, Page.table())
     assert caught.value.cure is None
 
 
 def test_a_thin_margin_is_noted(monkeypatch):
     monkeypatch.setattr(
-        fetch, "nearest", lambda poses, page: (None, Near(120, 0.0152, "elbow_flex_link", "torso_lift_link"))
+        fetch,
+        "nearest",
+        lambda poses, page: (None, Near(120, 0.0152, "elbow_flex_link", "torso_lift_link")),
     )
     notes = Fetch().write(LETTER, Page.table()).notes
     assert notes == ("after 0.50 s the arm's elbow comes within 15 mm of the robot's torso",)
@@ -136,4 +152,6 @@ def test_a_thin_margin_is_noted(monkeypatch):
 
 def test_every_part_has_a_plain_name():
     pairs = Clearances(Page.table()).pairs
-    assert not [link for pair in pairs for link in pair if "_" in plain(link) or "link" in plain(link)]
+    assert not [
+        link for pair in pairs for link in pair if "_" in plain(link) or "link" in plain(link)
+    ]

@@ -6,10 +6,10 @@ from hypothesis import strategies as st
 
 from dmp_teach.robot.arm import JOINTS
 from dmp_teach.robot.fetch import Fetch
+from dmp_teach.robot.layout import place
 from dmp_teach.robot.page import Page
-from dmp_teach.robot.place import place
-from dmp_teach.robot.plan import RATE, plan_pen, way_over
-from dmp_teach.robot.speed import EASING, FASTEST, Clock, due, late
+from dmp_teach.robot.pen_path import RATE, plan_pen, way_over
+from dmp_teach.robot.time_scaling import EASING, FASTEST, Clock, due, late
 from dmp_teach.trajectory import Trajectory
 from tests.robot import ink
 from tests.robot.ink import LETTER, law
@@ -79,7 +79,8 @@ def test_a_clock_heeds_the_joint_that_hurries_and_says_where():
         f"slowed from {way.rests[-1] / RATE:.2f} s to {(len(clock.samples) - 1) / RATE:.2f} s: fast,"
     )
     start, end, times = map(
-        float, re.search(r"stroke 0 from (.*) s to (.*) s \(up to (.*) times, for fast\)", note).groups()
+        float,
+        re.search(r"stroke 0 from (.*) s to (.*) s \(up to (.*) times, for fast\)", note).groups(),
     )
     assert start < (way.rests[1] + 100) / RATE < end
     assert 2.0 <= times < 2.2
@@ -91,21 +92,28 @@ def test_slowed_ink_is_the_same_ink_at_rest_at_both_ends_of_every_stroke(letter,
     motion = Fetch().write(hasty(faster, letter), Page.board(width=0.5), size=0.19)
     assert_sound(motion)
     plain = plan_pen(motion.strokes)
-    position, speed = motion.page.to_page(motion.target), np.linalg.norm(np.diff(motion.target, axis=0), axis=1) * RATE
+    position, speed = (
+        motion.page.to_page(motion.target),
+        np.linalg.norm(np.diff(motion.target, axis=0), axis=1) * RATE,
+    )
     edges = np.flatnonzero(np.diff(motion.pen_down.astype(int), prepend=0, append=0)).reshape(-1, 2)
     others = np.flatnonzero(np.diff(plain.pen_down.astype(int), prepend=0, append=0)).reshape(-1, 2)
     assert len(edges) == len(others) == len(motion.strokes)
     assert np.abs(position[motion.pen_down, 2]).max() < 1e-12
     assert position[~motion.pen_down, 2].min() > 0
     for (start, stop), stroke in zip(edges, motion.strokes, strict=True):
-        np.testing.assert_allclose(position[[start, stop - 1], :2], stroke.position[[0, -1]], atol=1e-12)
+        np.testing.assert_allclose(
+            position[[start, stop - 1], :2], stroke.position[[0, -1]], atol=1e-12
+        )
         assert max(speed[start - 1 : start + 1].max(), speed[stop - 2 : stop].max()) < 0.01 * faster
 
 
 def test_far_from_a_hurry_the_pace_stays_and_the_ink_is_nowhere_else():
     motion = Fetch().write(hasty(2), Page.table(), size=0.19)
     (note,) = motion.notes
-    (start, end), *more = [tuple(map(float, span)) for span in re.findall(r"from (\d[\d.]*) s to ([\d.]+) s \(", note)]
+    (start, end), *more = [
+        tuple(map(float, span)) for span in re.findall(r"from (\d[\d.]*) s to ([\d.]+) s \(", note)
+    ]
     assert not more
     plain, position = plan_pen(motion.strokes), motion.page.to_page(motion.target)
     before, after = int(start * RATE) - 1, len(motion.t) - int(np.ceil(end * RATE)) - 1

@@ -5,15 +5,15 @@ import numpy as np
 import pytest
 
 from dmp_teach.errors import JointError
-from dmp_teach.paths import ASSETS
+from dmp_teach.files.writing import ASSETS
 from dmp_teach.robot.arm import JOINTS, torques
-from dmp_teach.robot.bench import SLIDE, Bench
 from dmp_teach.robot.fetch import Fetch
-from dmp_teach.robot.model import Model
+from dmp_teach.robot.model.kinematics import Model
+from dmp_teach.robot.model.urdf import origin
 from dmp_teach.robot.page import Page
-from dmp_teach.robot.physics import client
+from dmp_teach.robot.simulation.bullet import client
+from dmp_teach.robot.simulation.world import SLIDE, Bench
 from dmp_teach.robot.torque import too_heavy
-from dmp_teach.robot.urdf import origin
 from dmp_teach.trajectory import Trajectory
 from tests.robot.ink import LETTER
 from tests.robot.sound import LIMITS, MODEL
@@ -30,7 +30,11 @@ def bodies(path=ASSETS / "fetch.urdf"):
     """Mass and centre (4,) of every link."""
     for link in ET.parse(path).getroot().iter("link"):
         if (inertial := link.find("inertial")) is not None:
-            yield link.attrib["name"], float(inertial.find("mass").attrib["value"]), origin(inertial)[:, 3]
+            yield (
+                link.attrib["name"],
+                float(inertial.find("mass").attrib["value"]),
+                origin(inertial)[:, 3],
+            )
 
 
 def height_energy(q):
@@ -97,10 +101,14 @@ def test_more_than_a_motor_gives_is_said_with_the_moment_and_the_cure():
 
 def test_a_weight_that_is_too_much_is_not_cured_by_patience():
     motion = Fetch().write(LETTER, Page.table())
-    feeble = replace(MODEL, joints=tuple(replace(joint, effort=joint.effort / 2) for joint in MODEL.joints))
+    feeble = replace(
+        MODEL, joints=tuple(replace(joint, effort=joint.effort / 2) for joint in MODEL.joints)
+    )
     (note,) = too_heavy(motion, feeble)
     assert note.startswith("torso_lift_joint needs ")
-    assert note.endswith(", but its motor gives 225 N. The weight of the arm alone is too much: move the page nearer.")
+    assert note.endswith(
+        ", but its motor gives 225 N. The weight of the arm alone is too much: move the page nearer."
+    )
 
 
 def test_an_unknown_joint_is_refused():

@@ -9,7 +9,12 @@ from scipy.spatial.transform import Rotation
 from dmp_teach.errors import PageError
 from dmp_teach.robot.page import A4, Page
 
-PAGES = (Page.table(), Page.board(), Page.table(x=0.65, z=0.5, width=0.297, height=0.21), Page.board(y=0.1))
+PAGES = (
+    Page.table(),
+    Page.board(),
+    Page.table(x=0.65, z=0.5, width=0.297, height=0.21),
+    Page.board(y=0.1),
+)
 coordinates = st.floats(-1, 1).map(lambda value: round(value, 4))
 
 
@@ -21,7 +26,9 @@ def test_to_the_world_and_back_is_nothing(page, x, y, z):
 
 @pytest.mark.parametrize("page", PAGES, ids=repr)
 def test_the_normal_points_out_of_the_paper(page):
-    np.testing.assert_allclose(page.to_world((0, 0, 0.1)) - page.to_world((0, 0)), 0.1 * page.normal, atol=1e-15)
+    np.testing.assert_allclose(
+        page.to_world((0, 0, 0.1)) - page.to_world((0, 0)), 0.1 * page.normal, atol=1e-15
+    )
 
 
 def test_on_the_table_right_is_the_worlds_minus_y_and_up_is_plus_x():
@@ -52,7 +59,10 @@ def test_what_a_page_says_of_itself_makes_it_again(x, y, z, kind):
 @given(rotation=st.integers(0, 10**6), x=coordinates, y=coordinates, z=coordinates)
 def test_every_page_can_be_typed(rotation, x, y, z):
     X = np.eye(4)
-    X[:3, :3], X[:3, 3] = Rotation.random(rng=np.random.default_rng(rotation)).as_matrix(), (x, y, z)
+    X[:3, :3], X[:3, 3] = (
+        Rotation.random(rng=np.random.default_rng(rotation)).as_matrix(),
+        (x, y, z),
+    )
     page = Page(X, 0.148, 0.21)
     again = eval(repr(page))
     np.testing.assert_allclose(again.X_world_page, page.X_world_page, atol=2e-6)
@@ -80,16 +90,22 @@ def test_a_page_is_shown_as_it_was_typed(typed):
 
 
 @given(tilt=st.floats(-1.5, 1.5), turn=st.floats(-3, 3), yaw=st.floats(-3, 3))
-def test_tilting_raises_the_top_turning_stays_in_the_paper_and_yaw_is_about_the_vertical(tilt, turn, yaw):
+def test_tilting_raises_the_top_turning_stays_in_the_paper_and_yaw_is_about_the_vertical(
+    tilt, turn, yaw
+):
     flat, tilted = Page.table(), Page.table(tilt=tilt)
     assert tilted.to_world((0, 0.1))[2] - 0.72 == pytest.approx(0.1 * np.sin(tilt))
     np.testing.assert_allclose(tilted.to_world((0.1, 0)), flat.to_world((0.1, 0)), atol=1e-12)
     turned = Page.table(tilt=tilt, turn=turn)
     np.testing.assert_allclose(turned.normal, tilted.normal, atol=1e-12)
-    np.testing.assert_allclose(turned.to_world((0.1, 0)), tilted.to_world(0.1 * np.array([np.cos(turn), np.sin(turn)])))
+    np.testing.assert_allclose(
+        turned.to_world((0.1, 0)), tilted.to_world(0.1 * np.array([np.cos(turn), np.sin(turn)]))
+    )
     about = Rotation.from_euler("Z", yaw).as_matrix()
     np.testing.assert_allclose(
-        Page.table(tilt=tilt, turn=turn, yaw=yaw).X_world_page[:3, :3], about @ turned.X_world_page[:3, :3], atol=1e-12
+        Page.table(tilt=tilt, turn=turn, yaw=yaw).X_world_page[:3, :3],
+        about @ turned.X_world_page[:3, :3],
+        atol=1e-12,
     )
 
 
@@ -154,13 +170,19 @@ def test_a_page_given_in_millimetres_is_told_so(options):
 @pytest.mark.parametrize("name", ["x", "y", "z"])
 @pytest.mark.parametrize("value", ["far", None, np.nan, (0.1, 0.2)])
 def test_a_place_is_a_number(name, value):
-    with pytest.raises(PageError, match=f"{name} is .*, but must be a place in metres, such as 0.7"):
+    with pytest.raises(
+        PageError, match=f"{name} is .*, but must be a place in metres, such as 0.7"
+    ):
         Page.board(**{name: value})
 
 
 @pytest.mark.parametrize("name", ["tilt", "turn", "yaw"])
 def test_an_angle_is_a_number_in_radians(name):
-    with pytest.raises(PageError, match=f"{name} is 'steep', but must be an angle in radians, such as 0.35"):
+    with pytest.raises(
+        PageError, match=f"{name} is 'steep', but must be an angle in radians, such as 0.35"
+    ):
         Page.table(**{name: "steep"})
-    with pytest.raises(PageError, match=rf"{name} is 30 rad, more than .* If that is in degrees, write 0\.5236"):
+    with pytest.raises(
+        PageError, match=rf"{name} is 30 rad, more than .* If that is in degrees, write 0\.5236"
+    ):
         Page.board(**{name: 30})

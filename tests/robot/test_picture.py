@@ -9,8 +9,8 @@ import pytest
 from PIL import Image
 
 from dmp_teach.errors import MissingPartError
-from dmp_teach.robot import physics
-from dmp_teach.views.scene import SceneView, view
+from dmp_teach.robot.simulation import bullet as physics
+from dmp_teach.views.scene.view import SceneView, view
 from tests.views.moves import sway
 
 ROOT = Path(__file__).parents[2]
@@ -45,13 +45,17 @@ def test_a_picture_shows_robot_page_and_sky(shown, tmp_path):
 
 
 def test_the_letter_grows_with_time(shown, tmp_path):
-    amounts = [blue(picture(shown, tmp_path, camera="page from above", time=t)) for t in (0.0, 1.0, 2.4)]
+    amounts = [
+        blue(picture(shown, tmp_path, camera="page from above", time=t)) for t in (0.0, 1.0, 2.4)
+    ]
     assert amounts[0] + 20 < amounts[1] < amounts[2] - 20
 
 
 def test_an_arm_over_the_page_is_faint_in_a_picture_as_it_is_in_a_notebook(shown, tmp_path):
     middle = np.s_[40:200, 60:300]
-    seen = np.asarray(Image.open(picture(shown, tmp_path, camera="page from above", time=1.0)))[middle].astype(int)
+    seen = np.asarray(Image.open(picture(shown, tmp_path, camera="page from above", time=1.0)))[
+        middle
+    ].astype(int)
     paper = np.median(seen.reshape(-1, 3), axis=0)
     veiled = np.abs(seen - paper).max(axis=2)
     assert ((veiled > 4) & (veiled < 40)).sum() > 500, "something faint lies over the paper"
@@ -83,9 +87,13 @@ def test_without_pybullet_it_says_what_still_works(shown, tmp_path, without_pybu
 
 
 def test_a_picture_prints_nothing(tmp_path):
-    draw = "from tests.views.moves import sway; from dmp_teach.views.scene import view; import sys; "
+    draw = "from tests.views.moves import sway; from dmp_teach.views.scene.view import view; import sys; "
     draw += "view(sway(seconds=0.5)).png(sys.argv[1], width=64, height=64)"
     done = subprocess.run(
-        [sys.executable, "-c", draw, tmp_path / "a.png"], cwd=ROOT, capture_output=True, text=True, check=True
+        [sys.executable, "-c", draw, tmp_path / "a.png"],
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=True,
     )
     assert (done.stdout, done.stderr) == ("", "")

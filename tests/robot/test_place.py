@@ -3,8 +3,8 @@ import pytest
 from hypothesis import strategies as st
 
 from dmp_teach.errors import PageError, TrajectoryError
+from dmp_teach.robot.layout import MARGIN, place
 from dmp_teach.robot.page import Page
-from dmp_teach.robot.place import MARGIN, place
 from dmp_teach.trajectory import Trajectory
 from tests.robot import ink
 from tests.robot.ink import law
@@ -21,7 +21,12 @@ def line(*points, seconds=1.0):
     return Trajectory(np.linspace(0, seconds, len(points)), np.array(points, dtype=float))
 
 
-@law(letter=ink.letters(), x=st.floats(-0.01, 0.01), y=st.floats(-0.01, 0.01), size=st.floats(0.01, 0.1))
+@law(
+    letter=ink.letters(),
+    x=st.floats(-0.01, 0.01),
+    y=st.floats(-0.01, 0.01),
+    size=st.floats(0.01, 0.1),
+)
 def test_the_middle_of_the_ink_is_where_it_was_asked_for_and_its_height_too(letter, x, y, size):
     low, high = box(place(letter, PAGE, at=(x, y), size=size))
     np.testing.assert_allclose((low + high) / 2, (x, y), atol=1e-12)
@@ -41,7 +46,9 @@ def test_as_written_nothing_changes_but_the_place(letter):
     shift = placed[0].position[0] - letter[0].position[0]
     for before, after in zip(letter, placed, strict=True):
         np.testing.assert_array_equal(before.t, after.t)
-        np.testing.assert_allclose(after.position - before.position, np.broadcast_to(shift, after.position.shape))
+        np.testing.assert_allclose(
+            after.position - before.position, np.broadcast_to(shift, after.position.shape)
+        )
 
 
 def test_one_trajectory_is_one_stroke():
@@ -50,7 +57,9 @@ def test_one_trajectory_is_one_stroke():
 
 @law(letter=ink.letters(), size=st.floats(0.3, 2))
 def test_too_large_says_both_sizes_and_what_is_said_to_fit_fits(letter, size):
-    with pytest.raises(PageError, match=r"would be \d+ x \d+ mm, but the page is 210 x 297 mm") as caught:
+    with pytest.raises(
+        PageError, match=r"would be \d+ x \d+ mm, but the page is 210 x 297 mm"
+    ) as caught:
         place(letter, PAGE, size=size)
     largest = float(str(caught.value).rpartition("size=")[2].rstrip("."))
     low, high = box(place(letter, PAGE, size=largest))
@@ -61,7 +70,8 @@ def test_too_large_says_both_sizes_and_what_is_said_to_fit_fits(letter, size):
 
 def test_as_written_and_too_large_says_which_size_to_give():
     with pytest.raises(
-        PageError, match=r"room for 200 x 287 mm inside its margin. The largest that fits is size=0.287"
+        PageError,
+        match=r"room for 200 x 287 mm inside its margin. The largest that fits is size=0.287",
     ):
         place(line((0, 0), (0.1, 0.4), seconds=3), PAGE)
 
@@ -73,7 +83,9 @@ def test_a_level_line_too_wide_says_how_wide_it_may_be():
 
 @law(letter=ink.letters())
 def test_over_the_edge_says_where_the_middle_may_be_and_there_it_may_be(letter):
-    with pytest.raises(PageError, match=r"With at=\(0.2, 0\) the ink of \d+ x \d+ mm would run over") as caught:
+    with pytest.raises(
+        PageError, match=r"With at=\(0.2, 0\) the ink of \d+ x \d+ mm would run over"
+    ) as caught:
         place(letter, PAGE, at=(0.2, 0))
     x = float(str(caught.value).partition("x must be between -")[2].partition(" ")[0])
     y = float(str(caught.value).partition("y between -")[2].partition(" ")[0])
@@ -120,7 +132,9 @@ def test_no_strokes_are_refused(strokes):
 
 @pytest.mark.parametrize(("strokes", "kind"), [(3, "an int"), (None, "None")])
 def test_what_cannot_be_strokes_is_refused(strokes, kind):
-    with pytest.raises(TrajectoryError, match=f"strokes is {kind}, but must be a tuple of Trajectory"):
+    with pytest.raises(
+        TrajectoryError, match=f"strokes is {kind}, but must be a tuple of Trajectory"
+    ):
         place(strokes, PAGE)
 
 
@@ -142,7 +156,9 @@ def test_what_is_no_stroke_is_named_by_its_number():
 
 def test_three_dimensions_are_refused_with_the_cure():
     deep = Trajectory([0, 1], [[0, 0, 0], [0.1, 0, 0]])
-    with pytest.raises(TrajectoryError, match=r"3 dimensions, but ink has 2: Trajectory\(stroke.t, stroke.position"):
+    with pytest.raises(
+        TrajectoryError, match=r"3 dimensions, but ink has 2: Trajectory\(stroke.t, stroke.position"
+    ):
         place(deep, PAGE)
 
 
@@ -156,7 +172,8 @@ def test_a_jump_inside_a_stroke_is_named(letter, share, way):
     position = stroke.position.copy()
     position[row:] += jump * np.array([np.cos(way), np.sin(way)])
     with pytest.raises(
-        TrajectoryError, match=rf"Stroke {len(letter) - 1} jumps by .* mm in .* ms at sample {row} \(t ="
+        TrajectoryError,
+        match=rf"Stroke {len(letter) - 1} jumps by .* mm in .* ms at sample {row} \(t =",
     ):
         place((*letter[:-1], Trajectory(stroke.t, position)), PAGE)
 

@@ -2,9 +2,18 @@ import numpy as np
 import pytest
 from hypothesis import strategies as st
 
+from dmp_teach.robot.layout import place
 from dmp_teach.robot.page import Page
-from dmp_teach.robot.place import place
-from dmp_teach.robot.plan import HOVER, LIFT, RAMP, RATE, from_rest_to_rest, interpolated, plan_pen, way_over
+from dmp_teach.robot.pen_path import (
+    HOVER,
+    LIFT,
+    RAMP,
+    RATE,
+    from_rest_to_rest,
+    interpolated,
+    plan_pen,
+    way_over,
+)
 from dmp_teach.trajectory import Trajectory
 from tests.robot import ink
 from tests.robot.ink import law
@@ -28,7 +37,9 @@ def distances(points, path):
     a, b = path[:-1], path[1:]
     along = b - a
     part = ((points[:, None] - a) * along).sum(-1) / np.maximum((along**2).sum(-1), 1e-30)
-    return np.linalg.norm(points[:, None] - a - np.clip(part, 0, 1)[..., None] * along, axis=-1).min(axis=1)
+    return np.linalg.norm(
+        points[:, None] - a - np.clip(part, 0, 1)[..., None] * along, axis=-1
+    ).min(axis=1)
 
 
 @law(letter=ink.letters())
@@ -75,7 +86,9 @@ def test_the_pen_never_goes_faster_than_the_hand_did(letter):
     speed = np.linalg.norm(np.diff(plan.position[:, :2], axis=0), axis=1) * RATE
     for piece, stroke in zip(pieces(plan), placed, strict=True):
         fine = np.linspace(stroke.t[0], stroke.t[-1], 20 * len(stroke))
-        hand = np.linalg.norm(np.diff(interpolated(stroke)(fine), axis=0), axis=1) / (fine[1] - fine[0])
+        hand = np.linalg.norm(np.diff(interpolated(stroke)(fine), axis=0), axis=1) / (
+            fine[1] - fine[0]
+        )
         assert speed[piece][:-1].max() <= 1.001 * hand.max()
 
 
@@ -94,7 +107,10 @@ def test_the_nib_comes_down_and_goes_up_along_the_normal(letter):
     _, plan = planned(letter)
     rows = round(LIFT * RATE)
     for piece in pieces(plan):
-        for air in (plan.position[piece.start - rows : piece.start], plan.position[piece.stop : piece.stop + rows]):
+        for air in (
+            plan.position[piece.start - rows : piece.start],
+            plan.position[piece.stop : piece.stop + rows],
+        ):
             assert np.ptp(air[:, :2], axis=0).max() < 1e-12
 
 
@@ -126,7 +142,9 @@ def test_on_any_clock_it_is_the_same_path_and_the_pen_is_down_on_the_letter(lett
     samples = np.unique(np.concatenate([way.rests, between]))
     odd = way.plan(samples)
     np.testing.assert_array_equal(odd.t, np.arange(len(samples)) / RATE)
-    np.testing.assert_array_equal(odd.position[np.isin(samples, way.rests)], plan.position[way.rests])
+    np.testing.assert_array_equal(
+        odd.position[np.isin(samples, way.rests)], plan.position[way.rests]
+    )
     assert (odd.position[odd.pen_down, 2] == 0).all()
     assert (odd.position[~odd.pen_down, 2] > 0).all()
     assert len(pieces(odd)) == len(placed)
@@ -145,7 +163,10 @@ def test_the_pen_does_not_jerk(letter):
         step = fine[1] - fine[0]
         path = interpolated(stroke)(fine)
         speed = np.linalg.norm(np.diff(path, axis=0), axis=1).max() / step
-        hand = max(hand, np.linalg.norm(np.diff(path, n=2, axis=0), axis=1).max() / step**2 + 1.5 * speed / RAMP)
+        hand = max(
+            hand,
+            np.linalg.norm(np.diff(path, n=2, axis=0), axis=1).max() / step**2 + 1.5 * speed / RAMP,
+        )
     assert acceleration.max() < 1.05 * max(hand, 3.0)
 
 
@@ -166,7 +187,9 @@ def test_the_gentle_clock_starts_and_stops_at_rest_and_shows_it_all(duration):
 def test_uneven_times_do_not_make_the_curve_swing_out():
     t = np.cumsum(np.tile([0.001, 0.04], 20))
     rng = np.random.default_rng(0)
-    stroke = Trajectory(t, np.column_stack([0.002 * np.arange(40), 0.001 * rng.standard_normal(40)]))
+    stroke = Trajectory(
+        t, np.column_stack([0.002 * np.arange(40), 0.001 * rng.standard_normal(40)])
+    )
     fine = interpolated(stroke)(np.linspace(t[0], t[-1], 4000))
     assert distances(fine, stroke.position).max() < 0.002
     assert fine[:, 0].min() >= 0

@@ -56,17 +56,35 @@ FAR = (
 
 
 BAD = (
-    ("Page.table(x=1.3, tilt=0.35, turn=0.5)", "The ink's upper right corner is [0-9]+ mm out of the arm's reach"),
-    ("Page.board(y=0.9, yaw=0.6)", "The ink's upper left corner is [0-9]+ mm out of the arm's reach"),
+    (
+        "Page.table(x=1.3, tilt=0.35, turn=0.5)",
+        "The ink's upper right corner is [0-9]+ mm out of the arm's reach",
+    ),
+    (
+        "Page.board(y=0.9, yaw=0.6)",
+        "The ink's upper left corner is [0-9]+ mm out of the arm's reach",
+    ),
     ("Page.board(x=1.4, tilt=-0.4, width=0.148, height=0.21)", "out of the arm's reach"),
     ("Page.table(x=1.1, turn=0.7, width=0.15, height=0.9)", "out of the arm's reach"),
-    ("Page.table(x=1.3, tilt=3.1)", "The page lies with its face to the floor. The ink's .* out of the arm's reach"),
-    ("Page.board(yaw=3.141593)", "The page shows the robot its back. The ink's .* out of the arm's reach"),
-    ("Page.table(tilt=-1.2)", "The page shows the robot its back. The ink's .* out of the arm's reach"),
+    (
+        "Page.table(x=1.3, tilt=3.1)",
+        "The page lies with its face to the floor. The ink's .* out of the arm's reach",
+    ),
+    (
+        "Page.board(yaw=3.141593)",
+        "The page shows the robot its back. The ink's .* out of the arm's reach",
+    ),
+    (
+        "Page.table(tilt=-1.2)",
+        "The page shows the robot its back. The ink's .* out of the arm's reach",
+    ),
     ("Page.table(x=-0.7)", "The page is behind the robot. The ink's .* out of the arm's reach"),
     ("Page.table(z=-0.1)", "^The page would go 100 mm into the floor"),
     ("Page.table(width=2.0, height=2.0)", "^The page would go through the robot's body"),
-    ("Page.table(x=0.0, y=0.8, width=2.0, height=0.2)", "^The page would go through the robot's body"),
+    (
+        "Page.table(x=0.0, y=0.8, width=2.0, height=0.2)",
+        "^The page would go through the robot's body",
+    ),
     ("Page.board(x=1.4, width=2.0, height=1.2)", "out of the arm's reach"),
 )
 
@@ -81,11 +99,14 @@ def refusal(page, **options):
 def test_out_of_reach_says_where_and_by_how_much_and_the_cure_works(page):
     message = refusal(page)
     assert re.search(
-        r"The ink's (upper|lower|left|right)[a-z ]* is \d+ mm out of the arm's reach\. Try Page\.", message
+        r"The ink's (upper|lower|left|right)[a-z ]* is \d+ mm out of the arm's reach\. Try Page\.",
+        message,
     )
     cure = eval(message.partition("Try ")[2].removesuffix("."))
     assert cure.kind == page.kind
-    assert re.fullmatch(r"Page\.(table|board)\(([xyz]=-?\d\.?\d{0,2}(, )?)*(width=.*)?\)", repr(cure))
+    assert re.fullmatch(
+        r"Page\.(table|board)\(([xyz]=-?\d\.?\d{0,2}(, )?)*(width=.*)?\)", repr(cure)
+    )
     assert (cure.width, cure.height) == (page.width, page.height)
     motion = Fetch().write(LETTER, cure)
     assert motion.notes == ()
@@ -111,8 +132,12 @@ def test_only_the_ink_need_be_reached_but_a_page_that_is_not_is_mentioned():
 
 def test_a_stretched_arm_is_warned_of():
     notes = Fetch().write(LETTER, Page.table(x=0.88)).notes
-    (note,) = [note for note in notes if "nearly stretched out here, where its joints must hurry" in note]
-    away, x = re.search(r"; (\d+) mm from here it is at ease\. Try Page\.table\(x=(0\.\d+)\)\.$", note).groups()
+    (note,) = [
+        note for note in notes if "nearly stretched out here, where its joints must hurry" in note
+    ]
+    away, x = re.search(
+        r"; (\d+) mm from here it is at ease\. Try Page\.table\(x=(0\.\d+)\)\.$", note
+    ).groups()
     assert float(away) == pytest.approx(1000 * (0.88 - float(x)), abs=0.5)
 
 
@@ -166,7 +191,12 @@ def test_a_page_that_cannot_be_is_answered_with_one_that_can(typed, words):
     cure = caught.value.cure
     assert str(caught.value).endswith(f" Try {cure!r}.")
     assert_sound(Fetch().write(LETTER, eval(repr(cure))))
-    if max(page.size) < 2 and "back" not in words and "floor" not in words and "behind" not in words:
+    if (
+        max(page.size) < 2
+        and "back" not in words
+        and "floor" not in words
+        and "behind" not in words
+    ):
         np.testing.assert_allclose(cure.angles, page.angles, atol=1e-5)
         assert (cure.width, cure.height) == (page.width, page.height)
 
@@ -179,7 +209,9 @@ def test_a_page_that_cannot_be_is_answered_with_one_that_can(typed, words):
     angles=st.tuples(st.floats(-0.6, 1.8), st.floats(-3, 3), st.floats(-1.5, 1.5)),
     size=st.sampled_from([(0.148, 0.21), (0.21, 0.297), (0.297, 0.21), (0.42, 0.297), (0.12, 0.5)]),
 )
-def test_whatever_is_asked_for_is_written_well_or_answered_with_a_page_that_works(x, y, z, angles, size):
+def test_whatever_is_asked_for_is_written_well_or_answered_with_a_page_that_works(
+    x, y, z, angles, size
+):
     tilt, turn, yaw = angles
     page = Page.table(x, y, z, *size, tilt=tilt, turn=turn, yaw=yaw)
     small = {"size": 0.08}
@@ -217,7 +249,12 @@ def test_two_sheets_in_one_place_are_two_pages():
     assert Fetch().write(LETTER, Page.table()).notes == ()
 
 
-@law(examples=8, turn=st.tuples(*[st.floats(-3.1, 3.1)] * 3), x=st.floats(0.5, 0.9), z=st.floats(0.5, 1.3))
+@law(
+    examples=8,
+    turn=st.tuples(*[st.floats(-3.1, 3.1)] * 3),
+    x=st.floats(0.5, 0.9),
+    z=st.floats(0.5, 1.3),
+)
 def test_however_a_page_lies_the_letter_is_written_well_or_refused(turn, x, z):
     X = np.eye(4)
     X[:3, :3], X[:3, 3] = Rotation.from_rotvec(turn).as_matrix(), (x, 0, z)
@@ -237,8 +274,12 @@ def test_a_page_that_is_cured_by_turning_it_over_lies_flat_to_the_last_bit():
 def test_a_page_too_large_for_any_arm_can_still_be_written_in_its_middle():
     motion = Fetch().write(LETTER, Page.board(width=2.0, height=1.5))
     assert "the arm reaches this ink, but not all of the page" in motion.notes
-    long = Trajectory(np.linspace(0, 20, 500), np.column_stack([np.linspace(0, 1.9, 500), np.zeros(500)]))
-    with pytest.raises(ReachError, match=r"Try smaller ink in the middle of Page\.board\(width=2, height=1\.5\)"):
+    long = Trajectory(
+        np.linspace(0, 20, 500), np.column_stack([np.linspace(0, 1.9, 500), np.zeros(500)])
+    )
+    with pytest.raises(
+        ReachError, match=r"Try smaller ink in the middle of Page\.board\(width=2, height=1\.5\)"
+    ):
         Fetch().write(long, Page.board(width=2.0, height=1.5))
 
 

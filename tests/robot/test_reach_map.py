@@ -8,7 +8,7 @@ import pytest
 import dmp_teach as teach
 from dmp_teach.errors import PageError
 from dmp_teach.robot.page import Page
-from dmp_teach.robot.reach_map import reach_around, reach_map
+from dmp_teach.robot.reach.map import reach_around, reach_map
 
 pytest.importorskip("placo", reason="PlaCo is not on this platform")
 
@@ -43,7 +43,9 @@ def test_a_table_is_out_of_reach_where_a_board_is_not(by_tilt):
     assert list(by_tilt.reached[:, FAR.index(0.9)]) == [False, True, True]
 
 
-def test_what_is_missing_grows_with_the_distance_and_is_nothing_where_the_arm_is_only_in_its_own_way(by_tilt):
+def test_what_is_missing_grows_with_the_distance_and_is_nothing_where_the_arm_is_only_in_its_own_way(
+    by_tilt,
+):
     assert (by_tilt.residual[:, FAR.index(1.3)] > 0.1).all()
     assert by_tilt.residual[by_tilt.reached].max() < 0.0003
     near_the_board = 2, FAR.index(0.3)
@@ -98,7 +100,9 @@ def test_a_map_cannot_be_changed(around):
 
 @pytest.mark.parametrize("x", [0.7, "far", (), (0.7, 0.5), (0.7, np.nan), ((0.5, 0.7),)])
 def test_an_axis_is_rising_numbers(x):
-    with pytest.raises(PageError, match=r"x is .*, but must be rising numbers, such as \[0\.5, 0\.7, 0\.9\]"):
+    with pytest.raises(
+        PageError, match=r"x is .*, but must be rising numbers, such as \[0\.5, 0\.7, 0\.9\]"
+    ):
         reach_map(x)
 
 
@@ -109,6 +113,8 @@ def test_help_says_the_usual_grid_in_words(ask):
 
 
 def test_around_what_is_no_page_there_is_no_map():
-    with pytest.raises(PageError, match=r"page is 'table', but must be a Page, such as Page\.table\(\)"):
+    with pytest.raises(
+        PageError, match=r"page is 'table', but must be a Page, such as Page\.table\(\)"
+    ):
         reach_around("table")
     assert reach_around(Page.board(), (0.9,), (0.0,)).reached.all()

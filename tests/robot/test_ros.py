@@ -7,15 +7,22 @@ from scipy.interpolate import CubicSpline
 from scipy.spatial import cKDTree
 from scipy.spatial.transform import Rotation
 
-from dmp_teach.errors import JointError, MissingPartError, PathError, ReachError, SettingError, TrajectoryError
-from dmp_teach.robot import ros
+from dmp_teach.errors import (
+    JointError,
+    MissingPartError,
+    PathError,
+    ReachError,
+    SettingError,
+    TrajectoryError,
+)
 from dmp_teach.robot.arm import JOINTS, solver_here
 from dmp_teach.robot.fetch import Fetch
 from dmp_teach.robot.page import Page
-from dmp_teach.robot.ros import GOAL_TOPIC, LEAD, PACE, PATH_TOPIC, schedule, write_rosbag
-from dmp_teach.robot.speed import FASTEST
-from dmp_teach.robot.stance import _neighbours
-from dmp_teach.robot.untuck import TUCKED
+from dmp_teach.robot.reach.posture import _neighbours
+from dmp_teach.robot.ros import bag as ros
+from dmp_teach.robot.ros.bag import GOAL_TOPIC, LEAD, PACE, PATH_TOPIC, schedule, write_rosbag
+from dmp_teach.robot.ros.untuck import TUCKED
+from dmp_teach.robot.time_scaling import FASTEST
 from tests.conftest import STRICT
 from tests.robot.ink import LETTER
 from tests.robot.ros_world import HAS_ROS, play_on_a_real_roscore
@@ -38,7 +45,12 @@ GOAL = "control_msgs/msg/FollowJointTrajectoryActionGoal"
 PATH = "nav_msgs/msg/Path"
 SPEEDS = np.array([joint.velocity for joint in LIMITS])
 TURNS = np.array([joint.type == "continuous" for joint in LIMITS])
-PAGES = [Page.table(), Page.board(), Page.table(x=0.62, y=0.15, z=0.6), Page.board(x=0.7, y=-0.15, z=0.85)]
+PAGES = [
+    Page.table(),
+    Page.board(),
+    Page.table(x=0.62, y=0.15, z=0.6),
+    Page.board(x=0.7, y=-0.15, z=0.85),
+]
 
 
 @pytest.fixture(scope="module")
@@ -56,15 +68,22 @@ def read(path):
     store = ros._typestore()
     with rosbag1.Reader(path) as reader:
         return {
-            line.topic: (line, at, store.deserialize_ros1(raw, line.msgtype)) for line, at, raw in reader.messages()
+            line.topic: (line, at, store.deserialize_ros1(raw, line.msgtype))
+            for line, at, raw in reader.messages()
         }
 
 
 def points_of(message):
     """Times [s], positions and velocities of a goal."""
     points = message.goal.trajectory.points
-    t = np.array([point.time_from_start.sec + 1e-9 * point.time_from_start.nanosec for point in points])
-    return t, np.array([point.positions for point in points]), np.array([point.velocities for point in points])
+    t = np.array(
+        [point.time_from_start.sec + 1e-9 * point.time_from_start.nanosec for point in points]
+    )
+    return (
+        t,
+        np.array([point.positions for point in points]),
+        np.array([point.velocities for point in points]),
+    )
 
 
 def stamps_of(value):
@@ -72,7 +91,9 @@ def stamps_of(value):
     if dataclasses.is_dataclass(value):
         if "Time" in type(value).__name__:
             yield value.sec + 1e-9 * value.nanosec
-        yield from (s for field in dataclasses.fields(value) for s in stamps_of(getattr(value, field.name)))
+        yield from (
+            s for field in dataclasses.fields(value) for s in stamps_of(getattr(value, field.name))
+        )
     elif isinstance(value, list):
         yield from (stamp for item in value for stamp in stamps_of(item))
 
@@ -101,7 +122,9 @@ def test_velocities_are_the_slope_of_the_positions(bag):
     assert t[0] == LEAD
     assert (np.diff(t) > 0).all()
     np.testing.assert_allclose(velocity, CubicSpline(t, q, bc_type="clamped")(t, 1), atol=1e-9)
-    np.testing.assert_allclose((q[2:] - q[:-2]) / (t[2:] - t[:-2])[:, None], velocity[1:-1], atol=0.02)
+    np.testing.assert_allclose(
+        (q[2:] - q[:-2]) / (t[2:] - t[:-2])[:, None], velocity[1:-1], atol=0.02
+    )
     assert (velocity[[0, -1]] == 0).all()
 
 
@@ -128,12 +151,21 @@ def test_the_arm_touches_nothing_on_its_way(page):
         pairs = {tuple(link.removesuffix("_link") for link in pair) for pair in solver.touching()}
         return {pair for pair in pairs if not _neighbours(*pair)}
 
-    tucked = touching(TUCKED)  # the solids are coarse: tucked, they overlap by millimetres where the shells do not
+    tucked = touching(
+        TUCKED
+    )  # the solids are coarse: tucked, they overlap by millimetres where the shells do not
     assert tucked <= {("torso_lift", "gripper"), ("torso_lift", "shoulder_lift")}
     assert all(touching(q) <= tucked for q in plan.q[: plan.writing : 3])
     assert touching(plan.q[plan.writing]) == set()
     places = MODEL.link_poses(plan.q[: plan.writing], JOINTS)
-    for link in ("elbow_flex_link", "forearm_roll_link", "wrist_flex_link", "wrist_roll_link", "pen_link", "pen_tip"):
+    for link in (
+        "elbow_flex_link",
+        "forearm_roll_link",
+        "wrist_flex_link",
+        "wrist_roll_link",
+        "pen_link",
+        "pen_tip",
+    ):
         spot = page.to_page(places[link][:, :3, 3])
         over = (np.abs(spot[:, :2]) < page.size / 2).all(axis=1) & (spot[:, 2] > -0.6)
         assert (spot[over, 2] > (0.018 if link.startswith("pen") else 0.05)).all(), link
@@ -143,7 +175,15 @@ def shell(link, q):
     """Points on a link's shell in the world, one list a posture."""
     X = MODEL.frame(link, q, JOINTS)
     corners = [piece.vertices[piece.faces] for piece in MODEL.visuals if piece.link == link]
-    ways = [(1, 0, 0), (0, 1, 0), (0, 0, 1), (0.5, 0.5, 0), (0, 0.5, 0.5), (0.5, 0, 0.5), (1 / 3, 1 / 3, 1 / 3)]
+    ways = [
+        (1, 0, 0),
+        (0, 1, 0),
+        (0, 0, 1),
+        (0.5, 0.5, 0),
+        (0, 0.5, 0.5),
+        (0.5, 0, 0.5),
+        (1 / 3, 1 / 3, 1 / 3),
+    ]
     points = np.concatenate([way @ piece for piece in corners for way in np.array(ways)])
     return points @ X[:, :3, :3].transpose(0, 2, 1) + X[:, None, :3, 3]
 
@@ -153,7 +193,10 @@ def test_where_the_coarse_solids_overlap_the_shells_do_not(motion):
     q = plan.q[: plan.writing : 8]
     for hand in ("gripper_link", "pen_link"):
         for body in ("torso_lift_link", "shoulder_pan_link"):
-            gap = min(cKDTree(b).query(a)[0].min() for a, b in zip(shell(hand, q), shell(body, q), strict=True))
+            gap = min(
+                cKDTree(b).query(a)[0].min()
+                for a, b in zip(shell(hand, q), shell(body, q), strict=True)
+            )
             assert gap > 0.015, (hand, body)
 
 
@@ -180,10 +223,17 @@ def test_a_start_of_ones_own_is_where_it_starts(motion):
 def test_the_pen_path_is_the_tip_in_the_robots_own_frame(motion, bag):
     line, _, path = read(bag)[PATH_TOPIC]
     assert line.ext.latching == 1
-    assert {path.header.frame_id, *(pose.header.frame_id for pose in path.poses)} == {"base_link"} == {MODEL.root}
+    assert (
+        {path.header.frame_id, *(pose.header.frame_id for pose in path.poses)}
+        == {"base_link"}
+        == {MODEL.root}
+    )
     places = [(p.pose.position.x, p.pose.position.y, p.pose.position.z) for p in path.poses]
     np.testing.assert_array_equal(places, motion.tip)
-    o = [(p.pose.orientation.x, p.pose.orientation.y, p.pose.orientation.z, p.pose.orientation.w) for p in path.poses]
+    o = [
+        (p.pose.orientation.x, p.pose.orientation.y, p.pose.orientation.z, p.pose.orientation.w)
+        for p in path.poses
+    ]
     assert (Rotation.from_quat(o).as_matrix()[:, :, 2] @ motion.page.normal < -0.999).all()
 
 
@@ -223,7 +273,9 @@ def test_the_same_motion_gives_the_same_file(motion, bag, tmp_path):
 def test_the_file_is_written_whole_or_not_at_all(motion, tmp_path, monkeypatch):
     with pytest.raises(PathError, match=r"its name must end with \.bag: try 'a\.bag'"):
         write_rosbag(motion, tmp_path / "a.txt", start=None)
-    with pytest.raises(PathError, match=r"There is no folder '.*nowhere' for 'a\.bag'; make it first"):
+    with pytest.raises(
+        PathError, match=r"There is no folder '.*nowhere' for 'a\.bag'; make it first"
+    ):
         write_rosbag(motion, tmp_path / "nowhere" / "a.bag", start=None)
     old = tmp_path / "a.bag"
     old.write_text("before")
@@ -250,7 +302,10 @@ def test_the_file_is_written_whole_or_not_at_all(motion, tmp_path, monkeypatch):
         ),
         ([0.0] * 7, r"must be .*the 8 joints"),
         ([np.nan] * 8, r"must be .*the 8 joints"),
-        ([0.5, *[0.0] * 7], "start has torso_lift_joint at 0.5, but it must be between 0 and 0.38615"),
+        (
+            [0.5, *[0.0] * 7],
+            "start has torso_lift_joint at 0.5, but it must be between 0 and 0.38615",
+        ),
     ],
 )
 def test_a_start_that_is_none_is_a_sentence(motion, tmp_path, start, words):
@@ -269,7 +324,9 @@ def test_a_page_where_the_tucked_arm_is_is_refused(motion, tmp_path):
 def test_what_is_no_motion_of_this_arm_is_refused(motion, tmp_path):
     with pytest.raises(TrajectoryError, match="A bag is written from a Motion, as Fetch"):
         write_rosbag(LETTER, tmp_path / "a.bag")
-    with pytest.raises(JointError, match=r"The motion moves wrist_roll_joint, .*; the arm's controller takes"):
+    with pytest.raises(
+        JointError, match=r"The motion moves wrist_roll_joint, .*; the arm's controller takes"
+    ):
         write_rosbag(dataclasses.replace(motion, joint_names=JOINTS[::-1]), tmp_path / "a.bag")
 
 
@@ -281,10 +338,15 @@ def altered(motion, joint, change):
 
 def test_nothing_beyond_the_robots_limits_is_sent(motion, tmp_path):
     high = altered(motion, "shoulder_pan_joint", 2.0)
-    with pytest.raises(TrajectoryError, match=r"position of shoulder_pan_joint is 1\.\d+ rad after 6\.00 s, but"):
+    with pytest.raises(
+        TrajectoryError, match=r"position of shoulder_pan_joint is 1\.\d+ rad after 6\.00 s, but"
+    ):
         write_rosbag(high, tmp_path / "a.bag", start=None)
     shaken = altered(motion, "wrist_flex_joint", 0.1 * np.sin(60 * motion.t))
-    with pytest.raises(TrajectoryError, match=r"speed of wrist_flex_joint is -?\d\.\d+ rad/s after .* plan the motion"):
+    with pytest.raises(
+        TrajectoryError,
+        match=r"speed of wrist_flex_joint is -?\d\.\d+ rad/s after .* plan the motion",
+    ):
         write_rosbag(shaken, tmp_path / "a.bag", start=None)
     with pytest.raises(TrajectoryError, match=r"(?s)position\[0\] is .* nan .*must be finite"):
         write_rosbag(altered(motion, "wrist_flex_joint", np.nan), tmp_path / "a.bag", start=None)
@@ -293,7 +355,9 @@ def test_nothing_beyond_the_robots_limits_is_sent(motion, tmp_path):
 def test_where_rosbags_is_missing_the_sentence_says_what_to_do(motion, tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "rosbags.typesys", None)
     monkeypatch.setattr(ros, "_typestore", ros._typestore.__wrapped__)
-    with pytest.raises(MissingPartError, match=r"written by rosbags, which is not here .*pip install rosbags"):
+    with pytest.raises(
+        MissingPartError, match=r"written by rosbags, which is not here .*pip install rosbags"
+    ):
         write_rosbag(motion, tmp_path / "a.bag")
 
 
@@ -305,9 +369,15 @@ def test_turns_of_the_joints_that_turn_for_ever_make_no_detour(motion):
 @pytest.mark.skipif(not HAS_ROS and not STRICT, reason="no ROS 1 here; .ci/run installs Debian's")
 def test_a_real_roscore_delivers_every_point(motion, bag, tmp_path):
     heard = play_on_a_real_roscore(bag, [GOAL_TOPIC, PATH_TOPIC], tmp_path)
-    assert (heard[GOAL_TOPIC]["type"], heard[GOAL_TOPIC]["latched"]) == (GOAL.replace("/msg", ""), False)
+    assert (heard[GOAL_TOPIC]["type"], heard[GOAL_TOPIC]["latched"]) == (
+        GOAL.replace("/msg", ""),
+        False,
+    )
     assert heard[GOAL_TOPIC]["md5"] == "cff5c1d533bf2f82dd0138d57f4304bb"
-    assert (heard[PATH_TOPIC]["type"], heard[PATH_TOPIC]["latched"]) == (PATH.replace("/msg", ""), True)
+    assert (heard[PATH_TOPIC]["type"], heard[PATH_TOPIC]["latched"]) == (
+        PATH.replace("/msg", ""),
+        True,
+    )
     goal = ros._typestore().deserialize_ros1(heard[GOAL_TOPIC]["data"], GOAL)
     plan, (t, q, velocity) = schedule(motion), points_of(goal)
     assert goal.goal.trajectory.joint_names == FETCH_GROUP

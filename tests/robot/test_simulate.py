@@ -11,12 +11,12 @@ from hypothesis import strategies as st
 
 import dmp_teach as teach
 from dmp_teach.errors import MissingPartError, SettingError
-from dmp_teach.robot import physics
-from dmp_teach.robot.bench import NIB, PENS, SLIDE
-from dmp_teach.robot.findings import BAND, part
-from dmp_teach.robot.model import Model
-from dmp_teach.robot.run import distances
-from dmp_teach.robot.simulate import simulate
+from dmp_teach.robot.model.kinematics import Model
+from dmp_teach.robot.simulation import bullet as physics
+from dmp_teach.robot.simulation.findings import BAND, part
+from dmp_teach.robot.simulation.run import distances
+from dmp_teach.robot.simulation.simulate import simulate
+from dmp_teach.robot.simulation.world import NIB, PENS, SLIDE
 from tests.recordings import RECORDINGS, needs_recordings
 from tests.robot import ink
 from tests.robot.ink import law
@@ -78,7 +78,12 @@ def test_with_real_motors_the_ink_is_within_a_millimetre(letter, seed):
     assert run.shape_error <= run.time_error
 
 
-@law(examples=6, letter=ink.letters(), page=st.sampled_from(sorted(PAGES)), seed=st.integers(0, 10**6))
+@law(
+    examples=6,
+    letter=ink.letters(),
+    page=st.sampled_from(sorted(PAGES)),
+    seed=st.integers(0, 10**6),
+)
 def test_any_ink_is_written(letter, page, seed):
     motion = teach.Fetch().write(letter, PAGES[page])
     assert_written(simulate(motion), 0.00005)
@@ -139,8 +144,12 @@ def test_the_model_has_the_nib_and_the_slide_that_the_physics_counts_on():
     with physics.client() as (bullet, number):
         robot = bullet.loadURDF(str(PENS["sprung"]), physicsClientId=number)
         count = bullet.getNumJoints(robot, physicsClientId=number)
-        names = [bullet.getJointInfo(robot, n, physicsClientId=number)[12].decode() for n in range(count)]
-        _, _, kind, size, *_ = bullet.getCollisionShapeData(robot, names.index("pen_tip"), physicsClientId=number)[0]
+        names = [
+            bullet.getJointInfo(robot, n, physicsClientId=number)[12].decode() for n in range(count)
+        ]
+        _, _, kind, size, *_ = bullet.getCollisionShapeData(
+            robot, names.index("pen_tip"), physicsClientId=number
+        )[0]
     assert kind == pybullet.GEOM_SPHERE
     assert size[0] == NIB
 
@@ -223,7 +232,9 @@ def test_ink_beside_the_letter_and_between_strokes_is_said():
     assert any("mm from the letter on average" in sentence for sentence in beside.findings)
     pressed_all_along = replace(run, contact=np.ones_like(run.contact))
     assert run.ink_in_the_air == 0 < pressed_all_along.ink_in_the_air
-    assert any("of ink lie between the strokes" in sentence for sentence in pressed_all_along.findings)
+    assert any(
+        "of ink lie between the strokes" in sentence for sentence in pressed_all_along.findings
+    )
 
 
 @pytest.mark.parametrize(
@@ -236,7 +247,9 @@ def test_ink_beside_the_letter_and_between_strokes_is_said():
     ],
 )
 def test_a_part_of_a_letter_has_a_name(spot, words):
-    letter = np.stack(np.meshgrid(np.linspace(-1, 1, 21), np.linspace(-1, 1, 21)), axis=-1).reshape(-1, 2)
+    letter = np.stack(np.meshgrid(np.linspace(-1, 1, 21), np.linspace(-1, 1, 21)), axis=-1).reshape(
+        -1, 2
+    )
     near = np.abs(letter - spot).max(axis=1) < 0.3
     assert part(letter, near) == words
     assert part(letter, np.ones(len(letter), bool)) == "all over it"
@@ -268,7 +281,10 @@ def test_a_run_cannot_be_changed():
         ({"pen": "fountain"}, "pen is 'fountain', but must be one of: 'sprung', 'rigid'"),
         ({"seed": -1}, "seed is -1, but must be a whole number, 0 or more"),
         ({"seed": 0.5}, "seed is 0.5"),
-        ({"page_height_error": -6}, r"page_height_error is -6 m, but must be between -0.1 and 0.1 m; .*millimetres"),
+        (
+            {"page_height_error": -6},
+            r"page_height_error is -6 m, but must be between -0.1 and 0.1 m; .*millimetres",
+        ),
         ({"page_tilt": 5}, r"page_tilt is 5 rad, but must be between -0.5 and 0.5 rad; .*degrees"),
         ({"page_tilt": float("nan")}, "page_tilt is nan"),
         ({"page_height_error": "low"}, "page_height_error is 'low'"),
@@ -280,7 +296,9 @@ def test_settings_that_cannot_be_are_refused(settings, words):
 
 
 def test_only_a_motion_can_be_simulated():
-    with pytest.raises(SettingError, match=r"motion is a tuple, but must be a Motion; Fetch\(\).write"):
+    with pytest.raises(
+        SettingError, match=r"motion is a tuple, but must be a Motion; Fetch\(\).write"
+    ):
         simulate(written().strokes)
     motion = written()
     coarse = {name: getattr(motion, name)[::4] for name in ("t", "q", "tip", "target", "pen_down")}
@@ -292,7 +310,9 @@ def test_only_a_motion_can_be_simulated():
 def clients(monkeypatch):
     """The numbers of all clients that were opened."""
     numbers, connect = [], pybullet.connect
-    monkeypatch.setattr(pybullet, "connect", lambda *mode: numbers.append(connect(*mode)) or numbers[-1])
+    monkeypatch.setattr(
+        pybullet, "connect", lambda *mode: numbers.append(connect(*mode)) or numbers[-1]
+    )
     return numbers
 
 
@@ -348,7 +368,9 @@ def memory():
     return int(Path("/proc/self/statm").read_text().split()[1]) * os.sysconf("SC_PAGE_SIZE")
 
 
-@pytest.mark.skipif(not Path("/proc/self/statm").exists(), reason="only Linux says how much memory a process holds")
+@pytest.mark.skipif(
+    not Path("/proc/self/statm").exists(), reason="only Linux says how much memory a process holds"
+)
 def test_two_hundred_runs_in_one_process_leak_nothing(clients):
     motion = short()
     simulate(motion)

@@ -3,10 +3,10 @@ from xml.etree import ElementTree as ET
 import numpy as np
 import pytest
 
-from dmp_teach.paths import ASSETS
+from dmp_teach.files.writing import ASSETS
 from dmp_teach.robot.arm import JOINTS, KEEP, solver_here
+from dmp_teach.robot.model.solids import Clearances, Solid, bare_urdf, solids_of
 from dmp_teach.robot.page import Page
-from dmp_teach.robot.solids import Clearances, Solid, bare_urdf, solids_of
 from tests.robot.sound import LIMITS, MODEL
 
 SOLIDS = {
@@ -29,8 +29,12 @@ def test_the_distance_grows_as_fast_as_one_walks_away_and_never_faster(solid):
     one, other = rng.uniform(-0.5, 0.5, (2, 2000, 3))
     change = np.abs(solid.distance(one) - solid.distance(other))
     assert (change <= np.linalg.norm(one - other, axis=1) + 1e-12).all()
-    np.testing.assert_allclose(solid.distance(np.array([0, 0, 2.0])) - solid.distance(np.array([0, 0, 1.0])), 1)
-    assert solid.distance(np.zeros(3)) == pytest.approx(-min(solid.size / 2) if solid.kind == "box" else -0.1)
+    np.testing.assert_allclose(
+        solid.distance(np.array([0, 0, 2.0])) - solid.distance(np.array([0, 0, 1.0])), 1
+    )
+    assert solid.distance(np.zeros(3)) == pytest.approx(
+        -min(solid.size / 2) if solid.kind == "box" else -0.1
+    )
 
 
 @pytest.mark.parametrize("solid", solids_of(), ids=lambda solid: f"{solid.link}-{solid.kind}")
@@ -65,13 +69,19 @@ def test_it_agrees_with_placo_on_what_touches():
 @pytest.mark.parametrize("grown", [0.0, KEEP])
 def test_solids_grow_on_every_side(grown):
     sizes = [
-        [float(side) for name in ("size", "radius", "length") for side in shape.get(name, "").split()]
+        [
+            float(side)
+            for name in ("size", "radius", "length")
+            for side in shape.get(name, "").split()
+        ]
         for shape in ET.fromstring(bare_urdf(grown)).iterfind(".//collision/geometry/*")
     ]
     plain = [
         solid.size + (2 * grown if solid.kind == "box" else np.array([1, 2]) * grown)
         for solid in solids_of()
-        if solid.link.startswith(("base", "torso", "head", "shoulder", "upper", "elbow", "fore", "wrist", "gripper_l"))
+        if solid.link.startswith(
+            ("base", "torso", "head", "shoulder", "upper", "elbow", "fore", "wrist", "gripper_l")
+        )
     ]
     assert len(sizes) == len(plain)
     for size, expected in zip(sizes, plain, strict=True):
@@ -80,12 +90,19 @@ def test_solids_grow_on_every_side(grown):
 
 def test_no_solid_is_smaller_than_the_real_link():
     """Judged by the boxes around the real links; wheels and laser are inside the base's cylinder."""
-    lines = [line.split(",") for line in (ASSETS / "fetch_links.csv").read_text(encoding="utf-8").splitlines()]
+    lines = [
+        line.split(",")
+        for line in (ASSETS / "fetch_links.csv").read_text(encoding="utf-8").splitlines()
+    ]
     rows = [dict(zip(lines[0], line, strict=True)) for line in lines[1:]]
     compared = 0
     for row in rows:
         ours = [solid.surface() for solid in solids_of() if solid.link == row["link"]]
-        if ours and row["xmin"] and not row["link"].startswith(("r_wheel", "l_wheel", "estop", "laser")):
+        if (
+            ours
+            and row["xmin"]
+            and not row["link"].startswith(("r_wheel", "l_wheel", "estop", "laser"))
+        ):
             points, compared = np.concatenate(ours), compared + 1
             for column, axis in enumerate("xyz"):
                 assert points[:, column].min() <= float(row[f"{axis}min"]) + 0.004, row["link"]

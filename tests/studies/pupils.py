@@ -8,8 +8,8 @@ import sys
 
 import numpy as np
 
-from dmp_teach.paths import ASSETS
-from dmp_teach.studies.material import Written
+from dmp_teach.files.writing import ASSETS
+from dmp_teach.studies.inputs import Written
 from dmp_teach.trajectory import Trajectory
 
 sys.path.insert(0, str(ASSETS))
@@ -31,7 +31,10 @@ class Pupil:
     def __init__(self, seed):
         chance = np.random.default_rng(seed)
         self.seed, self.name = seed, f"w{seed}"
-        self.size, self.width = 0.07 * np.exp(0.2 * chance.normal()), 0.9 * np.exp(0.15 * chance.normal())
+        self.size, self.width = (
+            0.07 * np.exp(0.2 * chance.normal()),
+            0.9 * np.exp(0.15 * chance.normal()),
+        )
         self.slant, self.pace = 0.1 + 0.12 * chance.normal(), 0.12 * np.exp(0.25 * chance.normal())
         self.habit = bending(chance, 0.03)
 

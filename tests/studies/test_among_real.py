@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from dmp_teach.errors import LetterError
-from dmp_teach.studies.among_real import made_among_real
-from dmp_teach.studies.material import Written
+from dmp_teach.studies.authorship.made_among_real import made_among_real
+from dmp_teach.studies.inputs import Written
 from dmp_teach.trajectory import Trajectory
 from tests.studies.pupils import Pupil
 
@@ -41,14 +41,21 @@ def test_it_can_be_answered_wrongly(found, class_of_ten):
     assert found[ORIGINAL].rate < found[STAR].rate
     other = {f"w{k}": f"w{(k + 1) % 10}" for k in range(10)}
     mixed = [
-        each if each.character in "Dlo" else Written(each.character, other[each.writer], each.strokes)
+        each
+        if each.character in "Dlo"
+        else Written(each.character, other[each.writer], each.strokes)
         for each in class_of_ten
     ]
     assert made_among_real(mixed)[ONLY_MOVED].rate < found[ONLY_MOVED].rate / 2
 
 
 def test_one_person_under_several_names_is_not_told_apart():
-    letters = [Pupil(5).writes(c, 10 * name + take, f"p{name}") for name in range(6) for c in "DP" for take in range(2)]
+    letters = [
+        Pupil(5).writes(c, 10 * name + take, f"p{name}")
+        for name in range(6)
+        for c in "DP"
+        for take in range(2)
+    ]
     answers = made_among_real(letters)[STAR]
     assert answers.luck > 0.05
     assert answers.interval[0] < answers.chance
@@ -80,7 +87,10 @@ def test_our_own_letters_are_taken_where_nothing_can_be_asked():
 def test_an_executor_changes_nothing_and_progress_is_told(class_of_ten, found):
     told = []
     with ThreadPoolExecutor(2) as threads:
-        assert made_among_real(class_of_ten, executor=threads, progress=lambda *now: told.append(now)) == found
+        assert (
+            made_among_real(class_of_ten, executor=threads, progress=lambda *now: told.append(now))
+            == found
+        )
     assert told[0] == (0, 9)
     assert told[-1] == (9, 9)
 

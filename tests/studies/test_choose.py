@@ -7,7 +7,7 @@ from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import SettingError, TrajectoryError
 from dmp_teach.ink.alphabet import recording_of
-from dmp_teach.studies.choose import choose_kernels, choose_width
+from dmp_teach.studies.experiments.validation import choose_kernels, choose_width
 from dmp_teach.trajectory import Trajectory
 from tests.dmp.ink import letter
 
@@ -61,8 +61,12 @@ def test_touching_kernels_are_chosen_by_dmp_star():
 
 
 def test_a_recording_of_one_stroke_is_taken_and_of_two_is_sent_back():
-    assert choose_kernels(recording_of("a"), candidates=(10, 20)).samples == len(recording_of("a").strokes()[0])
-    with pytest.raises(TrajectoryError, match=r"2 strokes.* choose for each of recording.strokes\(\)"):
+    assert choose_kernels(recording_of("a"), candidates=(10, 20)).samples == len(
+        recording_of("a").strokes()[0]
+    )
+    with pytest.raises(
+        TrajectoryError, match=r"2 strokes.* choose for each of recording.strokes\(\)"
+    ):
         choose_kernels(recording_of("D"))
 
 
@@ -71,5 +75,7 @@ def test_what_cannot_be_chosen_from_is_said():
         choose_kernels(letter(4, 1.0))
     with pytest.raises(SettingError, match="candidates is empty"):
         choose_kernels(wave(1), candidates=())
-    with pytest.raises(SettingError, match="n_kernels is 200, but the trajectory has only 151 samples"):
+    with pytest.raises(
+        SettingError, match="n_kernels is 200, but the trajectory has only 151 samples"
+    ):
         choose_kernels(wave(1), candidates=(200,))

@@ -11,22 +11,25 @@ import dmp_teach as teach
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import RecordingError, SettingError
 from dmp_teach.ink.alphabet import alphabets, recording_of
-from dmp_teach.studies import on_kernels, on_letters
-from dmp_teach.studies.against import Against
-from dmp_teach.studies.answers import Answers, Attributions
-from dmp_teach.studies.bench import Bench
-from dmp_teach.studies.claims import ALL, claims
-from dmp_teach.studies.curves import ErrorCurves
-from dmp_teach.studies.lifts import Found, Lifts, Segmentation
-from dmp_teach.studies.new_letters import p_from_d
-from dmp_teach.studies.style import question
-from dmp_teach.studies.verdict import DEPENDS, FAILS, HOLDS, judged, mm, per_cent, times
+from dmp_teach.studies.authorship.answers import Answers, Attributions
+from dmp_teach.studies.authorship.made import question
+from dmp_teach.studies.experiments.d_to_p import p_from_d
+from dmp_teach.studies.experiments.error_curves import ErrorCurves
+from dmp_teach.studies.experiments.star_vs_original import Against
+from dmp_teach.studies.experiments.stroke_segmentation import Found, Lifts, Segmentation
+from dmp_teach.studies.verdicts import kernels as on_kernels
+from dmp_teach.studies.verdicts import letters as on_letters
+from dmp_teach.studies.verdicts.all import ALL, claims
+from dmp_teach.studies.verdicts.claim import DEPENDS, FAILS, HOLDS, judged, mm, per_cent, times
+from dmp_teach.studies.verdicts.evidence import Bench
 from dmp_teach.trajectory import Trajectory
 from tests.dmp.ink import letter
 from tests.recordings import RECORDINGS, needs_recordings
 
 FEW = [recording_of(character, alphabet) for character in "aD" for alphabet in alphabets()]
-QUESTIONS = [question(*each) for each in product(("DMP*", "original"), (True, False), (True, False))]
+QUESTIONS = [
+    question(*each) for each in product(("DMP*", "original"), (True, False), (True, False))
+]
 NAMES = ("Gaussian, LWR", "Gaussian, joint")
 
 
@@ -56,7 +59,9 @@ def test_every_claim_of_the_paper_has_a_row(ours):
 def test_the_call_of_a_row_reproduces_its_figure(ours, few, number):
     assert ours[number].call.endswith("().figure")
     assert few[number].call.endswith("(recordings).figure")
-    if number not in range(1, 6):  # one bench makes the study of widths once, six calls make it six times
+    if number not in range(
+        1, 6
+    ):  # one bench makes the study of widths once, six calls make it six times
         assert again(ours[number], None) == ours[number].figure
     assert again(few[number], FEW) == few[number].figure
 
@@ -81,7 +86,9 @@ def test_progress_counts_the_claims_and_an_executor_changes_nothing(few):
 
     told = []
     with ThreadPoolExecutor(2) as threads:
-        found = teach.claims(FEW, executor=threads, progress=lambda done, total: told.append((done, total)))
+        found = teach.claims(
+            FEW, executor=threads, progress=lambda done, total: told.append((done, total))
+        )
     assert told == [(k, 17) for k in range(18)]
     assert [row.verdict for row in found] == [row.verdict for row in few]
 
@@ -98,14 +105,20 @@ def test_where_the_original_can_learn_nothing_our_own_letters_are_taken():
     ring = Trajectory(t, 0.05 * np.column_stack([np.sin(2 * np.pi * t), np.cos(2 * np.pi * t)]))
     closed = Trajectory(t, ring.position - t[:, None] * (ring.position[-1] - ring.position[0]))
     found = claims([closed])
-    for name in ("goal changes", "goal on the start", "huge accelerations", "accuracy and efficiency"):
+    for name in (
+        "goal changes",
+        "goal on the start",
+        "huge accelerations",
+        "accuracy and efficiency",
+    ):
         assert "our own letters, since all strokes end where they began" in found[name].depends_on
         assert again(found[name], [closed]) == found[name].figure
 
 
 def test_claims_are_about_ink_on_a_page():
     with pytest.raises(
-        RecordingError, match="a stroke of 3 dimensions, but the paper's claims are about ink on a page"
+        RecordingError,
+        match="a stroke of 3 dimensions, but the paper's claims are about ink on a page",
     ):
         claims([letter(50, 1.0, dimensions=3)])
 
@@ -127,7 +140,9 @@ def test_numbers_in_sentences_have_two_digits():
 
 def made(**studies):
     """A bench whose studies are made up."""
-    bench = Bench(FEW, **{name: studies.pop(name) for name in ("star", "original") if name in studies})
+    bench = Bench(
+        FEW, **{name: studies.pop(name) for name in ("star", "original") if name in studies}
+    )
     bench.__dict__.update(studies)
     return bench
 
@@ -136,10 +151,33 @@ def curves(errors, names=NAMES):
     """The same made-up errors {x: error [mm]} for two strokes and every variant."""
     x = np.array(list(errors))
     error = np.tile(1e-3 * np.array(list(errors.values())), (len(names), 2, 1))
-    return ErrorCurves(x, "x", names, ("a 1", "a 2"), ("a", "a"), [100, 100], error, np.ones_like(error))
+    return ErrorCurves(
+        x, "x", names, ("a 1", "a 2"), ("a", "a"), [100, 100], error, np.ones_like(error)
+    )
 
 
-X = (0.2, 0.3, 0.4, 0.5, 2 / 3, 0.8, 0.9, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 7.0, 10.0, 14.0, 20.0, 28.0, 40.0, np.inf)
+X = (
+    0.2,
+    0.3,
+    0.4,
+    0.5,
+    2 / 3,
+    0.8,
+    0.9,
+    1.0,
+    1.5,
+    2.0,
+    3.0,
+    4.0,
+    5.0,
+    7.0,
+    10.0,
+    14.0,
+    20.0,
+    28.0,
+    40.0,
+    np.inf,
+)
 AS_THE_PAPER = (60, 55, 50, 45, 40, 20, 5, 1, 1.1, 1.1, 1.1, 1.2, 2, 3, 4, 6, 10, 10.2, 10.3, 10.4)
 AS_THE_PAPER = curves(dict(zip(X, AS_THE_PAPER, strict=True)))
 FALLING = curves({x: 0.5 + 1 / x for x in X})
@@ -174,8 +212,12 @@ def test_a_claim_that_one_variant_keeps_depends_on_it():
 def test_the_number_of_kernels_is_enough_where_more_do_not_help():
     level, falling = curves({0.01: 9, 0.1: 1, 0.5: 0.9}), curves({0.01: 9, 0.1: 1, 0.5: 0.1})
     assert on_kernels.number_of_kernels(made(numbers=level, fewer_samples=level)).verdict == HOLDS
-    assert on_kernels.number_of_kernels(made(numbers=falling, fewer_samples=falling)).verdict == FAILS
-    assert on_kernels.number_of_kernels(made(numbers=level, fewer_samples=falling)).verdict == DEPENDS
+    assert (
+        on_kernels.number_of_kernels(made(numbers=falling, fewer_samples=falling)).verdict == FAILS
+    )
+    assert (
+        on_kernels.number_of_kernels(made(numbers=level, fewer_samples=falling)).verdict == DEPENDS
+    )
 
 
 def test_redrawn_letters_are_identical_only_if_the_kernels_leave_no_gap():
@@ -202,12 +244,19 @@ def test_accelerations_are_huge_only_with_the_original():
 def test_the_decay_term_is_judged_by_what_it_leaves():
     ones = np.ones(3)
     for with_term, fed, verdict in ((0.05, 0.05, HOLDS), (0.05, 0.5, DEPENDS), (0.5, 0.5, FAILS)):
-        first = SimpleNamespace(shift=0.01, without=ones, with_term=with_term * ones, fed=fed * ones)
+        first = SimpleNamespace(
+            shift=0.01, without=ones, with_term=with_term * ones, fed=fed * ones
+        )
         assert on_letters.decay_term(made(first=first)).verdict == verdict
 
 
 def test_accuracy_and_efficiency_are_two_things():
-    for error, time, verdict in ((0.1, 0.5, HOLDS), (0.1, 1.5, DEPENDS), (2.0, 0.5, DEPENDS), (2.0, 1.5, FAILS)):
+    for error, time, verdict in (
+        (0.1, 0.5, HOLDS),
+        (0.1, 1.5, DEPENDS),
+        (2.0, 0.5, DEPENDS),
+        (2.0, 1.5, FAILS),
+    ):
         found = Against(("a",), [10], 1e-3 * np.array([[error, 1.0]]), time)
         assert on_letters.accuracy_and_efficiency(made(against=found)).verdict == verdict
 
@@ -226,7 +275,9 @@ def test_a_p_is_neat_sheared_or_none():
 def test_strokes_are_found_as_often_as_they_are_found():
     for right, verdict in ((10, HOLDS), (7, DEPENDS), (2, FAILS)):
         found = [Found(2, k < right) for k in range(10)]
-        items = tuple(Lifts("D w", 2, True, Found(2, True), each, Found(1, False), True) for each in found)
+        items = tuple(
+            Lifts("D w", 2, True, Found(2, True), each, Found(1, False), True) for each in found
+        )
         assert on_letters.strokes_from_height(made(lifts=Segmentation(items))).verdict == verdict
 
 
@@ -239,16 +290,22 @@ def test_a_style_is_kept_where_guessing_would_fail():
 
 def test_a_style_that_is_kept_only_beside_everybodys_mean_depends_on_that():
     items = tuple((f"w{k}", f"w{k}") for k in range(8))
-    found = [Answers(words, items, 1 / 8, 0.001 if "mean" in words else 0.06) for words in QUESTIONS]
+    found = [
+        Answers(words, items, 1 / 8, 0.001 if "mean" in words else 0.06) for words in QUESTIONS
+    ]
     assert on_letters.writing_style(made(hands=Attributions(tuple(found)))).verdict == DEPENDS
 
 
 def test_any_ink_needs_enough_kernels():
     assert on_letters.any_ink(made()).verdict == DEPENDS
     assert on_letters.any_ink(made(star=Settings.star(n_kernels=2))).verdict in (DEPENDS, FAILS)
-    found = SimpleNamespace(rates=(1.0, 2.0), error=np.full((1, 2, 3), 0.001), miss=np.full((1, 2, 3), 0.001))
+    found = SimpleNamespace(
+        rates=(1.0, 2.0), error=np.full((1, 2, 3), 0.001), miss=np.full((1, 2, 3), 0.001)
+    )
     assert on_letters.any_ink(made(shapes=found)).verdict == HOLDS
-    bad = SimpleNamespace(rates=(1.0, 2.0), error=np.full((1, 2, 3), 0.1), miss=np.full((1, 2, 3), 0.001))
+    bad = SimpleNamespace(
+        rates=(1.0, 2.0), error=np.full((1, 2, 3), 0.1), miss=np.full((1, 2, 3), 0.001)
+    )
     assert on_letters.any_ink(made(shapes=bad)).verdict == FAILS
 
 

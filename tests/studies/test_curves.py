@@ -6,8 +6,12 @@ import pytest
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import SettingError
-from dmp_teach.studies.curves import WIDTHS, error_against_number, error_against_width
-from dmp_teach.studies.variants import WIDTH_VARIANTS, Variant
+from dmp_teach.studies.experiments.error_curves import (
+    WIDTHS,
+    error_against_number,
+    error_against_width,
+)
+from dmp_teach.studies.experiments.variants import WIDTH_VARIANTS, Variant
 from dmp_teach.trajectory import Trajectory
 from tests.dmp.ink import letter, rms
 
@@ -62,7 +66,9 @@ def test_a_stroke_of_few_samples_has_no_more_kernels_than_samples():
 
 
 def test_values_are_locked_and_rows_say_their_units():
-    curves = error_against_width(INK[:1], widths=(1.0, np.inf), variants={"mine": Variant(Settings.star())})
+    curves = error_against_width(
+        INK[:1], widths=(1.0, np.inf), variants={"mine": Variant(Settings.star())}
+    )
     with pytest.raises(ValueError, match="read-only"):
         curves.error[0] = 0
     assert list(curves.rows()[0]) == ["width [1/N]", "mine [mm]"]
@@ -74,5 +80,7 @@ def test_values_are_locked_and_rows_say_their_units():
 
 
 def test_a_variant_that_is_not_there_is_answered_with_those_that_are():
-    with pytest.raises(SettingError, match="There is no variant 'x'; there are: the authors' 200 kernels, "):
+    with pytest.raises(
+        SettingError, match="There is no variant 'x'; there are: the authors' 200 kernels, "
+    ):
         error_against_width(INK[:1], widths=(1.0,)).of("x")

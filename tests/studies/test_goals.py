@@ -8,13 +8,18 @@ from hypothesis import strategies as st
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.robot.arm import JOINTS
-from dmp_teach.robot.model import Model
-from dmp_teach.robot.stance import POSTURES
-from dmp_teach.studies.beginnings import first_moments
-from dmp_teach.studies.closeness import closed_up, goals_near_start
-from dmp_teach.studies.goals import goal_change_1d, goal_change_2d, goal_paths, goal_traces
-from dmp_teach.studies.limits import ARM, arm_at_table, greatest_acceleration
-from dmp_teach.studies.variants import rms_error
+from dmp_teach.robot.model.kinematics import Model
+from dmp_teach.robot.reach.posture import POSTURES
+from dmp_teach.studies.experiments.goal_change import (
+    goal_change_1d,
+    goal_change_2d,
+    goal_paths,
+    goal_traces,
+)
+from dmp_teach.studies.experiments.goal_near_start import closed_up, goals_near_start
+from dmp_teach.studies.experiments.initial_acceleration import first_moments
+from dmp_teach.studies.experiments.joint_demand import ARM, arm_at_table, greatest_acceleration
+from dmp_teach.studies.experiments.variants import rms_error
 from dmp_teach.trajectory import Trajectory
 from tests.dmp.ink import letter
 
@@ -78,7 +83,9 @@ def test_a_closed_up_stroke_ends_where_it_should_and_starts_as_it_did(axis):
 
 
 def test_the_nearer_the_goal_the_harder_the_original_pulls_and_dmp_star_never():
-    near = goals_near_start([letter(200, 1.5, seed=seed) for seed in range(3)], ways=(0.02, 0.002, 0.0005))
+    near = goals_near_start(
+        [letter(200, 1.5, seed=seed) for seed in range(3)], ways=(0.02, 0.002, 0.0005)
+    )
     assert (np.diff(near.growth[:, 0]) > 0).all()
     assert (near.growth[:, 1] < 1.1).all()
     assert near.rows()[0]["g from y0 [mm]"] == 20.0

@@ -6,11 +6,11 @@ import pytest
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.ink.alphabet import alphabets, recording_of
 from dmp_teach.ink.recording import Recording
-from dmp_teach.studies.lifts import segmentation
-from dmp_teach.studies.material import letters_of, own_recordings
-from dmp_teach.studies.new_letters import p_from_d
-from dmp_teach.studies.redraw import four_widths, redrawn, width_name
-from dmp_teach.studies.shapes import KINDS, any_shape, random_ink
+from dmp_teach.studies.experiments.d_to_p import p_from_d
+from dmp_teach.studies.experiments.random_ink import KINDS, any_shape, random_ink
+from dmp_teach.studies.experiments.redraw import four_widths, redrawn, width_name
+from dmp_teach.studies.experiments.stroke_segmentation import segmentation
+from dmp_teach.studies.inputs import letters_of, own_recordings
 from dmp_teach.trajectory import Trajectory
 from tests.dmp.ink import letter
 
@@ -47,7 +47,7 @@ def test_four_widths_are_drawn_in_the_papers_order():
 
 @pytest.mark.parametrize("recording", DS, ids=alphabets())
 def test_a_p_is_made_whatever_stroke_came_first(recording):
-    from dmp_teach.studies.material import Written  # noqa: PLC0415
+    from dmp_teach.studies.inputs import Written  # noqa: PLC0415
 
     usual = p_from_d([recording]).by("DMP*")[0]
     other = p_from_d([Written("D", "x", turned_about(recording))]).by("DMP*")[0]
@@ -62,7 +62,9 @@ def test_a_p_is_made_whatever_stroke_came_first(recording):
 def test_a_d_is_no_p():
     """Drawn to its own goal, the bowl reaches the bar's foot and leaves no leg."""
     item = p_from_d(DS).by("DMP*")[0]
-    plain = type(item)(item.source, "as shown", item.bar, item.bowl, item.target, item.source.strokes)
+    plain = type(item)(
+        item.source, "as shown", item.bar, item.bowl, item.target, item.source.strokes
+    )
     assert not plain.recognisable
 
 
@@ -82,7 +84,9 @@ def lifted(lift, rate=120):
     t = np.arange(3 * rate) / rate
     z = np.where((t > 1) & (t < 2), lift * np.sin(np.pi * (t - 1)) ** 2, 0.0)
     x = np.where(t < 1, t, np.where(t < 2, 1 + 0.1 * (t - 1), 1.1 + (t - 2))) * 0.1
-    return Recording(t, np.column_stack([x, 0 * t, z]), "D", "w", given_strokes=((0, rate), (2 * rate, 3 * rate)))
+    return Recording(
+        t, np.column_stack([x, 0 * t, z]), "D", "w", given_strokes=((0, rate), (2 * rate, 3 * rate))
+    )
 
 
 def test_every_rule_is_judged_by_the_strokes_that_are_known():
@@ -94,7 +98,11 @@ def test_every_rule_is_judged_by_the_strokes_that_are_known():
     assert item.authors.strokes >= 2
     assert not item.printed.right
     (row,) = table.rows()
-    assert (row["foot"], row["authors"], row["printed"]) == (2, item.authors.strokes, item.printed.strokes)
+    assert (row["foot"], row["authors"], row["printed"]) == (
+        2,
+        item.authors.strokes,
+        item.printed.strokes,
+    )
     assert segmentation([lifted(0.0)]).items == ()  # flat: nothing to find
 
 

@@ -4,8 +4,8 @@ import pytest
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.ink.alphabet import recording_of
-from dmp_teach.ink.our_json import write_json
-from dmp_teach.studies.material import letters_of, strokes_of
+from dmp_teach.ink.recording_json import write_json
+from dmp_teach.studies.inputs import letters_of, strokes_of
 from tests.dmp.ink import letter
 
 
@@ -21,7 +21,10 @@ def test_recordings_files_and_strokes_are_all_letters(tmp_path):
 
 
 def test_strokes_are_named_by_letter_writer_and_number():
-    assert [each.name for each in strokes_of([recording_of("D")])] == ["D writer-1 1", "D writer-1 2"]
+    assert [each.name for each in strokes_of([recording_of("D")])] == [
+        "D writer-1 1",
+        "D writer-1 2",
+    ]
     assert [each.name for each in strokes_of([letter()])] == ["? 1"]
 
 

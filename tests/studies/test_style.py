@@ -9,15 +9,20 @@ from hypothesis import strategies as st
 
 from dmp_teach.errors import LetterError, SettingError
 from dmp_teach.ink.alphabet import recording_of
-from dmp_teach.studies.answers import Answers, luck_of
-from dmp_teach.studies.hands import HAND, SHAPE, TAKES, fresh, hand, signature, told_apart
-from dmp_teach.studies.material import Written
-from dmp_teach.studies.style import attribution, directions, question
+from dmp_teach.studies.authorship.answers import Answers, luck_of
+from dmp_teach.studies.authorship.made import attribution, directions, question
+from dmp_teach.studies.authorship.real import HAND, SHAPE, TAKES, fresh, hand, signature, told_apart
+from dmp_teach.studies.inputs import Written
 from dmp_teach.trajectory import Trajectory
 from tests.recordings import RECORDINGS, needs_recordings
 from tests.studies.pupils import Pupil
 
-FOUR = "DMP*, less the mean", "DMP*, varied, less the mean", "DMP*, as drawn", "DMP*, varied, as drawn"
+FOUR = (
+    "DMP*, less the mean",
+    "DMP*, varied, less the mean",
+    "DMP*, as drawn",
+    "DMP*, varied, as drawn",
+)
 
 
 @pytest.fixture(scope="module")
@@ -82,7 +87,9 @@ def test_the_original_form_loses_the_style(made):
 def test_a_stroke_is_not_its_own_neighbour_where_its_writer_has_another():
     pupils = [Pupil(seed) for seed in range(4)]
     once = [each.writes("D") for each in pupils]
-    strange = [each.writes("D", 1, pupils[k - 1].name) for k, each in enumerate(pupils)]  # somebody else's hand
+    strange = [
+        each.writes("D", 1, pupils[k - 1].name) for k, each in enumerate(pupils)
+    ]  # somebody else's hand
     assert attribution(once, 1)[FOUR[0]].rate == 1
     found = attribution(once + strange, 1)[FOUR[0]]
     assert found.rate < 0.3
@@ -93,7 +100,8 @@ def test_a_take_that_was_exported_twice_is_one_take(class_of_eight):
     first = class_of_eight[0]
     finer = tuple(
         Trajectory(
-            t := np.linspace(s.t[0], s.t[-1], 500), np.column_stack([np.interp(t, s.t, x) for x in s.position.T])
+            t := np.linspace(s.t[0], s.t[-1], 500),
+            np.column_stack([np.interp(t, s.t, x) for x in s.position.T]),
         )
         for s in first.strokes
     )
@@ -105,7 +113,9 @@ def test_a_take_that_was_exported_twice_is_one_take(class_of_eight):
 
 def test_whoever_lacks_a_letter_is_left_out_and_nothing_is_asked_of_one_letter():
     pupils = [Pupil(seed) for seed in range(3)]
-    found = told_apart([each.writes("a") for each in pupils] + [pupils[0].writes("D"), pupils[1].writes("D")])
+    found = told_apart(
+        [each.writes("a") for each in pupils] + [pupils[0].writes("D"), pupils[1].writes("D")]
+    )
     assert set(found[SHAPE].writers) == {"w0", "w1"}
     (nothing, *_) = told_apart([each.writes("a") for each in pupils])
     assert (nothing.right, nothing.luck) == ((0, 0), 1.0)
@@ -144,7 +154,9 @@ def test_what_the_original_form_cannot_learn_counts_as_wrong():
 def test_an_executor_changes_nothing_and_progress_is_told(class_of_eight):
     told = []
     with ThreadPoolExecutor(2) as threads:
-        found = attribution(class_of_eight[:12], 2, executor=threads, progress=lambda *now: told.append(now))
+        found = attribution(
+            class_of_eight[:12], 2, executor=threads, progress=lambda *now: told.append(now)
+        )
         real = told_apart(class_of_eight[:12], executor=threads)
     assert found == attribution(class_of_eight[:12], 2)
     assert real.rows()[1] == told_apart(class_of_eight[:12]).rows()[1]
@@ -153,12 +165,16 @@ def test_an_executor_changes_nothing_and_progress_is_told(class_of_eight):
 
 
 def test_variations_must_be_a_number():
-    with pytest.raises(SettingError, match="variations is 0, but must be a whole number of at least 1"):
+    with pytest.raises(
+        SettingError, match="variations is 0, but must be a whole number of at least 1"
+    ):
         attribution(variations=0)
 
 
 def test_a_question_that_was_not_asked_is_refused_and_all_are_rows(made):
-    with pytest.raises(SettingError, match="'who' was not asked; asked was: DMP\\*, less the mean, "):
+    with pytest.raises(
+        SettingError, match="'who' was not asked; asked was: DMP\\*, less the mean, "
+    ):
         _ = made["who"]
     assert len(made.rows()) == 12
     assert set(FOUR) <= {row["question"] for row in made.rows()}
@@ -171,8 +187,12 @@ def test_place_and_size_do_not_count(scale, x, y):
     strokes = recording_of("D").strokes()
     moved = [Trajectory(s.t, scale * s.position + [x, y]) for s in strokes]
     np.testing.assert_allclose(signature(moved), signature(strokes), atol=1e-6)
-    np.testing.assert_allclose(directions(moved[1].position), directions(strokes[1].position), atol=1e-6)
-    np.testing.assert_allclose(hand(moved) - hand(strokes), [0, np.log(scale), np.log(scale), 0], atol=1e-5)
+    np.testing.assert_allclose(
+        directions(moved[1].position), directions(strokes[1].position), atol=1e-6
+    )
+    np.testing.assert_allclose(
+        hand(moved) - hand(strokes), [0, np.log(scale), np.log(scale), 0], atol=1e-5
+    )
 
 
 @settings(max_examples=20, deadline=None)
@@ -182,7 +202,10 @@ def test_lean_counts(lean):
     leaned = [Trajectory(s.t, s.position @ [[1, 0], [lean, 1]]) for s in strokes]
     apart = signature(leaned) - signature(strokes)
     assert apart[-2] == pytest.approx(lean, rel=0.15)  # the points lie elsewhere along longer ink
-    assert np.linalg.norm(directions(leaned[1].position) - directions(strokes[1].position)) > 0.3 * lean
+    assert (
+        np.linalg.norm(directions(leaned[1].position) - directions(strokes[1].position))
+        > 0.3 * lean
+    )
 
 
 def test_a_bowl_drawn_from_its_foot_is_the_same_bowl():
@@ -200,7 +223,10 @@ def test_every_writer_counts_alike_and_as_one():
     assert high > 0.85
     np.testing.assert_allclose(found.confusion, [[0.98, 0.01], [1.0, 0.0]])
     ten = Answers("?", tuple((f"w{k}", f"w{k}") for k in range(10)), 0.1, 1.0)
-    assert ten.interval == (pytest.approx(1 / (1 + 1.959964**2 / 10)), pytest.approx(1.0))  # Wilson 1927, all right
+    assert ten.interval == (
+        pytest.approx(1 / (1 + 1.959964**2 / 10)),
+        pytest.approx(1.0),
+    )  # Wilson 1927, all right
 
 
 def test_luck_is_the_share_of_shuffles_that_do_as_well():

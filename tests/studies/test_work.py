@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 
 from dmp_teach.errors import SettingWarning
-from dmp_teach.studies.choose import choose_kernels
-from dmp_teach.studies.curves import error_against_number, error_against_width
-from dmp_teach.studies.goals import goal_change_1d, goal_change_2d
-from dmp_teach.studies.redraw import four_widths, redrawn
-from dmp_teach.studies.shapes import any_shape
-from dmp_teach.studies.work import ProgressBar, run
+from dmp_teach.studies.experiments.error_curves import error_against_number, error_against_width
+from dmp_teach.studies.experiments.goal_change import goal_change_1d, goal_change_2d
+from dmp_teach.studies.experiments.random_ink import any_shape
+from dmp_teach.studies.experiments.redraw import four_widths, redrawn
+from dmp_teach.studies.experiments.validation import choose_kernels
+from dmp_teach.studies.parallel import ProgressBar, run
 from tests.dmp.ink import letter
 
 INK = [letter(120, 1.0, seed=seed) for seed in range(3)]
@@ -78,7 +78,9 @@ def test_threads_processes_and_other_engines_give_the_serial_result(processes):
 
 def test_progress_is_told_after_every_piece_from_none_to_all():
     told = []
-    error_against_number(INK, shares=(0.1,), progress=lambda done, total: told.append((done, total)))
+    error_against_number(
+        INK, shares=(0.1,), progress=lambda done, total: told.append((done, total))
+    )
     assert told == [(0, 3), (1, 3), (2, 3), (3, 3)]
 
 

@@ -4,13 +4,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from dmp_teach.robot.bench import PENS, SLIDE
-from dmp_teach.robot.model import Model
+from dmp_teach.robot.model.kinematics import Model
 from dmp_teach.robot.motion import Motion
 from dmp_teach.robot.page import Page
-from dmp_teach.robot.run import Run
+from dmp_teach.robot.simulation.run import Run
+from dmp_teach.robot.simulation.world import PENS, SLIDE
 from dmp_teach.trajectory import Trajectory
-from dmp_teach.views.stage import REST
+from dmp_teach.views.scene.stage import REST
 
 
 def sway(seconds=2.4, rate=240, size=0.06, page=None):
@@ -29,7 +29,17 @@ def sway(seconds=2.4, rate=240, size=0.06, page=None):
     on_page = page.to_page(tip)[:, :2]
     halves = (down & (part < 0.5), down & (part > 0.5))
     strokes = tuple(Trajectory(t[half], on_page[half]) for half in halves)
-    return Motion(t, q, tuple(REST), tip, tip, down, page, strokes, ("Slowed from 2.2 s to 2.4 s: elbow_flex_joint.",))
+    return Motion(
+        t,
+        q,
+        tuple(REST),
+        tip,
+        tip,
+        down,
+        page,
+        strokes,
+        ("Slowed from 2.2 s to 2.4 s: elbow_flex_joint.",),
+    )
 
 
 def pressed(motion):
@@ -40,7 +50,9 @@ def pressed(motion):
     happened = replace(motion, q=q, joint_names=names, tip=tip)
     force = np.where(motion.pen_down, 0.6 + 0.9 * np.sin(3 * motion.t) ** 3, 0.0).clip(0.0)
     contact = force > 0.03
-    edges = np.flatnonzero(np.diff(np.concatenate([[False], contact, [False]]).astype(int))).reshape(-1, 2)
+    edges = np.flatnonzero(
+        np.diff(np.concatenate([[False], contact, [False]]).astype(int))
+    ).reshape(-1, 2)
     nib = motion.page.to_page(tip)
     ink = [Trajectory(motion.t[a:b], nib[a:b, :2]) for a, b in edges if b - a > 1]
     effort = np.zeros_like(motion.q)

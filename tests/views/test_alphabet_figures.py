@@ -10,11 +10,13 @@ from matplotlib.figure import Figure
 from dmp_teach.errors import RecordingError
 from dmp_teach.ink.alphabet import alphabets, characters, recording_of
 from dmp_teach.ink.recording import Recording
-from dmp_teach.views.alphabet_figures import BACK
 from dmp_teach.views.figures import contact_sheet
+from dmp_teach.views.figures.alphabet import BACK
 
 FEW = [recording_of(letter) for letter in "xDiEç"]
-SCALE = 1.35 / max(np.ptp(np.concatenate([s.position for s in each.strokes()]), axis=0).max() for each in FEW)
+SCALE = 1.35 / max(
+    np.ptp(np.concatenate([s.position for s in each.strokes()]), axis=0).max() for each in FEW
+)
 STROKES = [SCALE * stroke.position for recording in FEW for stroke in recording.strokes()]
 
 
@@ -34,10 +36,14 @@ def test_the_sheet_of_an_alphabet_shows_every_stroke_of_every_letter(name):
     figure = contact_sheet(name, numbers=False)
     assert isinstance(figure, Figure)
     assert figure._repr_png_().startswith(b"\x89PNG")
-    every = [stroke for letter in characters(name) for stroke in recording_of(letter, name).strokes()]
+    every = [
+        stroke for letter in characters(name) for stroke in recording_of(letter, name).strokes()
+    ]
     drawn = ink_of(figure.axes[0])
     assert [len(ink) for ink in drawn] == [len(stroke) for stroke in every]
-    low, high = (np.column_stack([figure.axes[0].get_xlim(), figure.axes[0].get_ylim()])[k] for k in (0, 1))
+    low, high = (
+        np.column_stack([figure.axes[0].get_xlim(), figure.axes[0].get_ylim()])[k] for k in (0, 1)
+    )
     assert all((ink > low).all() and (ink < high).all() for ink in drawn)
 
 
@@ -59,8 +65,12 @@ def test_the_second_line_is_as_high_as_an_x():
 def test_a_small_hand_is_shown_as_large_as_a_large_one():
     small = []
     for each in FEW:
-        spans = [each.t.searchsorted([stroke.t[0], stroke.t[-1] + 1e-4]) for stroke in each.strokes()]
-        small.append(replace(each, position=each.position / 9, given_strokes=tuple(map(tuple, spans))))
+        spans = [
+            each.t.searchsorted([stroke.t[0], stroke.t[-1] + 1e-4]) for stroke in each.strokes()
+        ]
+        small.append(
+            replace(each, position=each.position / 9, given_strokes=tuple(map(tuple, spans)))
+        )
     (panel,) = contact_sheet(recordings=small).axes
     for drawn, stroke in zip(ink_of(panel), ink_of(panel_of()), strict=True):
         np.testing.assert_allclose(drawn, stroke, atol=1e-9)
@@ -68,7 +78,9 @@ def test_a_small_hand_is_shown_as_large_as_a_large_one():
 
 def test_letters_do_not_touch():
     letters = iter(ink_of(panel_of()))
-    boxes = [np.concatenate([next(letters) for _ in recording.strokes()])[:, 0] for recording in FEW]
+    boxes = [
+        np.concatenate([next(letters) for _ in recording.strokes()])[:, 0] for recording in FEW
+    ]
     assert all(left.max() + 0.1 < right.min() for left, right in pairwise(boxes))
 
 
@@ -80,7 +92,9 @@ def test_every_stroke_has_its_number_beside_its_start():
     for text, ink in zip(numbers, ink_of(panel), strict=True):
         assert np.linalg.norm(np.subtract(text.get_position(), ink[0])) == pytest.approx(BACK)
     places = [text.get_position() for text in numbers]
-    assert all(np.linalg.norm(np.subtract(a, b)) > 0.04 for k, a in enumerate(places) for b in places[:k])
+    assert all(
+        np.linalg.norm(np.subtract(a, b)) > 0.04 for k, a in enumerate(places) for b in places[:k]
+    )
 
 
 def test_arrows_point_where_the_pen_went_and_a_dot_has_none():
@@ -104,8 +118,12 @@ def test_without_numbers_the_sheet_is_ink_alone():
 
 def test_a_letter_without_a_line_stands_on_its_lowest_point():
     d = recording_of("D")
-    panel = contact_sheet(recordings=Recording(d.t, d.position + np.array([0, 0.3, 0]), "D")).axes[0]
-    assert min(ink[:, 1].min() for ink in ink_of(panel)) == pytest.approx(panel.lines[0].get_ydata()[0])
+    panel = contact_sheet(recordings=Recording(d.t, d.position + np.array([0, 0.3, 0]), "D")).axes[
+        0
+    ]
+    assert min(ink[:, 1].min() for ink in ink_of(panel)) == pytest.approx(
+        panel.lines[0].get_ydata()[0]
+    )
 
 
 def test_any_recording_can_be_shown_however_short_its_strokes():
@@ -121,7 +139,10 @@ def test_any_recording_can_be_shown_however_short_its_strokes():
         ({"recordings": []}, "made of recordings, but got none"),
         ({"recordings": ["a"]}, "made of recordings, but got a str"),
         ({"recordings": 3}, "made of recordings, but got an int"),
-        ({"alphabet": "round", "recordings": FEW}, "recordings and an alphabet, 'round'; give one of them"),
+        (
+            {"alphabet": "round", "recordings": FEW},
+            "recordings and an alphabet, 'round'; give one of them",
+        ),
         ({"alphabet": "runes"}, "There is no alphabet 'runes'"),
     ],
 )

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from dmp_teach.errors import SettingError
-from dmp_teach.studies.answers import Answers, Attributions
+from dmp_teach.studies.authorship.answers import Answers, Attributions
 from dmp_teach.views.figures import attribution_bars, confusion
 
 ITEMS = (("w1", "w1"), ("w1", "w2"), ("w2", "w2"), ("w3", None))
@@ -20,9 +20,13 @@ def texts(figure):
 def test_a_bar_is_the_rate_and_a_line_its_interval():
     figure = attribution_bars(Attributions((NOTHING, ASKED)), Attributions((ASKED,)))
     (panel,) = figure.axes
-    assert [bar.get_width() for bar in panel.patches] == pytest.approx([50.0, 50.0])  # 1/2, 1 and 0 of three writers
+    assert [bar.get_width() for bar in panel.patches] == pytest.approx(
+        [50.0, 50.0]
+    )  # 1/2, 1 and 0 of three writers
     intervals, guesses = panel.collections
-    np.testing.assert_allclose([line[:, 0] for line in intervals.get_segments()], [100 * np.array(ASKED.interval)] * 2)
+    np.testing.assert_allclose(
+        [line[:, 0] for line in intervals.get_segments()], [100 * np.array(ASKED.interval)] * 2
+    )
     np.testing.assert_allclose([line[0, 0] for line in guesses.get_segments()], [100 / 3] * 2)
     assert texts(figure) == ["2 of 4, by luck 0.040"] * 2
     assert [label.get_text() for label in panel.get_yticklabels()] == ["DMP*, as drawn"] * 2
@@ -42,7 +46,9 @@ def test_many_writers_are_shades_only():
 
 
 def test_nothing_is_not_drawn():
-    with pytest.raises(SettingError, match="Nothing was asked; give what told_apart or attribution found"):
+    with pytest.raises(
+        SettingError, match="Nothing was asked; give what told_apart or attribution found"
+    ):
         attribution_bars(Attributions((NOTHING,)))
     with pytest.raises(SettingError, match="'other takes' could be asked of no letter"):
         confusion(NOTHING)

@@ -7,11 +7,13 @@ from hypothesis import strategies as st
 
 from dmp_teach.errors import SettingError
 from dmp_teach.robot.page import Page
-from dmp_teach.views.cameras import ASPECT, CAMERAS, cameras, known_camera
-from dmp_teach.views.shapes import around
-from dmp_teach.views.stage import Stage
+from dmp_teach.views.scene.cameras import ASPECT, CAMERAS, cameras, known_camera
+from dmp_teach.views.scene.shapes import around
+from dmp_teach.views.scene.stage import Stage
 
-tables = st.builds(Page.table, x=st.floats(0.5, 0.9), y=st.floats(-0.3, 0.3), z=st.floats(0.45, 0.95))
+tables = st.builds(
+    Page.table, x=st.floats(0.5, 0.9), y=st.floats(-0.3, 0.3), z=st.floats(0.45, 0.95)
+)
 boards = st.builds(Page.board, x=st.floats(0.6, 1.1), y=st.floats(-0.3, 0.3), z=st.floats(0.8, 1.4))
 
 
@@ -35,7 +37,9 @@ ROBOT = robot()
 @settings(max_examples=20, deadline=None)
 @given(page=tables | boards, aspect=st.floats(0.6, 2.0))
 def test_every_camera_has_the_page_in_its_picture_and_sees_its_face(page, aspect):
-    corners = page.to_world([(x * page.width / 2, y * page.height / 2) for x in (-1, 1) for y in (-1, 1)])
+    corners = page.to_world(
+        [(x * page.width / 2, y * page.height / 2) for x in (-1, 1) for y in (-1, 1)]
+    )
     table = np.vstack([shape.vertices for shape in around(page)])
     letter = page.to_world(np.zeros((1, 2)))
     for name, camera in cameras(page, ROBOT, letter, table).items():
@@ -43,7 +47,9 @@ def test_every_camera_has_the_page_in_its_picture_and_sees_its_face(page, aspect
         places, distance = picture_of(camera, nearer, aspect)
         assert np.abs(places).max() < 1
         assert distance.min() > 0.1
-        assert (np.array(camera.eye) - page.X_world_page[:3, 3]) @ page.normal > 0, "the page's face is seen"
+        assert (np.array(camera.eye) - page.X_world_page[:3, 3]) @ page.normal > 0, (
+            "the page's face is seen"
+        )
         assert camera.eye[2] > 0, "above the floor"
 
 
@@ -59,7 +65,9 @@ def test_the_whole_robot_is_seen_by_the_first_camera(page):
 @settings(max_examples=10, deadline=None)
 @given(page=tables | boards)
 def test_over_the_shoulder_the_page_fills_a_good_part_of_the_picture(page):
-    corners = page.to_world([(x * page.width / 2, y * page.height / 2) for x in (-1, 1) for y in (-1, 1)])
+    corners = page.to_world(
+        [(x * page.width / 2, y * page.height / 2) for x in (-1, 1) for y in (-1, 1)]
+    )
     table = np.vstack([shape.vertices for shape in around(page)])
     camera = cameras(page, ROBOT, page.to_world(np.zeros((1, 2))), table)["over the shoulder"]
     places, _ = picture_of(camera, corners)
@@ -69,7 +77,9 @@ def test_over_the_shoulder_the_page_fills_a_good_part_of_the_picture(page):
 @settings(max_examples=20, deadline=None)
 @given(page=tables | boards, height=st.floats(0.02, 0.15), slim=st.floats(0.2, 1.5))
 def test_over_the_shoulder_the_letter_is_large_upright_and_in_the_middle(page, height, slim):
-    corners = page.to_world([(x * height * slim / 2, y * height / 2) for x in (-1, 1) for y in (-1, 1)])
+    corners = page.to_world(
+        [(x * height * slim / 2, y * height / 2) for x in (-1, 1) for y in (-1, 1)]
+    )
     table = np.vstack([shape.vertices for shape in around(page)])
     camera = cameras(page, ROBOT, corners, table)["over the shoulder"]
     middle = corners.mean(axis=0)
@@ -110,6 +120,8 @@ def test_an_arm_that_hides_the_letter_from_everywhere_is_drawn_faintly_and_one_b
 
 def test_an_unknown_camera_is_answered_with_those_that_there_are():
     assert known_camera("Whole Robot") == "whole robot"
-    with pytest.raises(SettingError, match="camera is 'behind', but must be one of: 'whole robot', 'over the shoul"):
+    with pytest.raises(
+        SettingError, match="camera is 'behind', but must be one of: 'whole robot', 'over the shoul"
+    ):
         known_camera("behind")
     assert len(CAMERAS) == 3

@@ -10,11 +10,11 @@ from matplotlib.figure import Figure
 
 from dmp_teach.dmp.kernels import Kernels
 from dmp_teach.ink.alphabet import recording_of
-from dmp_teach.studies.choose import choose_kernels, choose_width
-from dmp_teach.studies.curves import error_against_number, error_against_width
-from dmp_teach.studies.goals import goal_paths, goal_traces
-from dmp_teach.studies.new_letters import p_from_d
-from dmp_teach.studies.redraw import four_widths, redrawn
+from dmp_teach.studies.experiments.d_to_p import p_from_d
+from dmp_teach.studies.experiments.error_curves import error_against_number, error_against_width
+from dmp_teach.studies.experiments.goal_change import goal_paths, goal_traces
+from dmp_teach.studies.experiments.redraw import four_widths, redrawn
+from dmp_teach.studies.experiments.validation import choose_kernels, choose_width
 from dmp_teach.views import figures
 
 A = recording_of("a")
@@ -44,8 +44,16 @@ def every():
 def test_every_figure_of_every_module_is_found_in_one_place():
     for path in Path(figures.__file__).parent.glob("*_figures.py"):
         module = import_module(f"dmp_teach.views.{path.stem}")
-        made = [name for name, each in vars(module).items() if getattr(each, "__module__", "") == module.__name__]
-        returns = {name: get_type_hints(getattr(module, name)).get("return") for name in made if name[0] != "_"}
+        made = [
+            name
+            for name, each in vars(module).items()
+            if getattr(each, "__module__", "") == module.__name__
+        ]
+        returns = {
+            name: get_type_hints(getattr(module, name)).get("return")
+            for name in made
+            if name[0] != "_"
+        }
         drawn = [name for name, kind in returns.items() if kind is Figure]
         assert drawn
         assert set(drawn) <= set(figures.__all__)
@@ -61,7 +69,12 @@ def test_every_figure_can_be_shown_in_a_notebook_and_saved(every, tmp_path):
 def test_every_axis_is_named_with_its_unit(every):
     plain = {"phase s", "height ψ(s)", "kernels per sample, N / Num", "number of kernels N"}
     for figure in every.values():
-        labels = [text for panel in figure.axes for text in (panel.get_xlabel(), panel.get_ylabel()) if text]
+        labels = [
+            text
+            for panel in figure.axes
+            for text in (panel.get_xlabel(), panel.get_ylabel())
+            if text
+        ]
         assert labels
         assert [text for text in labels if text not in plain and not text.endswith("]")] == []
 
@@ -69,7 +82,9 @@ def test_every_axis_is_named_with_its_unit(every):
 def test_curves_differ_by_line_and_marker_not_by_colour_alone(every):
     for name in ("error_over_width", "error_over_width, all", "error_over_number"):
         lines = [line for line in every[name].axes[0].lines if line.get_marker() != "None"]
-        looks = {(line.get_marker(), str(line._dash_pattern), line.get_linestyle()) for line in lines}
+        looks = {
+            (line.get_marker(), str(line._dash_pattern), line.get_linestyle()) for line in lines
+        }
         assert len(looks) == len(lines) >= 3
 
 
@@ -85,7 +100,9 @@ def test_the_curve_of_a_letter_is_the_median_of_its_strokes():
 def test_kernels_are_drawn_as_they_are():
     panels = figures.kernel_types(5).axes
     assert len(panels) == 4
-    for line, height in zip(panels[1].lines, Kernels(5, 1.0, 0.5).heights(np.linspace(0, 1, 2001)).T, strict=True):
+    for line, height in zip(
+        panels[1].lines, Kernels(5, 1.0, 0.5).heights(np.linspace(0, 1, 2001)).T, strict=True
+    ):
         shown = line.get_ydata()
         np.testing.assert_allclose(shown[np.isfinite(shown)], height[np.isfinite(shown)])
         assert height[~np.isfinite(shown)].sum() == 0

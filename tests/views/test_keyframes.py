@@ -6,10 +6,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation, Slerp
 
-from dmp_teach.robot.model import Model
-from dmp_teach.views.keyframes import key_rows
-from dmp_teach.views.stage import Stage, robot_model
-from dmp_teach.views.tracks import joint_track
+from dmp_teach.robot.model.kinematics import Model
+from dmp_teach.views.scene.keyframes import key_rows
+from dmp_teach.views.scene.stage import Stage, robot_model
+from dmp_teach.views.scene.tracks import joint_track
 from tests.views.moves import sway
 
 
@@ -17,7 +17,10 @@ def played(stage, t):
     """Where the links are at times t, as three.js plays the tracks: slerp for turns, a line for slides."""
     model, poses = Model.load(), {}
     times, q = stage.keys
-    tracks = {n: joint_track(model.joint(n), times, c) for n, c in zip(stage.joint_names, q.T, strict=True)}
+    tracks = {
+        n: joint_track(model.joint(n), times, c)
+        for n, c in zip(stage.joint_names, q.T, strict=True)
+    }
     poses[model.root] = np.broadcast_to(np.eye(4), (len(t), 4, 4))
     still = model.link_poses(np.zeros((1, 0)), ())
     for joint in model.joints:
@@ -27,7 +30,9 @@ def played(stage, t):
             if track.kind == "quaternion":
                 X[:, :3, :3] = Slerp(track.times, Rotation.from_quat(track.values))(t).as_matrix()
             else:
-                X[:, :3, 3] = np.column_stack([np.interp(t, track.times, column) for column in track.values.T])
+                X[:, :3, 3] = np.column_stack(
+                    [np.interp(t, track.times, column) for column in track.values.T]
+                )
         poses[joint.child] = poses[joint.parent] @ X
     return poses
 

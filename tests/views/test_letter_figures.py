@@ -5,10 +5,10 @@ import pytest
 
 from dmp_teach.errors import LetterError
 from dmp_teach.ink.alphabet import recording_of
+from dmp_teach.letters.compose.shelf import Shelf
 from dmp_teach.letters.letter import Letter
-from dmp_teach.letters.shelf import Shelf
-from dmp_teach.letters.words import word
-from dmp_teach.views.letter_figures import letters_made, recipes_drawn, written_text
+from dmp_teach.letters.text.words import word
+from dmp_teach.views.figures.letter import letters_made, recipes_drawn, written_text
 
 
 def test_every_writer_has_a_row_with_the_letter_and_what_each_transformation_makes_of_it():
@@ -30,7 +30,12 @@ def test_strokes_of_a_made_letter_differ_by_line_not_by_colour_alone():
 def test_every_recipe_of_a_shelf_is_drawn():
     shelf = Shelf.of(recording_of(letter) for letter in "lo")
     titles = [panel.get_title() for panel in recipes_drawn(shelf).axes]
-    assert [title for title in titles if title] == ["b of l, o", "d of o, l", "p of o, l", "q of o, l"]
+    assert [title for title in titles if title] == [
+        "b of l, o",
+        "d of o, l",
+        "p of o, l",
+        "q of o, l",
+    ]
 
 
 def test_a_word_is_drawn_in_mm_where_it_stands():
@@ -50,7 +55,10 @@ def test_a_word_is_drawn_in_mm_where_it_stands():
             r"There is no recording of 'D', so there is nothing to draw",
         ),
         (lambda: letters_made("b", "D"), r"There is no recipe that makes 'b' of 'D' alone"),
-        (lambda: recipes_drawn(Shelf.of([recording_of("e")])), r"No recipe can be made of e alone; put more letters"),
+        (
+            lambda: recipes_drawn(Shelf.of([recording_of("e")])),
+            r"No recipe can be made of e alone; put more letters",
+        ),
     ],
 )
 def test_nothing_to_draw_is_said(ask, answer):

@@ -7,11 +7,13 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 
 from dmp_teach.trajectory import Trajectory
-from dmp_teach.views.ribbon import MOST_DOTS, inked, ribbon
+from dmp_teach.views.scene.ribbon import MOST_DOTS, inked, ribbon
 from tests.views.moves import sway
 
 WIDTH = 0.002
-points = hnp.arrays(float, st.tuples(st.integers(2, 12), st.just(2)), elements=st.floats(-0.25, 0.25, width=32))
+points = hnp.arrays(
+    float, st.tuples(st.integers(2, 12), st.just(2)), elements=st.floats(-0.25, 0.25, width=32)
+)
 
 
 def stroke(position, start=0.0):
@@ -27,7 +29,9 @@ def area(line):
 @given(position=points)
 def test_every_dot_lies_on_the_pens_path_and_no_piece_of_it_is_left_out(position):
     line = ribbon([stroke(position)], WIDTH, 0.001)
-    expected = np.column_stack([np.interp(line.t, 0.1 * np.arange(len(position)), c) for c in position.T])
+    expected = np.column_stack(
+        [np.interp(line.t, 0.1 * np.arange(len(position)), c) for c in position.T]
+    )
     # a corner between two dots is cut by less than their distance
     way = np.linalg.norm(np.diff(position, axis=0), axis=1).sum()
     spacing = max(0.0007, way / MOST_DOTS)
@@ -52,7 +56,10 @@ def test_the_ink_stays_within_half_a_width_of_the_line_and_covers_all_of_it(posi
 
 @given(time=st.floats(-1, 5))
 def test_the_ink_at_a_time_is_what_was_written_before_it(time):
-    strokes = [stroke(np.array([[0, 0], [0.02, 0.01], [0.03, 0]])), stroke(np.array([[0.01, 0], [0.0, 0.02]]), start=1)]
+    strokes = [
+        stroke(np.array([[0, 0], [0.02, 0.01], [0.03, 0]])),
+        stroke(np.array([[0.01, 0], [0.0, 0.02]]), start=1),
+    ]
     line = ribbon(strokes, WIDTH, 0.001)
     written = line.t <= time + 1e-9
     drawn = line.faces[: line.triangles(time)]
@@ -63,7 +70,11 @@ def test_the_ink_at_a_time_is_what_was_written_before_it(time):
 
 
 def test_nothing_joins_two_strokes():
-    line = ribbon([stroke(np.array([[0, 0], [0.01, 0]])), stroke(np.array([[0.1, 0], [0.11, 0]]), 1)], WIDTH, 0.001)
+    line = ribbon(
+        [stroke(np.array([[0, 0], [0.01, 0]])), stroke(np.array([[0.1, 0], [0.11, 0]]), 1)],
+        WIDTH,
+        0.001,
+    )
     x = line.vertices[line.faces][..., 0]
     assert np.ptp(x, axis=1).max() < 0.004, "no triangle reaches from one stroke to the other"
 

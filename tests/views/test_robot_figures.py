@@ -6,8 +6,8 @@ from matplotlib.figure import Figure
 
 from dmp_teach.errors import ViewError
 from dmp_teach.robot.page import Page
-from dmp_teach.robot.reach_map import ReachMap
-from dmp_teach.views.robot_figures import reach_drawn
+from dmp_teach.robot.reach.map import ReachMap
+from dmp_teach.views.figures.robot import reach_drawn
 
 INF = np.inf
 
@@ -79,5 +79,7 @@ def test_axes_have_units_and_it_is_shown_in_a_notebook(figure):
 
 @pytest.mark.parametrize("maps", [(), (None,), (MAPS[0], 3)])
 def test_what_is_no_map_is_refused(maps):
-    with pytest.raises(ViewError, match=r"takes maps, as reach_map\(\) and reach_around\(\) give them"):
+    with pytest.raises(
+        ViewError, match=r"takes maps, as reach_map\(\) and reach_around\(\) give them"
+    ):
         reach_drawn(*maps)

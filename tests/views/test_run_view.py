@@ -12,15 +12,15 @@ from hypothesis.extra import numpy as hnp
 from PIL import Image
 
 from dmp_teach.errors import ViewError
-from dmp_teach.robot.bench import SLIDE
-from dmp_teach.robot.findings import BAND
-from dmp_teach.robot.run import Run
-from dmp_teach.views import pressing
-from dmp_teach.views.commands import run_commands
-from dmp_teach.views.packing import unbundle
-from dmp_teach.views.picture import INK_COLOR
-from dmp_teach.views.scene import SceneView, view
-from dmp_teach.views.stage import Stage
+from dmp_teach.robot.simulation.findings import BAND
+from dmp_teach.robot.simulation.run import Run
+from dmp_teach.robot.simulation.world import SLIDE
+from dmp_teach.views.scene import pressing
+from dmp_teach.views.scene.commands import run_commands
+from dmp_teach.views.scene.packing import unbundle
+from dmp_teach.views.scene.picture import INK_COLOR
+from dmp_teach.views.scene.stage import Stage
+from dmp_teach.views.scene.view import SceneView, view
 from tests.views.moves import pressed, sway
 
 
@@ -39,7 +39,9 @@ def commands(stage):
 
 
 def sent(stage, path):
-    return next(c for c in commands(stage) if c["path"].endswith(path) and c["type"] == "set_object")["object"]
+    return next(
+        c for c in commands(stage) if c["path"].endswith(path) and c["type"] == "set_object"
+    )["object"]
 
 
 forces = hnp.arrays(float, st.integers(1, 3000), elements=st.floats(0, 50))
@@ -73,7 +75,9 @@ def test_the_shades_are_told_apart_without_seeing_colours():
     assert steps.min() > 1.2
     assert light[0] / light[-1] > 5
     assert (pressing.shade(np.array(BAND)) == (1, len(pressing.SHADES) - 1)).all()
-    np.testing.assert_allclose(pressing.rgb(int(pressing.shade(np.array([0.53]))[0])), INK_COLOR[:3], atol=0.003)
+    np.testing.assert_allclose(
+        pressing.rgb(int(pressing.shade(np.array([0.53]))[0])), INK_COLOR[:3], atol=0.003
+    )
 
 
 def test_every_corner_of_the_ink_has_the_shade_of_its_force(run, stage):
@@ -96,7 +100,11 @@ def test_the_pen_slides_in_a_run_and_is_put_back_for_a_plan(run, stage):
     clips = {clip["path"].split("/")[-1]: clip for clip in commands(stage)[-1]["animations"]}
     assert clips["pen_link"]["clip"]["tracks"][0]["name"] == ".position"
     plan = commands(Stage(run.planned))
-    poses = [c["matrix"] for c in plan if c["type"] == "set_transform" and c["path"].endswith("/pen_link")]
+    poses = [
+        c["matrix"]
+        for c in plan
+        if c["type"] == "set_transform" and c["path"].endswith("/pen_link")
+    ]
     np.testing.assert_allclose(np.reshape(list(poses[-1]), (4, 4)), np.eye(4))
     assert "pen_link" not in {clip["path"].split("/")[-1] for clip in plan[-1]["animations"]}
 
@@ -139,12 +147,17 @@ def test_a_whole_word_takes_less_than_eight_tenths_of_a_megabyte(tmp_path):
 
 
 def test_the_picture_has_the_strip_and_the_size_that_was_asked_for(run, tmp_path):
-    early, late = (view(run).png(tmp_path / f"{t}.png", time=t, width=450, height=300) for t in (0.5, 2.0))
+    early, late = (
+        view(run).png(tmp_path / f"{t}.png", time=t, width=450, height=300) for t in (0.5, 2.0)
+    )
     early, late = (np.asarray(Image.open(path)).astype(int) for path in (early, late))
     assert early.shape == late.shape == (300, 450, 3)
     blue = [np.abs(image[230:] - (0, 114, 178)).max(axis=2) < 30 for image in (early, late)]
     assert 50 < blue[0].sum() < blue[1].sum(), "the curve grows"
-    head = [np.abs(image[240:290] - (27, 36, 48)).max(axis=2).sum(axis=0).argmin() for image in (early, late)]
+    head = [
+        np.abs(image[240:290] - (27, 36, 48)).max(axis=2).sum(axis=0).argmin()
+        for image in (early, late)
+    ]
     scale = 0.885 * 450 / run.duration
     np.testing.assert_allclose(head, [0.085 * 450 + 0.5 * scale, 0.085 * 450 + 2.0 * scale], atol=2)
 
@@ -159,7 +172,9 @@ def test_one_view_shows_a_plan_and_then_what_became_of_it(run):
 
 
 def test_only_motions_and_runs_can_be_shown(run):
-    with pytest.raises(ViewError, match=r"A tuple cannot be shown; .*so can a Run, which simulate\(motion\)"):
+    with pytest.raises(
+        ViewError, match=r"A tuple cannot be shown; .*so can a Run, which simulate\(motion\)"
+    ):
         view(run.ink)
 
 
@@ -174,7 +189,10 @@ def test_a_run_is_shown_as_planned_too(run, tmp_path):
     assert shown.planned_facts == Stage(run.planned).facts()
     assert unbundle(shown.planned_run) == run_commands(Stage(run.planned))
     shown.seen = "as planned"
-    planned, alone = (v.png(tmp_path / "a.png", width=300, height=200).read_bytes() for v in (shown, view(run.planned)))
+    planned, alone = (
+        v.png(tmp_path / "a.png", width=300, height=200).read_bytes()
+        for v in (shown, view(run.planned))
+    )
     assert planned == alone
     shown.show(run.planned, play=False)
     assert (shown.planned_run, shown.planned_facts) == (b"", {})

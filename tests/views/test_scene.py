@@ -11,12 +11,12 @@ import umsgpack
 import zmq
 
 from dmp_teach.errors import PathError, SettingError, ViewError, kind_of
-from dmp_teach.robot.model import Model
+from dmp_teach.robot.model.kinematics import Model
 from dmp_teach.robot.page import Page
-from dmp_teach.views.commands import robot_commands, run_commands
-from dmp_teach.views.packing import PackedMesh, unbundle
-from dmp_teach.views.scene import SceneView, view
-from dmp_teach.views.stage import Stage
+from dmp_teach.views.scene.commands import robot_commands, run_commands
+from dmp_teach.views.scene.packing import PackedMesh, unbundle
+from dmp_teach.views.scene.stage import Stage
+from dmp_teach.views.scene.view import SceneView, view
 from tests.views.moves import sway
 
 
@@ -46,7 +46,11 @@ def test_no_socket_is_opened(monkeypatch, tmp_path):
 
 def test_every_piece_of_the_shell_hangs_on_its_link():
     sent = commands(robot_commands())
-    pieces = [command for command in sent if command["type"] == "set_object" and "/robot/" in command["path"]]
+    pieces = [
+        command
+        for command in sent
+        if command["type"] == "set_object" and "/robot/" in command["path"]
+    ]
     links = [command["path"].split("/")[-2] for command in pieces]
     assert links == [piece.link for piece in Model.load().visuals]
 
@@ -68,8 +72,12 @@ def test_the_animation_comes_last_and_moves_exactly_the_joints_that_move(run, mo
     assert run[-1]["options"]["play"] is False
 
 
-def test_the_ink_track_counts_whole_triangles_of_what_is_written_forwards_and_backwards(run, motion):
-    track = next(c for c in run[-1]["animations"] if c["path"].endswith("ink/<object>"))["clip"]["tracks"][0]
+def test_the_ink_track_counts_whole_triangles_of_what_is_written_forwards_and_backwards(
+    run, motion
+):
+    track = next(c for c in run[-1]["animations"] if c["path"].endswith("ink/<object>"))["clip"][
+        "tracks"
+    ][0]
     assert (track["name"], track["interpolation"]) == (".drawRange[count]", 2300)
     times, counts = (typed(track[key], np.float32) for key in ("times", "values"))
     ink = Stage(motion).ink
@@ -131,14 +139,18 @@ def test_show_gives_every_motion_another_name(motion):
 
 def test_the_browsers_memoryviews_are_taken_for_bytes(motion):
     shown = view(motion)
-    shown.set_state({"time": 0.5, "playing": False, "camera": "whole robot", "run": memoryview(shown.run)})
+    shown.set_state(
+        {"time": 0.5, "playing": False, "camera": "whole robot", "run": memoryview(shown.run)}
+    )
     assert isinstance(shown.run, bytes)
     assert (shown.time, shown.camera) == (0.5, "whole robot")
 
 
 @pytest.mark.parametrize("wrong", [None, 3, "a.csv", [1, 2]])
 def test_what_is_no_motion_is_refused_by_name(wrong):
-    with pytest.raises(ViewError, match=rf"{kind_of(wrong, first=True)} cannot be shown; a Motion can, and Fetch"):
+    with pytest.raises(
+        ViewError, match=rf"{kind_of(wrong, first=True)} cannot be shown; a Motion can, and Fetch"
+    ):
         view(wrong)
     with pytest.raises(TypeError):
         SceneView().show(wrong or 0)
@@ -166,11 +178,15 @@ def test_even_a_minute_of_writing_is_a_small_file(tmp_path):
     assert view(motion).html(tmp_path / "long.html").stat().st_size <= 800_000
 
 
-def test_a_place_that_cannot_be_written_is_a_sentence_and_keeps_what_was_there(motion, tmp_path, monkeypatch):
+def test_a_place_that_cannot_be_written_is_a_sentence_and_keeps_what_was_there(
+    motion, tmp_path, monkeypatch
+):
     shown = view(motion)
     with pytest.raises(PathError, match=r"its name must end with \.html: try 'a\.html'"):
         shown.html(tmp_path / "a.txt")
-    with pytest.raises(OSError, match=r"There is no folder '.*nowhere' for 'a\.html'; make it first"):
+    with pytest.raises(
+        OSError, match=r"There is no folder '.*nowhere' for 'a\.html'; make it first"
+    ):
         shown.html(tmp_path / "nowhere" / "a.html")
     old = tmp_path / "a.html"
     old.write_text("before")
@@ -189,7 +205,9 @@ def test_a_moment_outside_of_the_motion_has_no_picture(motion, tmp_path):
     shown = view(motion)
     with pytest.raises(SettingError, match=r"time is 9.0 s, but must be between 0 and 2.400 s"):
         shown.png(tmp_path / "a.png", time=9.0)
-    with pytest.raises(SettingError, match="width is 10, but must be a whole number of pixels from 64 to 4000"):
+    with pytest.raises(
+        SettingError, match="width is 10, but must be a whole number of pixels from 64 to 4000"
+    ):
         shown.png(tmp_path / "a.png", width=10)
     with pytest.raises(SettingError, match="camera is 'up'"):
         shown.png(tmp_path / "a.png", camera="up")

@@ -1,8 +1,8 @@
 """The figure of the rules for strokes."""
 
-from dmp_teach.views.figure_style import COLOURS
-from dmp_teach.views.stroke_figures import NAMES, strokes_by_rule
-from tests.ink.test_cuts import D
+from dmp_teach.views.figures.figure_style import COLOURS
+from dmp_teach.views.figures.stroke import NAMES, strokes_by_rule
+from tests.segmentation.test_manual_cuts import D
 
 
 def titles(figure):
@@ -11,7 +11,8 @@ def titles(figure):
 
 def test_every_rule_has_a_row_that_counts_its_strokes():
     assert titles(strokes_by_rule(D)) == [
-        f"{NAMES[rule]}: {len(D.strokes(rule=rule))} strokes" for rule in ("foot", "printed", "authors")
+        f"{NAMES[rule]}: {len(D.strokes(rule=rule))} strokes"
+        for rule in ("foot", "printed", "authors")
     ]
 
 
@@ -20,8 +21,12 @@ def test_cuts_by_hand_have_a_row_of_their_own_where_they_are():
     figure = strokes_by_rule(by_hand)
     assert titles(figure)[-1] == f"{NAMES['hand']}: 1 stroke"
     assert titles(figure)[:3] == titles(strokes_by_rule(D))
-    panel = next(axes for axes in figure.axes if axes.get_title(loc="left").startswith(NAMES["hand"]))
-    edges = {round(line.get_xdata()[0], 2) for line in panel.lines if line.get_color() == COLOURS[0]}
+    panel = next(
+        axes for axes in figure.axes if axes.get_title(loc="left").startswith(NAMES["hand"])
+    )
+    edges = {
+        round(line.get_xdata()[0], 2) for line in panel.lines if line.get_color() == COLOURS[0]
+    }
     assert edges == {0.6, 1.2}
 
 

@@ -5,7 +5,7 @@ import pytest
 
 from dmp_teach.ink.alphabet import recording_of
 from dmp_teach.letters.styles import Style
-from dmp_teach.views.style_figures import COLUMNS, style_sheet
+from dmp_teach.views.figures.style import COLUMNS, style_sheet
 
 
 @pytest.fixture(scope="module")
@@ -16,7 +16,10 @@ def style():
 def test_every_letter_of_the_sheet_is_one_of_the_style(style):
     panels = np.reshape(style_sheet(style, seed=3).axes, (-1, COLUMNS))
     assert len(panels) == 4, "two writers have one principal style"
-    ink = [[line.get_xydata() for line in panel.lines if len(line.get_xydata()) > 1] for panel in panels.flat]
+    ink = [
+        [line.get_xydata() for line in panel.lines if len(line.get_xydata()) > 1]
+        for panel in panels.flat
+    ]
     morph = style.morph("writer-1", "writer-2", 0.5).write()
     for drawn, stroke in zip(ink[COLUMNS + 2], morph, strict=True):
         assert np.allclose(drawn, 1e3 * stroke.position)

@@ -1,0 +1,3 @@
+from .panels.explore import explore as explore
+from .panels.pad import pad as pad
+from .panels.resting import RESTING as RESTING

@@ -1,0 +1,70 @@
+"""What can be turned: a default, a range and two names for each setting, each written once."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, field
+from typing import Any
+
+from dmp_teach.errors import SettingError
+
+
+@dataclass(frozen=True)
+class Knob:
+    """What a child or teacher can turn: its default, its range and its names.
+
+    `low` and `high` are where a slider ends, `limit` (or else `high`) is where a number is refused;
+    `whole` numbers only, `endless` takes infinity too, `optional` takes None too; `choices` are the words of
+    a setting that is not a number. `term` is the real word, `label` the plain one.
+    """
+
+    name: str
+    default: Any
+    label: str
+    term: str
+    low: float | None = None
+    high: float | None = None
+    limit: float | None = None
+    whole: bool = False
+    endless: bool = False
+    optional: bool = False
+    choices: tuple[Any, ...] = ()
+
+    def checked(self, value: Any) -> Any:
+        """`value` as the type that it should have.
+
+        Raises:
+            SettingError: It is out of range, or no such choice.
+        """
+        if self.choices:
+            return self._one_of_the_choices(value)
+        if (value is None and self.optional) or (self.endless and value == math.inf):
+            return value
+        limit = self.high if self.limit is None else self.limit
+        good = (
+            not isinstance(value, (str, bool)) and _is_number(value) and self.low <= value <= limit
+        )
+        if not good or (self.whole and value != int(value)):
+            number = "a whole number between" if self.whole else "between"
+            raise SettingError(
+                f"{self.name} is {value!r}, but it must be {number} {self.low:g} and {limit:g}."
+            )
+        return int(value) if self.whole else float(value)
+
+    def _one_of_the_choices(self, value: Any) -> Any:
+        if value not in self.choices:
+            names = ", ".join(map(repr, self.choices))
+            raise SettingError(f"{self.name} is {value!r}, but it must be one of: {names}.")
+        return value
+
+
+def _is_number(value: Any) -> bool:
+    try:
+        return not math.isnan(float(value))
+    except (TypeError, ValueError):
+        return False
+
+
+def knob(default: Any, *, label: str, term: str, **about: Any) -> Any:
+    """A field of `Settings` that carries its own range and names."""
+    return field(default=default, metadata={"label": label, "term": term, **about})

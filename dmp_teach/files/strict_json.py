@@ -1,0 +1,96 @@
+"""Files of ours are plain JSON objects that say what they are and in which version: read strictly, never run."""
+
+from __future__ import annotations
+
+import json
+import math
+import re
+import reprlib
+from collections.abc import Collection
+from typing import Any
+
+from dmp_teach.errors import RecordingError
+
+PSEUDONYM = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]{0,19}")
+MOST_DIGITS = 5  # six would be a date, or a number that somebody gave to a person
+_short = reprlib.Repr()
+_short.maxstring = _short.maxlong = 60
+
+
+def loaded(
+    data: bytes, kind: str, versions: Collection[int], fields: Collection[str]
+) -> dict[str, Any]:
+    """One of our objects with exactly its fields.
+
+    Args:
+        data: The file.
+        kind: What its field `format` must say, such as "dmp_teach recording".
+        versions: Those that can be read, the newest last.
+        fields: The names of its fields.
+
+    Raises:
+        RecordingError: Not JSON, another format, an unknown version, or fields too many or too few.
+    """
+    try:
+        content = json.loads(
+            data.decode("utf-8-sig"), parse_constant=_no_constant, object_pairs_hook=_once
+        )
+    except (ValueError, RecursionError) as error:
+        raise RecordingError(f"this is not plain JSON: {error}.") from None
+    if not isinstance(content, dict) or content.get("format") != kind:
+        raise RecordingError(f"this is not a {kind}: 'format' must be {kind!r}.")
+    version, newest = content.get("version"), max(versions)
+    if type(version) is not int or version not in versions:
+        cure = "update dmp_teach" if type(version) is int and version > newest else "save it again"
+        known = " and ".join(map(str, versions))
+        raise RecordingError(
+            f"version is {shown(version)}, but this program reads version {known}; {cure}."
+        )
+    odd = [name for name in (*fields, *content) if (name in fields) != (name in content)]
+    if odd:
+        names = ", ".join(odd)
+        raise RecordingError(
+            f"has fields too many or too few: {names[:200]}; there must be: {', '.join(fields)}."
+        )
+    return content
+
+
+def must(holds: bool, name: str, value: Any, rule: str) -> None:
+    """Raise a RecordingError that shows the beginning of the value, unless the rule holds."""
+    if not holds:
+        raise RecordingError(f"{name} is {shown(value)}, but must be {rule}.")
+
+
+def shown(value: Any) -> str:
+    """The beginning of a value, for messages."""
+    return _short.repr(value)
+
+
+def is_number(value: Any) -> bool:
+    """A finite number; True and False are none."""
+    if isinstance(value, bool) or not isinstance(value, int | float):
+        return False
+    return abs(value) < 1e300 and math.isfinite(value)
+
+
+def is_pseudonym(writer: str) -> bool:
+    """Whether a text can be a pseudonym, such as "w01": nobody's name, no address, no date of birth.
+
+    At most 20 letters, digits, - and _, of them at most 5 digits; capitals only where there is a digit, too.
+    """
+    digits = sum(sign.isdigit() for sign in writer)
+    plain = digits > 0 or writer == writer.lower()
+    return PSEUDONYM.fullmatch(writer) is not None and digits <= MOST_DIGITS and plain
+
+
+def _no_constant(word: str) -> None:
+    """Refuse NaN and Infinity, which JSON does not have."""
+    raise ValueError(f"{word} is not a number")
+
+
+def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    """An object whose names occur once."""
+    content = dict(pairs)
+    if len(content) < len(pairs):
+        raise ValueError("a name occurs twice in one object")
+    return content

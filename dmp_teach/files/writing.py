@@ -1,0 +1,69 @@
+"""Where the files that come with the project are, and how files are written: whole or not at all."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from pathlib import Path
+
+from dmp_teach.errors import PathError
+
+_PACKAGE = Path(__file__).resolve().parent.parent
+ASSETS = next(
+    place
+    for place in (_PACKAGE.parent / "assets", _PACKAGE / "assets")
+    if (place / "alphabets").is_dir()
+)
+"""Beside the package in a clone, inside it in an installed copy."""
+
+
+def write_whole(path: str | os.PathLike, data: bytes, suffix: str) -> Path:
+    """Write `data` beside `path` and put it in place in one step.
+
+    Args:
+        path: Where to; its folder must exist.
+        data: What.
+        suffix: How the name must end, ".html".
+
+    Returns:
+        The path.
+
+    Raises:
+        PathError: The name ends otherwise, the folder is missing, or the place cannot be written.
+    """
+    if not isinstance(path, str | os.PathLike) or not isinstance(os.fspath(path), str):
+        raise PathError(
+            f"The path is {path!r}, but must be the name of a file, such as {'a' + suffix!r}."
+        )
+    path = Path(os.path.expanduser(path))
+    if path.suffix.lower() != suffix:
+        raise PathError(
+            f"The path is {str(path)!r}, but its name must end with {suffix}: try {path.stem + suffix!r}."
+        )
+    if not path.parent.is_dir():
+        raise PathError(
+            f"There is no folder {str(path.parent)!r} for {path.name!r}; make it first."
+        )
+    handle, partial = None, None
+    try:
+        handle, partial = tempfile.mkstemp(dir=path.parent, prefix=".dmp_teach_", suffix=suffix)
+        with os.fdopen(handle, "wb") as file:
+            file.write(data)
+            file.flush()
+            os.fsync(file.fileno())
+        os.chmod(partial, 0o666 & ~_umask())
+        os.replace(partial, path)
+    except OSError as error:
+        if partial is not None and os.path.exists(partial):
+            os.unlink(partial)
+        raise PathError(
+            f"{str(path)!r} cannot be written: {error.strerror}. What was there is unchanged."
+        ) from None
+    return path
+
+
+def _umask() -> int:
+    """Which rights new files do not get; Python can only read it by setting it."""
+    mask = os.umask(0)
+    os.umask(mask)
+    return mask

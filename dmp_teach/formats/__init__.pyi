@@ -1,0 +1,3 @@
+from .read import read_recording as read_recording
+from .read import read_recordings as read_recordings
+from .write import write_recording as write_recording

@@ -1,0 +1,1 @@
+"""Digital ink as the W3C's InkML has it."""

@@ -1,0 +1,211 @@
+"""The page: its plane and its frame, found in the writing itself.
+
+Nobody told the cameras where the paper lay, and it was tilted by up to 29 degrees. While the pen writes it stays near
+one plane; in the air it does not, and it is never under the paper.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Self
+
+import numpy as np
+
+from dmp_teach.errors import RecordingError
+from dmp_teach.segmentation import find_strokes, runs, smoothed
+from dmp_teach.trajectory import Array
+
+AXES = {
+    sign + axis: s * np.eye(3)[k]
+    for sign, s in (("+", 1.0), ("-", -1.0))
+    for k, axis in enumerate("xyz")
+}
+WANDER = 0.004  # how far the marker strays from its plane while the pen is down [m]
+LIKELY_SLOPE = 0.3  # papers are rarely steeper than this: what decides where the ink says little
+PRIOR = 0.02  # and how much that counts
+STEEPEST = np.radians(50)  # steeper than this, `up` was wrong
+SUNK = 3.0  # what a share of the samples under the paper costs, beside one that is off it ...
+STEEP = 0.35  # ... and by how much a steep plane must cost less before `up` is doubted
+UNDER = 0.010  # a pen is never this far under the paper [m] ...
+DIVE = (
+    0.10  # ... after it went there as fast as a lift goes up [m/s]: where `up` is wrong, lifts do
+)
+DRAWS = 300
+REFITS = 3
+
+
+@dataclass(frozen=True)
+class PageFrame:
+    """Where a page is: its axes as columns (right, up the page, out of the paper), and its origin [m]."""
+
+    axes: Array
+    origin: Array
+
+    def of(self, points: Array) -> Array:
+        """Points (T, 3) of the cameras' world, in the page's frame."""
+        return (points - self.origin) @ self.axes
+
+
+def level_axes(up: str = "+y", right: str = "-x") -> Array:
+    """Axes of a level page (3, 3), columns right, up the page, out of the paper.
+
+    Args:
+        up: The direction out of the paper, one of +x -x +y -y +z -z.
+        right: The direction to the right on the page, not along `up`.
+
+    Raises:
+        RecordingError: Not such a direction, or both along one axis.
+    """
+    for name, value in (("up", up), ("right", right)):
+        if not isinstance(value, str) or value not in AXES:
+            raise RecordingError(
+                f"{name} is {value!r}, but must be one of {', '.join(map(repr, AXES))}."
+            )
+    if up[1] == right[1]:
+        raise RecordingError(
+            f"up is {up!r} and right is {right!r}, but they must lie along two different axes."
+        )
+    return np.column_stack([AXES[right], np.cross(AXES[up], AXES[right]), AXES[up]])
+
+
+def find_page(t: Array, points: Array, up: str = "+y", right: str = "-x") -> PageFrame:
+    """The frame of the page that a pen wrote on; its origin is some point of its plane.
+
+    The plane is first the one that most moving samples are near (RANSAC with fixed draws), then the one through the
+    strokes that it gives. Where the ink says little (a single bar), the page is taken for level.
+
+    Args:
+        t: Times, shape (T,) [s].
+        points: The marker in the cameras' world, shape (T, 3) [m].
+        up: The direction out of the paper.
+        right: The direction to the right on the page.
+
+    Raises:
+        RecordingError: Nothing was written, the directions cannot be, or the ink lies far from level.
+    """
+    level = level_axes(up, right)
+    flat = points @ level
+    sheets = _Sheets.tried(_moving(t, flat))
+    _check_side(t, _frame(level, *_fit(sheets.nearest(sheets.cost))).of(points)[:, 2], up)
+    sheets.check_up(level, up)
+    plane = _fit(sheets.nearest(sheets.cost + SUNK * sheets.under))
+    for _ in range(REFITS):
+        plane = _fit(flat[_ink(t, _frame(level, *plane).of(points))])
+    return _frame(level, *plane)
+
+
+def _check_side(t: Array, z: Array, up: str) -> None:
+    """Raise if the pen dives under the paper, from the paper.
+
+    A wandering marker sinks slowly, and one that sinks fast from the air lands; a lift seen upside down does neither.
+    """
+    dt = float(np.median(np.diff(t)))
+    rise = np.gradient(smoothed(z, dt, 12.0), t)
+    falls = [(a, b) for a, b in runs(rise < 0) if rise[a:b][z[a:b] < 0].min(initial=0.0) < -DIVE]
+    dives = any(z[a] < UNDER / 2 for a, _ in falls)
+    if dives and np.mean(z < -UNDER) > 0.05 and np.mean(z > UNDER) < 0.01:
+        other = {"+": "-", "-": "+"}[up[0]] + up[1]
+        raise RecordingError(
+            f"With up={up!r} the pen goes {-z.min():.3f} m under the paper; try up={other!r}."
+        )
+
+
+def _moving(t: Array, flat: Array) -> Array:
+    """The samples that move (K, 3): a rest of seconds must not outvote the ink."""
+    dt = float(np.median(np.diff(t)))
+    speed = np.linalg.norm(np.gradient(smoothed(flat, dt, 10.0), t, axis=0), axis=1)
+    return flat[speed >= 0.2 * np.sqrt(np.mean(speed**2))]
+
+
+def _ink(t: Array, points: Array) -> Array:
+    """The samples that belong to strokes, as indices."""
+    return np.concatenate([np.arange(a, b) for a, b in find_strokes(t, points)])
+
+
+@dataclass(frozen=True)
+class _Sheets:
+    """Planes that the page may lie in.
+
+    Args:
+        flat: The moving samples, shape (K, 3) [m].
+        normals: Of the planes, up, shape (P, 3).
+        miss: How far over each plane each sample is, shape (P, K) [m].
+        cost: Which share of the samples is off each plane, shape (P,).
+    """
+
+    flat: Array
+    normals: Array
+    miss: Array
+    cost: Array
+
+    @classmethod
+    def tried(cls, flat: Array) -> Self:
+        """Level ones, and those through three samples, drawn by lot but always the same."""
+        a, b, c = flat[np.random.default_rng(0).integers(0, len(flat), (3, DRAWS))]
+        normals = np.cross(b - a, c - a)
+        length = np.linalg.norm(normals, axis=1)
+        heights = np.quantile(flat[:, 2], np.linspace(0, 0.6, 20))[:, None] * [0.0, 0.0, 1.0]
+        points = np.vstack([heights, a[length > 0]])
+        normals = np.vstack(
+            [np.tile([0.0, 0.0, 1.0], (20, 1)), normals[length > 0] / length[length > 0, None]]
+        )
+        normals *= np.where(normals[:, 2:] < 0, -1.0, 1.0)
+        miss = normals @ flat.T - (normals * points).sum(axis=1)[:, None]
+        return cls(flat, normals, miss, np.minimum((miss / WANDER) ** 2, 1).mean(axis=1))
+
+    @property
+    def under(self) -> Array:
+        """Which share of the samples is far under each plane, where no pen is, shape (P,)."""
+        return (-self.miss > UNDER).mean(axis=1)
+
+    @property
+    def gentle(self) -> np.ndarray:
+        """Which planes are no steeper than a desk can be, shape (P,)."""
+        return self.normals[:, 2] > np.cos(STEEPEST)
+
+    def nearest(self, cost: Array) -> Array:
+        """The samples near the cheapest plane that is not steep without need."""
+        flatness = self.normals[:, 2]
+        slope = np.sqrt(1 - np.minimum(flatness, 1) ** 2) / np.maximum(flatness, 1e-9)
+        best = np.argmin(np.where(self.gentle, cost + PRIOR * (slope / LIKELY_SLOPE) ** 2, np.inf))
+        return self.flat[np.abs(self.miss[best]) < WANDER]
+
+    def check_up(self, level: Array, up: str) -> None:
+        """Raise if a steep plane, from whichever side, explains the ink that no gentle one does."""
+        over = (self.miss > UNDER).mean(axis=1)
+        gentle = (self.cost + SUNK * self.under)[self.gentle].min()
+        steep = (self.cost + SUNK * np.minimum(self.under, over))[~self.gentle]
+        if len(steep) and steep.min() < gentle - STEEP:
+            normal = level @ self.normals[~self.gentle][np.argmin(steep)]
+            tilt = np.degrees(np.arccos(min(1.0, abs(normal @ AXES[up]))))
+            axis = "xyz"[int(np.argmax(np.abs(normal)))]
+            raise RecordingError(
+                f"The ink lies {tilt:.0f} degrees from level, so up={up!r} cannot be right; try up='+{axis}' or "
+                f"'-{axis}'."
+            )
+
+
+def _fit(flat: Array) -> tuple[Array, float]:
+    """The plane through samples (K, 3) of ink: its slopes (2,), and its height at the origin [m].
+
+    Least squares along the two main directions of the ink. A direction in which the ink is hardly wider than the
+    marker wanders says little, and its slope is drawn towards 0.
+    """
+    middle = flat.mean(axis=0)
+    away = flat - middle
+    _, spread, directions = np.linalg.svd(away[:, :2], full_matrices=False)
+    along = away[:, :2] @ directions.T
+    slopes = (along * away[:, 2:]).sum(axis=0) / np.maximum((along**2).sum(axis=0), 1e-12)
+    wander = np.std(away[:, 2] - along @ slopes) / LIKELY_SLOPE
+    slopes = directions.T @ (slopes * spread**2 / (spread**2 + len(flat) * wander**2 + 1e-12))
+    return slopes, float(middle[2] - middle[:2] @ slopes)
+
+
+def _frame(level: Array, slopes: Array, height: float) -> PageFrame:
+    """The frame of a plane: right is the level page's right, laid down on the plane."""
+    out = np.array([-slopes[0], -slopes[1], 1.0])
+    out /= np.linalg.norm(out)
+    right = np.array([1.0, 0.0, 0.0]) - out[0] * out
+    right /= np.linalg.norm(right)
+    axes = level @ np.column_stack([right, np.cross(out, right), out])
+    return PageFrame(axes, level @ np.array([0.0, 0.0, height]))

@@ -1,0 +1,16 @@
+from .alphabet import SIGNS as SIGNS
+from .alphabet import alphabets as alphabets
+from .alphabet import characters as characters
+from .alphabet import recording_of as recording_of
+from .alphabet import signs as signs
+from .pad import PadStroke as PadStroke
+from .pad import pad_recording as pad_recording
+from .pad import pad_stroke as pad_stroke
+from .pen_lifts import with_lifts as with_lifts
+from .recording import Recording as Recording
+from .recording_json import check_pseudonym as check_pseudonym
+from .recording_json import from_json as from_json
+from .recording_json import to_json as to_json
+from .recording_json import write_json as write_json
+from .svg_repr import MARK as MARK
+from .svg_repr import svg_of as svg_of

@@ -1,0 +1,179 @@
+"""Recordings as plain JSON: what a pad saves, and what our alphabets are made of.
+
+The format is one object: what it is, its version, the letter, the writer's pseudonym, the writing line [m], the
+strokes as pairs of samples (or null: found from the height), the pen's pressure, one number from 0 to 1 for every
+sample (or null), and a row t [s], x, y, z [m] a sample. It has no place for a name, a date or a time of day.
+
+Version 2 begins its times at 0 and refuses a writer that is no pseudonym. Version 1 did neither, and said nothing of
+what its pressure meant: it is read, without pressure.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from typing import Any
+
+import numpy as np
+
+from dmp_teach.errors import RecordingError, kind_of
+from dmp_teach.files import contents, is_number, is_pseudonym, loaded, must, write_whole
+from dmp_teach.ink.recording import Recording
+
+FORMAT = "dmp_teach recording"
+VERSION = 2
+VERSIONS = (1, VERSION)
+FARTHEST = 1e6  # larger numbers are no places [m]
+UNITS = {"t": "s", "x": "m", "y": "m", "z": "m"}
+FIELDS = (
+    "format",
+    "version",
+    "character",
+    "writer",
+    "baseline",
+    "units",
+    "strokes",
+    "pressure",
+    "samples",
+)
+
+
+def read_json(path: str | os.PathLike[str]) -> Recording:
+    """A recording from a file that `write_json` wrote, in this version or an older one.
+
+    Raises:
+        RecordingError: No such file, another format or version, or a field that cannot be; says which.
+    """
+    data, name = contents(path)
+    return from_json(data, name)
+
+
+def from_json(data: bytes, name: str) -> Recording:
+    """A recording from the bytes of a file of that name.
+
+    Raises:
+        RecordingError: As `read_json`.
+    """
+    try:
+        return _recording(loaded(data, FORMAT, VERSIONS, FIELDS))
+    except RecordingError as error:
+        raise RecordingError(f"{name}: {error}") from None
+
+
+def write_json(recording: Recording, path: str | os.PathLike[str]) -> None:
+    """Write a recording as plain JSON, whole or not at all: a file that was there stays until the new one is complete.
+
+    Its times begin at 0.
+
+    Raises:
+        RecordingError: Not a recording, or its writer is no pseudonym.
+        PathError: The file cannot be written there.
+    """
+    write_whole(path, to_json(recording).encode(), ".json")
+
+
+def to_json(recording: Recording) -> str:
+    """A recording as JSON: a field a line, a sample a line, every digit kept.
+
+    Raises:
+        RecordingError: As `write_json`.
+    """
+    if not isinstance(recording, Recording):
+        raise RecordingError(
+            f"{kind_of(recording, first=True)} cannot be written as ink; give a Recording."
+        )
+    check_pseudonym(recording.writer)
+    far = float(np.abs(recording.position).max())
+    must(far <= FARTHEST, "the farthest place", far, f"at most {FARTHEST:.0f} m away")
+    head = {
+        "format": FORMAT,
+        "version": VERSION,
+        "character": recording.character,
+        "writer": recording.writer,
+        "baseline": recording.baseline,
+        "units": UNITS,
+        "strokes": recording.given_strokes,
+        "pressure": None if recording.pressure is None else recording.pressure.tolist(),
+    }
+    lines = [f"{json.dumps(name)}: {json.dumps(value)}" for name, value in head.items()]
+    rows = zip((recording.t - recording.t[0]).tolist(), recording.position.tolist(), strict=True)
+    samples = ",\n".join(json.dumps([t, *position]) for t, position in rows)
+    return "{\n" + ",\n".join(lines) + ',\n"samples": [\n' + samples + "\n]\n}\n"
+
+
+def check_pseudonym(writer: str | None) -> None:
+    """Raise a RecordingError that says what a pseudonym is, where the writer is none."""
+    fits = writer is None or (isinstance(writer, str) and is_pseudonym(writer))
+    rule = (
+        "a pseudonym such as 'w01' or null: at most 20 letters, digits, - and _, no name, no date"
+    )
+    must(fits, "writer", writer, rule)
+
+
+def _recording(content: dict[str, Any]) -> Recording:
+    """What the JSON says, every field checked."""
+    must(content["units"] == UNITS, "units", content["units"], repr(UNITS))
+    for name in ("character", "writer"):
+        must(
+            content[name] is None or isinstance(content[name], str),
+            name,
+            content[name],
+            "text or null",
+        )
+    baseline, strokes, pressure = content["baseline"], content["strokes"], content["pressure"]
+    must(baseline is None or is_number(baseline), "baseline", baseline, "a number [m] or null")
+    must(
+        strokes is None or _are_pairs(strokes),
+        "strokes",
+        strokes,
+        "pairs [start, end] of whole numbers or null",
+    )
+    samples = _samples(content["samples"])
+    fits = (
+        isinstance(pressure, list)
+        and len(pressure) == len(samples)
+        and all(map(is_number, pressure))
+    )
+    must(pressure is None or fits, "pressure", pressure, "null or one number for every sample")
+    if content["version"] > 1:
+        check_pseudonym(content["writer"])
+        must(
+            not samples or samples[0][0] == 0,
+            "the first time",
+            samples and samples[0][0],
+            "0: no clock is kept",
+        )
+    return Recording(
+        [row[0] for row in samples],
+        [row[1:] for row in samples],
+        content["character"],
+        content["writer"],
+        baseline,
+        None if strokes is None else tuple(map(tuple, strokes)),
+        pressure if content["version"] > 1 else None,
+    )
+
+
+def _samples(rows: Any) -> list[list[float]]:
+    """The rows t, x, y, z, all numbers."""
+    must(isinstance(rows, list), "samples", rows, "rows [t, x, y, z]")
+    for k, row in enumerate(rows):
+        good = isinstance(row, list) and len(row) == len(UNITS) and all(map(is_number, row))
+        must(good, f"samples[{k}]", row, "four finite numbers [t, x, y, z]")
+        must(
+            max(map(abs, row[1:])) <= FARTHEST,
+            f"samples[{k}]",
+            row,
+            f"at most {FARTHEST:.0f} m away",
+        )
+    return rows
+
+
+def _are_pairs(strokes: Any) -> bool:
+    """A list of pairs of whole numbers."""
+    return isinstance(strokes, list) and all(
+        isinstance(pair, list)
+        and len(pair) == 2
+        and all(type(edge) is int and abs(edge) < 2**62 for edge in pair)
+        for pair in strokes
+    )

@@ -1,0 +1,14 @@
+from .compose.geometry import bar_and_bowl as bar_and_bowl
+from .compose.geometry import cut as cut
+from .compose.geometry import evenly as evenly
+from .compose.piece import Piece as Piece
+from .compose.recipes import cooked as cooked
+from .compose.recipes import needed as needed
+from .compose.recipes import recipes as recipes
+from .compose.roles import strokes_in_role as strokes_in_role
+from .compose.shelf import Shelf as Shelf
+from .letter import Letter as Letter
+from .letter import rms_distance as rms_distance
+from .styles import Style as Style
+from .text.lines import lines as lines
+from .text.words import word as word

@@ -1,0 +1,1 @@
+"""New letters from strokes that were learned."""

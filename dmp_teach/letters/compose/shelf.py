@@ -1,0 +1,156 @@
+"""A shelf of strokes: everything that was learned from anybody's letters, each stroke under its name."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
+from difflib import get_close_matches
+from typing import Any, Self
+
+from dmp_teach.dmp import Settings, as_settings
+from dmp_teach.errors import LetterError, kind_of
+from dmp_teach.letters.compose.piece import Piece
+from dmp_teach.letters.letter import Letter
+
+
+@dataclass(frozen=True)
+class Shelf:
+    """Strokes of letters, to make new letters from.
+
+        shelf = Shelf.of(recording_of(character) for character in "Dlon")
+        shelf["D"]       both strokes of the D        shelf["n.1"].cut()     the stem and the hump of an n
+        shelf["D.2"]     its second stroke            shelf["n.1b"]          its second part, the hump
+
+    Args:
+        pieces: The strokes, letter by letter in the order of writing.
+    """
+
+    pieces: tuple[Piece, ...]
+
+    @classmethod
+    def of(
+        cls, letters: Iterable[Any] | Mapping[str, Any], settings: Settings | None = None
+    ) -> Self:
+        """Take letters apart.
+
+        Args:
+            letters: Recordings, which know their character and writer; or characters with what they were learned from:
+                `{"D": letter}`. A letter that comes twice by one writer replaces the one before.
+            settings: How strokes are learned; `Settings.star()` unless given.
+
+        Raises:
+            LetterError: Nothing, or a recording that does not know its character.
+            SettingError: Settings that are none.
+        """
+        as_settings(settings)  # also where every letter has been learned
+        found: dict[tuple[str, str | None], tuple[Piece, ...]] = {}
+        for character, letter, writer in _named(letters):
+            learned = letter if isinstance(letter, Letter) else Letter.learn(letter, settings)
+            pairs = enumerate(zip(learned.primitives, learned.strokes, strict=True), start=1)
+            found[character, writer] = tuple(
+                Piece(p, s, character, str(n), writer) for n, (p, s) in pairs
+            )
+        if not found:
+            raise LetterError(
+                "A shelf is made of letters, but got none: Shelf.of([recording_of('D')])."
+            )
+        return cls(tuple(piece for pieces in found.values() for piece in pieces))
+
+    @property
+    def letters(self) -> tuple[str, ...]:
+        """The characters of which there are strokes."""
+        return tuple(dict.fromkeys(piece.character for piece in self.pieces))
+
+    @property
+    def writers(self) -> tuple[str | None, ...]:
+        """Whose strokes there are."""
+        return tuple(dict.fromkeys(piece.writer for piece in self.pieces))
+
+    def by(self, writer: str | None) -> Self:
+        """The strokes of one writer.
+
+        Raises:
+            LetterError: None of that writer; names those that there are.
+        """
+        own = tuple(piece for piece in self.pieces if piece.writer == writer)
+        if not own:
+            raise LetterError(
+                f"There is no stroke by {writer!r} on this shelf; it has strokes by {self._whose()}."
+            )
+        return type(self)(own)
+
+    def __getitem__(self, name: str) -> Any:
+        """One stroke by its name, "D.2", a part of one cut at its corners, "n.1b", or all strokes of a letter, "D".
+
+        Raises:
+            LetterError: Not on the shelf, or by several writers.
+        """
+        character, number = (
+            (name[0], name[2:]) if isinstance(name, str) and name[1:2] == "." else (name, "")
+        )
+        own = [piece for piece in self.pieces if piece.character == character]
+        if len({piece.writer for piece in own}) > 1:
+            raise LetterError(
+                f"{character!r} was written by {self._whose()}; ask shelf.by(writer)[{name!r}]."
+            )
+        if own and not number and name == character:
+            return tuple(own)
+        for piece in own:
+            if piece.number == number:
+                return piece
+            if number[:-1] == piece.number:
+                found = [part for part in piece.cut() if part.number == number]
+                if found:
+                    return found[0]
+        raise LetterError(self._what_else(str(name)))
+
+    def __contains__(self, name: object) -> bool:
+        """Whether a letter or a stroke of that name is on the shelf."""
+        return name in self.letters or any(piece.name == name for piece in self.pieces)
+
+    def __iter__(self) -> Iterator[Piece]:
+        """Every stroke."""
+        return iter(self.pieces)
+
+    def __len__(self) -> int:
+        """How many strokes there are."""
+        return len(self.pieces)
+
+    def __repr__(self) -> str:
+        """In one line, by their names."""
+        return f"Shelf({', '.join(dict.fromkeys(piece.name for piece in self.pieces))}; by {self._whose()})"
+
+    def _whose(self) -> str:
+        return ", ".join("nobody known" if writer is None else writer for writer in self.writers)
+
+    def _what_else(self, name: str) -> str:
+        """A sentence with the nearest names."""
+        names = list(dict.fromkeys(piece.name for piece in self.pieces))
+        near = [each for each in names if each[0] == name[:1]] or get_close_matches(
+            name, names, 6, 0.3
+        )
+        if not near:
+            near = [each for each in names if each[0].lower() == name[:1].lower()]
+        said = f"The nearest are {', '.join(near)}." if near else f"It has {', '.join(names)}."
+        return f"There is no {name!r} on this shelf. {said}"
+
+
+def _named(letters: Any) -> Iterator[tuple[str, Any, str | None]]:
+    """Character, letter or recording, and writer."""
+    if isinstance(letters, Mapping):
+        yield from (
+            (name, letter, getattr(letter, "writer", None)) for name, letter in letters.items()
+        )
+        return
+    if not isinstance(letters, Iterable) or isinstance(letters, str):
+        raise LetterError(
+            f"A shelf is made of recordings, or of {{'D': letter}}, but got {kind_of(letters)}."
+        )
+    for letter in letters:
+        character = getattr(letter, "character", None)
+        if not isinstance(character, str) or len(character) != 1:
+            raise LetterError(
+                f"There is {kind_of(letter)} that does not say which character it is; "
+                "give it by name: Shelf.of({'D': letter})."
+            )
+        yield character, letter, getattr(letter, "writer", None)

@@ -1,0 +1,114 @@
+"""Words: letters beside each other on a line, joined or not, on one clock."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from dmp_teach.dmp import Settings
+from dmp_teach.errors import LetterError
+from dmp_teach.letters.letter import pause_before
+from dmp_teach.letters.text.handwriting import Hand
+from dmp_teach.letters.text.spacing import Strokes
+from dmp_teach.trajectory import Array, Trajectory
+
+TEMPO = 0.4  # between the two: isochrony is strong, but not perfect
+X_HEIGHT = 0.014  # a word of eleven letters still fits on a sheet of A4 [m]
+FLYING = 0.5  # a pen in the air is on average no faster than this [m/s]
+
+
+class Text(tuple[Trajectory, ...]):
+    """Strokes of a text, in the order of writing, where they stand on the page.
+
+    `Fetch().write(text, page, at=text.middle)` writes them there; without `at` they come to the middle of the page.
+    """
+
+    __slots__ = ()
+
+    @property
+    def middle(self) -> Array:
+        """The middle of the ink's bounding box, shape (2,) [m]."""
+        points = np.concatenate([stroke.position for stroke in self])
+        return (points.min(axis=0) + points.max(axis=0)) / 2
+
+    @property
+    def duration(self) -> float:
+        """From the first sample to the last, lifts included [s]."""
+        return float(self[-1].t[-1] - self[0].t[0])
+
+    def __repr__(self) -> str:
+        """In one line, without the numbers."""
+        return f"Text({len(self)} stroke{'s' * (len(self) > 1)}, {self.duration:.3f} s)"
+
+
+def word(
+    text: str,
+    alphabet: str | None = None,
+    *,
+    joined: bool = False,
+    letters: Mapping[str, Any] | None = None,
+    x_height: float | None = X_HEIGHT,
+    tempo: float = TEMPO,
+    settings: Settings | None = None,
+) -> Text:
+    """Write a word: every letter by its primitives, spaced by the white between them.
+
+    People write larger letters faster, so that the time hardly grows with the size (isochrony: Viviani and McCollum,
+    1983; Viviani and Schneider, 1991): a word takes
+
+        duration = duration in the alphabet's size * (x_height / x_height of the alphabet)^tempo
+
+    Args:
+        text: Letters, digits and signs, without a space; the quotation marks, dashes and ellipsis of print are made
+            plain.
+        alphabet: One of `alphabets()`; None is the first.
+        joined: Whether the pen stays on the paper from one small letter to the next where the one ends on its right;
+            dots, crosses and accents then follow after the word, from left to right, as in school.
+        letters: One's own, by character: `Letter`s or recordings. Each is made as tall as the alphabet's, and stands
+            where that stands; those that are missing are the alphabet's.
+        x_height: How tall a small letter without a stem is [m]; None: as in the alphabet, several centimetres.
+        tempo: 0: the same time in every size; 1: the same speed in every size.
+        settings: How the alphabet's letters are learned; `Settings.star()` unless given.
+
+    Returns:
+        The strokes, from time 0, the first ink at x = 0 and the writing line at y = 0 [s, m].
+
+    Raises:
+        LetterError: Nothing to write, a space, a character that is not there (names those that are), a size that is no
+            length, or a tempo that is none.
+    """
+    hand = Hand.of(alphabet, letters, settings)
+    if not isinstance(text, str) or not text or text.split() != [text]:
+        raise LetterError(
+            f"A word is letters without a space, but got {text!r}; teach.lines writes text with spaces."
+        )
+    return placed([hand.word(text, joined)], [(0.0, 0.0)], hand.scale(x_height), tempo)
+
+
+def placed(
+    words: Sequence[Strokes], spots: Sequence[tuple[float, float]], scale: float, tempo: float
+) -> Text:
+    """Words in their places (the left end of each on its line [m]), one stroke after the other from 0 s on.
+
+    Args:
+        words: Each from x = 0 on, in the size of the alphabet.
+        spots: A place for each.
+        scale: How much larger than that they are to be.
+        tempo: As in `word`.
+    """
+    if isinstance(tempo, bool) or not isinstance(tempo, int | float) or not 0 <= tempo <= 1:
+        raise LetterError(
+            f"tempo is {tempo!r}, but must be from 0 (the same time in every size) to 1 (the same speed)."
+        )
+    strokes: list[Trajectory] = []
+    for own, spot in zip(words, spots, strict=True):
+        for stroke in own:
+            position, begin = stroke.position * scale + spot, 0.0
+            if strokes:
+                here, there = strokes[-1].position[-1], position[0]
+                pause = pause_before(here / scale, there / scale) * scale**tempo
+                begin = strokes[-1].t[-1] + max(pause, float(np.linalg.norm(there - here)) / FLYING)
+            strokes.append(Trajectory((stroke.t - stroke.t[0]) * scale**tempo + begin, position))
+    return Text(strokes)

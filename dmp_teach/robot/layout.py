@@ -1,0 +1,158 @@
+"""The letter on the sheet: is it one, does it fit, and where does it go."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from dmp_teach.errors import PageError, TrajectoryError, kind_of
+from dmp_teach.robot.page import Page, finite
+from dmp_teach.trajectory import Array, Trajectory
+
+MARGIN = 0.005
+"""What stays free of ink along every edge of the page [m]."""
+
+_HUGE = 2.0  # ink larger than this was not measured in metres [m]
+_JUMP = 0.004  # no hand moves this much further in one step than in the steps beside it [m] ...
+_JERKED = 50.0  # ... if that asks for more than this [m/s^2]
+
+
+def place(
+    strokes: Iterable[Trajectory] | Trajectory,
+    page: Page,
+    at: ArrayLike | None = None,
+    size: float | None = None,
+) -> tuple[Trajectory, ...]:
+    """The strokes on the page, their clock unchanged.
+
+    Args:
+        strokes: 2-D strokes on one clock, x right and y up [s, m]; a single Trajectory is one stroke.
+        page: The sheet.
+        at: Where the middle of the ink's bounding box goes, shape (2,); None: the page's centre [m].
+        size: Height of the ink; None: as it was written [m].
+
+    Returns:
+        The strokes in the page's frame, origin at its centre [m].
+
+    Raises:
+        TrajectoryError: No strokes, something that is no stroke, three dimensions, a jump inside a stroke.
+        PageError: No page, ink that does not fit, or `at` or `size` that cannot be.
+    """
+    if not isinstance(page, Page):
+        raise PageError(
+            f"page is {page!r}, but must be a Page, such as Page.table() or Page.board()."
+        )
+    strokes = checked(strokes)
+    points = np.concatenate([stroke.position for stroke in strokes])
+    low, high = points.min(axis=0), points.max(axis=0)
+    _check_metres(high - low)
+    for number, stroke in enumerate(strokes):
+        _check_jump(number, stroke)
+    scale = _scale(high - low, page, size)
+    middle = _spot(at, (high - low) * scale, page)
+    return tuple(Trajectory(s.t, (s.position - (low + high) / 2) * scale + middle) for s in strokes)
+
+
+def checked(strokes: Iterable[Trajectory] | Trajectory) -> tuple[Trajectory, ...]:
+    """The strokes as a tuple, each of them a 2-D Trajectory; see `place`."""
+    try:
+        strokes = (strokes,) if isinstance(strokes, Trajectory) else tuple(strokes)
+    except TypeError:
+        raise TrajectoryError(
+            f"strokes is {kind_of(strokes)}, but must be a tuple of Trajectory, one for each stroke, "
+            "as recording.strokes() and letter.write() give them."
+        ) from None
+    if not strokes:
+        raise TrajectoryError(
+            "There are no strokes to write; a letter needs at least one Trajectory."
+        )
+    for number, stroke in enumerate(strokes):
+        if not isinstance(stroke, Trajectory):
+            raise TrajectoryError(
+                f"Stroke {number} is {kind_of(stroke)}, but must be a Trajectory(t, position)."
+            )
+        if stroke.dimensions != 2:
+            raise TrajectoryError(
+                f"Stroke {number} has {stroke.dimensions} dimensions, but ink has 2: "
+                "Trajectory(stroke.t, stroke.position[:, :2]) keeps x and y."
+            )
+    return strokes
+
+
+def _check_metres(extent: Array) -> None:
+    """Raise where ink (2,) is so large that its numbers must be millimetres."""
+    if extent.max() > _HUGE:
+        raise PageError(
+            f"The ink is {extent[0]:.0f} x {extent[1]:.0f} m. Positions are in metres: "
+            "if yours are in millimetres, divide them by 1000."
+        )
+
+
+def _check_jump(number: int, stroke: Trajectory) -> None:
+    """Raise where one step is much longer than both of its neighbours: two strokes in one, or a lost marker."""
+    step, dt = np.linalg.norm(np.diff(stroke.position, axis=0), axis=1), np.diff(stroke.t)
+    if len(step) < 2:
+        return
+    beside = np.maximum(np.append(step[1:], 0), np.append(0, step[:-1]))
+    jumps = step - beside > np.maximum(_JUMP, _JERKED * dt**2)
+    if jumps.any():
+        row = int(np.argmax(jumps)) + 1
+        raise TrajectoryError(
+            f"Stroke {number} jumps by {1000 * step[row - 1]:.1f} mm in {1000 * dt[row - 1]:.1f} ms "
+            f"at sample {row} (t = {stroke.t[row]:.3f} s), where no hand could; "
+            "cut the stroke there, or fill the gap in the recording."
+        )
+
+
+def _scale(extent: Array, page: Page, size: float | None) -> float:
+    """By how much the ink must grow, or a PageError that says what would fit."""
+    room = page.size - 2 * MARGIN
+    if size is not None and extent[1] < 1e-9:
+        raise PageError(
+            "The ink has no height (a dot, or a level line), so size cannot set it; leave size out."
+        )
+    scale = (
+        1.0 if size is None else finite("size", size, "a height in metres, such as 0.1") / extent[1]
+    )
+    if scale <= 0:
+        raise PageError(f"size is {size} m, but the ink's height must be more than 0.")
+    if (extent * scale > room + 1e-9).any():
+        fits = (room / np.maximum(extent, 1e-12)).min()
+        height = float(np.floor(1000 * fits * extent[1] + 1e-6) / 1000)
+        cure = f"size={height:.3f}" if height else f"a stroke {1000 * room[0]:.0f} mm wide"
+        raise PageError(
+            f"The ink would be {_mm(extent * scale)} mm, but the page is {_mm(page.size)} mm "
+            f"and has room for {_mm(room)} mm inside its margin. The largest that fits is {cure}.",
+            cure=height or None,
+        )
+    return scale
+
+
+def _spot(at: ArrayLike | None, extent: Array, page: Page) -> Array:
+    """The middle of the ink on the page (2,), or a PageError that says where it may be."""
+    if at is None:
+        return np.zeros(2)
+    try:
+        spot = np.array(at, dtype=float)
+    except (TypeError, ValueError):
+        spot = np.array(np.nan)
+    if spot.shape != (2,) or not np.isfinite(spot).all():
+        raise PageError(
+            f"at is {at!r}, but must be two numbers: right and up from the page's centre [m]."
+        )
+    free = np.maximum(page.size / 2 - MARGIN - extent / 2, 0)
+    if (np.abs(spot) > free + 1e-9).any():
+        # Rounded to the nearest tenth of a millimetre inwards, so that what is named works.
+        x, y = np.floor(free * 1e4 + 1e-6) / 1e4
+        raise PageError(
+            f"With at=({spot[0]:g}, {spot[1]:g}) the ink of {_mm(extent)} mm would run over the page's margin; "
+            f"x must be between {-x:g} and {x:g} m, y between {-y:g} and {y:g} m."
+        )
+    return spot
+
+
+def _mm(size: Array) -> str:
+    """A size (2,) in millimetres: '200 x 287'."""
+    return " x ".join(f"{1000 * side:.0f}" for side in size)

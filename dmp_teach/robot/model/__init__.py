@@ -1,0 +1,1 @@
+"""The robot's kinematics, its solids, and how near they are."""

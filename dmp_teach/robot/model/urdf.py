@@ -1,0 +1,196 @@
+"""A URDF read into values: joints, and the pieces of the shell."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from xml.etree import ElementTree as ET
+
+import numpy as np
+
+from dmp_teach.errors import JointError
+from dmp_teach.trajectory import Array, locked
+
+
+@dataclass(frozen=True, eq=False)
+class Joint:
+    """What holds a link to the one before it, and how it may move.
+
+    Args:
+        name: As in the URDF.
+        type: "fixed", "revolute", "continuous" or "prismatic".
+        parent: The link before.
+        child: The link that moves.
+        X_parent_joint: Pose of the child in the parent when the joint is at 0, shape (4, 4) [m].
+        axis: Unit vector in the child's frame, shape (3,); the joint turns about it or slides along it.
+        lower: Least position; minus infinity where there is none [rad or m].
+        upper: Greatest position; infinity where there is none [rad or m].
+        velocity: Greatest speed [rad/s or m/s].
+        effort: Greatest torque or force [N m or N].
+    """
+
+    name: str
+    type: str
+    parent: str
+    child: str
+    X_parent_joint: Array
+    axis: Array
+    lower: float = -np.inf
+    upper: float = np.inf
+    velocity: float = np.inf
+    effort: float = np.inf
+
+    def __post_init__(self) -> None:
+        """Lock the arrays."""
+        _lock(self, "X_parent_joint", "axis")
+
+    def pose(self, q: Array) -> Array:
+        """Pose of the child in the parent at positions q (T,) [rad or m], shape (T, 4, 4)."""
+        X = np.tile(self.X_parent_joint, (len(q), 1, 1))
+        if self.type == "prismatic":
+            X[:, :3, 3] += q[:, None] * (self.X_parent_joint[:3, :3] @ self.axis)
+        elif self.type in ("revolute", "continuous"):
+            X[:, :3, :3] = self.X_parent_joint[:3, :3] @ _turn(self.axis, q)
+        return X
+
+
+@dataclass(frozen=True, eq=False)
+class Visual:
+    """A piece of a link's shell, of one colour.
+
+    Args:
+        link: The link that carries it.
+        X_link_visual: Its pose in the link, shape (4, 4) [m].
+        vertices: Corners, in the piece's own frame, shape (V, 3) [m].
+        normals: The shell's outward direction at each corner, shape (V, 3).
+        faces: Triangles by the numbers of their corners, counter-clockwise seen from outside, shape (F, 3).
+        color: Red, green, blue, opacity between 0 and 1, shape (4,).
+    """
+
+    link: str
+    X_link_visual: Array
+    vertices: Array
+    normals: Array
+    faces: Array
+    color: Array
+
+    def __post_init__(self) -> None:
+        """Lock the arrays."""
+        _lock(self, "X_link_visual", "vertices", "normals", "color")
+        object.__setattr__(self, "faces", locked(self.faces, dtype=np.int64))
+
+
+def read_robot(path: Path) -> tuple[str, tuple[str, ...], tuple[Joint, ...]]:
+    """The robot's name, its links, and its joints, each after the one that carries its parent.
+
+    Raises:
+        JointError: A joint whose parent is never reached from the root.
+    """
+    root = ET.parse(path).getroot()
+    links = tuple(link.attrib["name"] for link in root.iter("link"))
+    joints = tuple(_joint(element) for element in root.findall("joint"))
+    return root.attrib.get("name", path.stem), links, _root_first(links, joints)
+
+
+def read_visuals(path: Path) -> Iterator[Visual]:
+    """The pieces of the shell, their meshes read from beside the URDF.
+
+    Raises:
+        JointError: A visual that is not a mesh.
+    """
+    for link in ET.parse(path).getroot().iter("link"):
+        for piece in link.findall("visual"):
+            yield _visual(link.attrib["name"], piece, path.parent)
+
+
+def _lock(value: object, *names: str) -> None:
+    """Copy and lock some arrays of a frozen value."""
+    for name in names:
+        object.__setattr__(value, name, locked(getattr(value, name)))
+
+
+def _turn(axis: Array, angles: Array) -> Array:
+    """Turns about a unit axis by angles (T,) [rad], shape (T, 3, 3): I + sin K + (1 - cos) K K (Rodrigues)."""
+    x, y, z = axis
+    K = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    return (
+        np.eye(3)
+        + np.sin(angles)[:, None, None] * K
+        + (1 - np.cos(angles))[:, None, None] * (K @ K)
+    )
+
+
+def _numbers(element: ET.Element | None, name: str, default: str) -> Array:
+    """The numbers in an attribute of an element that may be absent."""
+    return np.array(
+        (default if element is None else element.attrib.get(name, default)).split(), dtype=float
+    )
+
+
+def origin(element: ET.Element) -> Array:
+    """The pose in an <origin>: a place, and turns about the fixed x, y and z, in this order."""
+    origin = element.find("origin")
+    X = np.eye(4)
+    for axis, angle in zip(np.eye(3), _numbers(origin, "rpy", "0 0 0"), strict=True):
+        X[:3, :3] = _turn(axis, np.array([angle]))[0] @ X[:3, :3]
+    X[:3, 3] = _numbers(origin, "xyz", "0 0 0")
+    return X
+
+
+def _joint(element: ET.Element) -> Joint:
+    """A <joint>."""
+    parent, child = element.find("parent"), element.find("child")
+    axis, limit = _numbers(element.find("axis"), "xyz", "1 0 0"), element.find("limit")
+    bounds = {} if limit is None else {key: float(value) for key, value in limit.attrib.items()}
+    if element.attrib["type"] in ("revolute", "prismatic"):
+        bounds = {"lower": 0.0, "upper": 0.0} | bounds
+    return Joint(
+        name=element.attrib["name"],
+        type=element.attrib["type"],
+        parent="" if parent is None else parent.attrib["link"],
+        child="" if child is None else child.attrib["link"],
+        X_parent_joint=origin(element),
+        axis=axis / (np.linalg.norm(axis) or 1.0),
+        **bounds,
+    )
+
+
+def _root_first(links: tuple[str, ...], joints: tuple[Joint, ...]) -> tuple[Joint, ...]:
+    """The joints, each after the one that carries its parent; otherwise as they were."""
+    reached = set(links) - {joint.child for joint in joints}
+    waiting, ordered = list(joints), []
+    while waiting:
+        ready = next((joint for joint in waiting if joint.parent in reached), None)
+        if ready is None:
+            raise JointError(
+                f"Joint {waiting[0].name!r} hangs on {waiting[0].parent!r}, which the root never reaches."
+            )
+        waiting.remove(ready)
+        ordered.append(ready)
+        reached.add(ready.child)
+    return tuple(ordered)
+
+
+def _visual(link: str, element: ET.Element, folder: Path) -> Visual:
+    """A <visual> with a mesh beside the URDF."""
+    mesh, color = element.find("geometry/mesh"), element.find("material/color")
+    if mesh is None:
+        raise JointError(
+            f"A visual of {link!r} is not a mesh; the shells of our robots are all meshes."
+        )
+    vertices, normals, faces = read_obj(folder / mesh.attrib["filename"])
+    return Visual(
+        link, origin(element), vertices, normals, faces, _numbers(color, "rgba", "0.7 0.7 0.7 1")
+    )
+
+
+def read_obj(path: Path) -> tuple[Array, Array, Array]:
+    """Vertices (V, 3) [m], normals (V, 3) and triangles (F, 3) of a Wavefront file with a normal for each vertex."""
+    rows: dict[str, list[list[str]]] = {"v": [], "vn": [], "f": []}
+    for line in path.read_text(encoding="utf-8").splitlines():
+        kind, *values = line.split() or [""]
+        if kind in rows:
+            rows[kind].append(values)
+    faces = [[int(corner.split("/")[0]) - 1 for corner in row] for row in rows["f"]]
+    return np.array(rows["v"], dtype=float), np.array(rows["vn"], dtype=float), np.array(faces)

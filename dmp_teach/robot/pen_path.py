@@ -1,0 +1,231 @@
+"""The pen's way: hover above the start, touch, write, lift, and over to the next stroke.
+
+The path of the ink is the letter's own. Only the clock changes: every stroke begins and ends at rest, because
+strokes that were cut at a lift start at up to half a metre a second, and no arm can do that.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.interpolate import CubicSpline, PchipInterpolator
+
+from dmp_teach.trajectory import Array, Trajectory, locked
+
+RATE = 240
+"""Samples a second [Hz]."""
+
+HOVER = 0.025
+"""How high the nib waits and travels over the paper [m]."""
+
+RAMP = 0.2
+"""How long a stroke takes to get from rest to the speed of the recording, and back at its end [s]."""
+
+LIFT = 0.3
+"""How long the pen takes up to the hover, or down [s]."""
+
+LONGEST_LIFT = 1.5
+"""Longer pauses between strokes are shortened to this [s]."""
+
+_TRAVEL_SPEED = 0.3  # at most this fast over the paper [m/s] ...
+_TRAVEL_PUSH = 3.0  # ... and no harder than this [m/s^2]
+
+
+@dataclass(frozen=True, eq=False)
+class PenPlan:
+    """Where the nib is meant to be.
+
+    Args:
+        t: Times from 0, evenly spaced, shape (T,) [s].
+        position: On the page, and the height over it, shape (T, 3) [m].
+        pen_down: True exactly while the nib is on the letter, shape (T,).
+    """
+
+    t: Array
+    position: Array
+    pen_down: Array
+
+    def __post_init__(self) -> None:
+        """Lock the arrays."""
+        object.__setattr__(self, "t", locked(self.t))
+        object.__setattr__(self, "position", locked(self.position))
+        object.__setattr__(self, "pen_down", locked(self.pen_down, dtype=bool))
+
+    @property
+    def duration(self) -> float:
+        """From the first sample to the last [s]."""
+        return float(self.t[-1])
+
+
+@dataclass(frozen=True, eq=False)
+class Piece:
+    """A part of the pen's way, from rest to rest.
+
+    Args:
+        steps: How many samples it takes when nothing slows it, at least 1.
+        at: Places on the page, with their heights (n, 3) [m], for parts (n,) of its time between 0 and 1.
+        down: Whether the nib is on the letter.
+    """
+
+    steps: int
+    at: Callable[[Array], Array]
+    down: bool = False
+
+
+@dataclass(frozen=True, eq=False)
+class Way:
+    """The pen's way, which can be followed on any clock. At rest between two pieces, it stands on a sample.
+
+    Args:
+        pieces: One after the other.
+    """
+
+    pieces: tuple[Piece, ...]
+
+    @property
+    def rests(self) -> Array:
+        """Numbers of the samples at which the pen is at rest: where pieces begin, and the end, shape (P + 1,)."""
+        return np.cumsum([0, *(piece.steps for piece in self.pieces)])
+
+    def plan(self, samples: Array | None = None) -> PenPlan:
+        """The way, sampled at `RATE`.
+
+        Args:
+            samples: Which sample of the unhurried plan is due at each sample of this one: from 0 to the last, in
+                fractions too, but whole at every one of `rests`, shape (T,). None: all of them.
+        """
+        rests = self.rests
+        samples = np.arange(rests[-1] + 1.0) if samples is None else samples
+        position, down = np.empty((len(samples), 3)), np.zeros(len(samples), bool)
+        for piece, start in zip(self.pieces, rests[:-1], strict=True):
+            first, stop = (
+                np.searchsorted(samples, start),
+                np.searchsorted(samples, start + piece.steps, side="right"),
+            )
+            rows = slice(
+                first + down[first], stop
+            )  # a sample between a stroke and the air is the stroke's
+            position[rows] = piece.at((samples[rows] - start) / piece.steps)
+            down[rows] = piece.down
+        return PenPlan(np.arange(len(samples)) / RATE, position, down)
+
+
+def plan_pen(strokes: tuple[Trajectory, ...]) -> PenPlan:
+    """The pen's plan over strokes that lie on the page, as fast as they were written: see `way_over`."""
+    return way_over(strokes).plan()
+
+
+def way_over(strokes: tuple[Trajectory, ...]) -> Way:
+    """The pen's way over strokes that lie on the page.
+
+    A stroke takes its own duration and `RAMP` more. A lift takes as long as it did on the recording's clock,
+    but no less than the pen needs and no more than `LONGEST_LIFT`.
+
+    Args:
+        strokes: On the page, as `place` gives them [m].
+    """
+    first, last = strokes[0].position[0], strokes[-1].position[-1]
+    pieces = [_move(_above(first), _on(first), LIFT)]
+    for before, stroke in zip((None, *strokes), strokes, strict=False):
+        pieces += [] if before is None else _over(before, stroke)
+        pieces.append(_written(stroke))
+    return Way((*pieces, _move(_on(last), _above(last), LIFT)))
+
+
+def _written(stroke: Trajectory) -> Piece:
+    """A stroke on the paper, at rest on its ends."""
+    curve = interpolated(stroke)
+    lasts, clock = from_rest_to_rest(stroke.duration)
+
+    def at(part: Array) -> Array:
+        return _on(curve(np.clip(stroke.t[0] + clock(part * lasts), stroke.t[0], stroke.t[-1])))
+
+    return Piece(_steps(lasts), at, down=True)
+
+
+def interpolated(stroke: Trajectory) -> Callable[[Array], Array]:
+    """A smooth curve through every sample of a stroke.
+
+    A cubic spline (Fritsch and Carlson's monotone one where the times are so uneven that the cubic would swing
+    out between two samples by half a step or more).
+    """
+    cubic = CubicSpline(stroke.t, stroke.position)
+    swing = np.linalg.norm(
+        cubic((stroke.t[:-1] + stroke.t[1:]) / 2)
+        - (stroke.position[:-1] + stroke.position[1:]) / 2,
+        axis=1,
+    )
+    step = np.linalg.norm(np.diff(stroke.position, axis=0), axis=1)
+    near = np.maximum(step, np.maximum(np.append(step[1:], 0), np.append(0, step[:-1])))
+    if (swing > near / 2 + 1e-6).any():
+        return PchipInterpolator(stroke.t, stroke.position)
+    return cubic
+
+
+def from_rest_to_rest(
+    duration: float, ramp: float = RAMP
+) -> tuple[float, Callable[[Array], Array]]:
+    """A clock that starts and stops gently: its speed rises from 0 as 3 u^2 - 2 u^3, u = t / ramp, and falls so too.
+
+    Args:
+        duration: What the clock shows in the end [s].
+        ramp: How long the rise takes, and the fall [s].
+
+    Returns:
+        How long the clock runs (duration + ramp, at least 2 ramp), and what it shows at times (T,) [s].
+    """
+    speed = min(1.0, duration / ramp)
+    lasts = 2 * ramp + (duration - speed * ramp) / speed
+
+    def clock(t: Array) -> Array:
+        rise, fall = np.clip(t / ramp, 0, 1), np.clip((lasts - t) / ramp, 0, 1)
+        shown = _risen(rise) + np.clip(t / ramp - 1, 0, lasts / ramp - 2) + 0.5 - _risen(fall)
+        return speed * ramp * shown
+
+    return lasts, clock
+
+
+def _risen(u: Array) -> Array:
+    """The integral of 3 u^2 - 2 u^3."""
+    return u**3 - u**4 / 2
+
+
+def _over(before: Trajectory, after: Trajectory) -> list[Piece]:
+    """Lift, travel, touch between two strokes."""
+    start, end = before.position[-1], after.position[0]
+    far = float(np.linalg.norm(end - start))
+    # A move with least jerk peaks at 1.875 of its mean speed, and at 5.77 distances over its duration squared.
+    travel = max(1.875 * far / _TRAVEL_SPEED, np.sqrt(5.77 * far / _TRAVEL_PUSH))
+    needed = 2 * LIFT + travel
+    longer = np.clip(after.t[0] - before.t[-1], needed, max(needed, LONGEST_LIFT)) / needed
+    return [
+        _move(_on(start), _above(start), LIFT * longer),
+        _move(_above(start), _above(end), travel * longer),
+        _move(_above(end), _on(end), LIFT * longer),
+    ]
+
+
+def _move(start: Array, end: Array, duration: float) -> Piece:
+    """A straight move in the air from rest to rest with least jerk (Flash and Hogan 1985)."""
+
+    def at(s: Array) -> Array:
+        return start + (end - start) * (10 * s**3 - 15 * s**4 + 6 * s**5)[:, None]
+
+    return Piece(_steps(duration), at)
+
+
+def _steps(duration: float) -> int:
+    """How many samples a piece of the plan takes, at least one; it lasts no less than asked."""
+    return max(1, int(np.ceil(duration * RATE - 1e-6)))
+
+
+def _on(points: Array) -> Array:
+    """Points of the page (..., 2) on the paper (..., 3)."""
+    return np.concatenate([points, np.zeros((*points.shape[:-1], 1))], axis=-1)
+
+
+def _above(points: Array) -> Array:
+    """Points of the page (..., 2) at the hover height (..., 3)."""
+    return _on(points) + np.array([0, 0, HOVER])

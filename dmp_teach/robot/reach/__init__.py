@@ -1,0 +1,1 @@
+"""Which pages the arm can write on."""

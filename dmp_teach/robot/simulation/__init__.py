@@ -1,0 +1,1 @@
+"""The motion under gravity and contact (pybullet)."""

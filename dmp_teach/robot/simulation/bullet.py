@@ -1,0 +1,114 @@
+"""Everything that pybullet does for us; so far, pictures without a browser."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from types import ModuleType
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from dmp_teach.errors import MissingPartError
+from dmp_teach.robot.quiet import quiet
+from dmp_teach.trajectory import Array
+
+Mesh = tuple[Array, Array, Array, Sequence[float]]
+"""Vertices (V, 3) in the world [m], normals (V, 3), triangles (F, 3), and red, green, blue, opacity."""
+
+_FINER = 2
+"""The renderer has no smooth edges: draw so many times larger, then average."""
+
+
+@contextmanager
+def client() -> Iterator[tuple[ModuleType, int]]:
+    """A pybullet world without a window, closed at the end: one that stays open keeps 30 MB.
+
+    Raises:
+        MissingPartError: pybullet is not installed.
+    """
+    try:
+        with quiet():  # it prints when it was built
+            import pybullet  # noqa: PLC0415 (heavy, and absent on some platforms)
+    except ImportError:
+        raise MissingPartError(
+            "Pictures and physics need pybullet, which is not installed here. The live view and "
+            "view(motion).html(path) work without it. Where pip has a pybullet for this platform, "
+            "`pip install pybullet` brings it."
+        ) from None
+    number = pybullet.connect(pybullet.DIRECT)
+    try:
+        yield pybullet, number
+    finally:
+        pybullet.disconnect(number)
+
+
+def picture(
+    meshes: Sequence[Mesh],
+    *,
+    eye: ArrayLike,
+    target: ArrayLike,
+    up: ArrayLike,
+    field_of_view: float,
+    width: int,
+    height: int,
+    lamp: ArrayLike = (0.3, 1.8, 4.4),
+) -> NDArray[np.uint8]:
+    """Draw meshes with pybullet's software renderer.
+
+    Args:
+        meshes: What is to be seen.
+        eye: Where the camera is (3,) [m].
+        target: The middle of the picture (3,) [m].
+        up: What points up in the picture (3,).
+        field_of_view: From the bottom to the top of the picture [degrees].
+        width: Of the picture [pixels].
+        height: Of the picture [pixels].
+        lamp: Where the light comes from (3,) [m].
+
+    Returns:
+        Red, green and blue, shape (height, width, 3).
+
+    Raises:
+        MissingPartError: pybullet is not installed.
+    """
+    with client() as (bullet, number):
+        for mesh in meshes:
+            _add(bullet, number, mesh)
+        _, _, pixels, depth, _ = bullet.getCameraImage(
+            width * _FINER,
+            height * _FINER,
+            bullet.computeViewMatrix(list(eye), list(target), list(up)),
+            bullet.computeProjectionMatrixFOV(field_of_view, width / height, 0.05, 12.0),
+            lightDirection=list(lamp),
+            shadow=0,
+            flags=bullet.ER_NO_SEGMENTATION_MASK,
+            lightAmbientCoeff=0.62,
+            lightDiffuseCoeff=0.42,
+            lightSpecularCoeff=0.06,
+            renderer=bullet.ER_TINY_RENDERER,
+            physicsClientId=number,
+        )
+    drawn = np.array(pixels, dtype=float).reshape(height * _FINER, width * _FINER, 4)[..., :3]
+    empty = np.array(depth).reshape(drawn.shape[:2]) >= 1.0
+    sky = np.linspace((246, 249, 253), (222, 229, 239), drawn.shape[0])[:, None, :]
+    drawn = np.where(empty[..., None], sky, drawn)
+    smooth = drawn.reshape(height, _FINER, width, _FINER, 3).mean(axis=(1, 3))
+    return np.rint(smooth).astype(np.uint8)
+
+
+def _add(bullet: ModuleType, number: int, mesh: Mesh) -> None:
+    """Put a mesh into the world; a mesh with nothing in it is left out."""
+    vertices, normals, faces, color = mesh
+    if not len(faces):
+        return
+    shape = bullet.createVisualShape(
+        bullet.GEOM_MESH,
+        vertices=vertices.tolist(),
+        normals=normals.tolist(),
+        uvs=np.zeros((len(vertices), 2)).tolist(),
+        indices=faces.ravel().tolist(),
+        rgbaColor=list(color),
+        physicsClientId=number,
+    )
+    bullet.createMultiBody(baseVisualShapeIndex=shape, physicsClientId=number)

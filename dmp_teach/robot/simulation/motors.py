@@ -1,0 +1,110 @@
+"""What moves the simulated joints: motors as one wishes them, and motors as they are."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from dmp_teach.robot.motion import Motion
+from dmp_teach.robot.simulation.world import Bench
+from dmp_teach.trajectory import Array
+
+_GAIN = 0.5  # which part of an error in position an ideal motor makes good in one step
+
+_STRONG = 1e5  # more than any letter asks for [N m, N]
+
+BANDWIDTH = 80.0
+"""How quickly a real motor answers to an error [rad/s]."""
+
+DRY = (0.003, 0.010)
+"""Dry friction of a joint: between these parts of its greatest effort."""
+
+MASSES = 0.05
+"""Every link is heavier or lighter than the controller thinks, by a normal deviate of so much."""
+
+ENCODERS = 0.0004
+"""Every joint is up to so much away from where its encoder says [rad]; a torso of 1 m away from it [m]."""
+
+_EVERY = 24  # samples for which one mass matrix is good enough
+
+
+class IdealMotors:
+    """Position motors that know the speed to come and are as strong as they must be."""
+
+    def __init__(self, bench: Bench, motion: Motion) -> None:
+        dt = motion.duration / (len(motion.t) - 1)
+        self._bench, self._targets = bench, motion.q.tolist()
+        self._speeds = (np.diff(motion.q, axis=0) / dt).tolist()
+        count = len(bench.arm)
+        self._fixed = {
+            "forces": [_STRONG] * count,
+            "positionGains": [_GAIN] * count,
+            "velocityGains": [1.0] * count,
+        }
+
+    def push(self, row: int, q: list[float], v: list[float]) -> None:
+        """Set out from sample `row` - 1 to sample `row`."""
+        bench = self._bench
+        bench.send(
+            bench.arm,
+            bench.bullet.POSITION_CONTROL,
+            targetPositions=self._targets[row - 1],
+            targetVelocities=self._speeds[row - 1],
+            **self._fixed,
+        )
+
+
+class RealMotors:
+    """Motors with dry friction and limited efforts, encoders that are a little off, a model that is a little wrong.
+
+    The controller is a computed torque, tau = h(q, q', q'') + M (w^2 e + 2 w e') with w = `BANDWIDTH`: h is what the
+    model needs for the plan, M its mass matrix, e what the encoders say is missing.
+
+    Args:
+        bench: The world; its links get new masses here.
+        motion: The plan.
+        rng: Where all that differs from one robot to the next comes from.
+    """
+
+    def __init__(self, bench: Bench, motion: Motion, rng: np.random.Generator) -> None:
+        dt = motion.duration / (len(motion.t) - 1)
+        self._bench, self._q = bench, motion.q
+        self._v = np.gradient(motion.q, dt, axis=0)
+        self._needed = bench.dynamics(motion.q, self._v, np.gradient(self._v, dt, axis=0))
+        self._inertia = [bench.inertia(q) for q in motion.q[::_EVERY]]
+        self._off = rng.uniform(-ENCODERS, ENCODERS, len(bench.arm))
+        self._rub(rng.uniform(*DRY, len(bench.arm)) * bench.limits)
+        self._weigh(1 + MASSES * rng.standard_normal(len(bench.links)).clip(-3, 3))
+
+    def push(self, row: int, q: list[float], v: list[float]) -> Array:
+        """The efforts for the way from sample `row` - 1 to sample `row`, shape (J,) [N m, N]."""
+        bench, now = self._bench, row - 1
+        wrong = self._q[now] - q[: len(bench.arm)] - self._off
+        pull = BANDWIDTH**2 * wrong + 2 * BANDWIDTH * (self._v[now] - v)
+        effort = self._needed[now] + self._inertia[now // _EVERY] @ pull
+        effort = np.clip(effort, -bench.limits, bench.limits)
+        bench.send(bench.arm, bench.bullet.TORQUE_CONTROL, forces=effort.tolist())
+        return effort
+
+    def _rub(self, friction: Array) -> None:
+        """Dry friction (J,) [N m, N]: a motor that wants to stand still and has no more than that to say."""
+        for number, force in zip(self._bench.arm, friction, strict=True):
+            self._bench.call(
+                "setJointMotorControl2",
+                self._bench.robot,
+                number,
+                self._bench.bullet.VELOCITY_CONTROL,
+                targetVelocity=0.0,
+                force=force,
+            )
+
+    def _weigh(self, factors: Array) -> None:
+        """Other masses than the model's; the shape of each link stays."""
+        for number, factor in zip(self._bench.links, factors, strict=True):
+            mass, _, inertia, *_ = self._bench.call("getDynamicsInfo", self._bench.robot, number)
+            self._bench.call(
+                "changeDynamics",
+                self._bench.robot,
+                number,
+                mass=mass * factor,
+                localInertiaDiagonal=[axis * factor for axis in inertia],
+            )

@@ -1,0 +1,220 @@
+"""A motion under gravity, with a pen that presses on paper."""
+
+from __future__ import annotations
+
+import contextlib
+from collections.abc import Callable
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+
+from dmp_teach.errors import SettingError, kind_of
+from dmp_teach.robot.model.kinematics import Model
+from dmp_teach.robot.motion import Motion
+from dmp_teach.robot.page import Page
+from dmp_teach.robot.simulation.bullet import client
+from dmp_teach.robot.simulation.motors import IdealMotors, RealMotors
+from dmp_teach.robot.simulation.run import Run
+from dmp_teach.robot.simulation.world import NIB, PENS, RIGID_PRESS, SLIDE, Bench
+from dmp_teach.trajectory import Array, Trajectory
+
+MOTORS = ("ideal", "real")
+
+INK = 0.03
+"""Ink falls where the nib presses with more than this [N]."""
+
+SLOWEST = 200
+"""A motion with fewer samples a second is too coarse to be simulated [Hz]."""
+
+_FARTHEST, _STEEPEST = 0.1, 0.5
+_OFTEN = 24  # steps between two reports of progress
+
+
+def simulate(
+    motion: Motion,
+    motors: str = "ideal",
+    seed: int = 0,
+    *,
+    page_height_error: float = 0.0,
+    page_tilt: float = 0.0,
+    pen: str = "sprung",
+    progress: Callable[[str, float], Any] | None = None,
+) -> Run:
+    """What happens when a motion meets gravity and paper.
+
+    Args:
+        motion: The plan, at least `SLOWEST` samples a second, evenly spaced.
+        motors: "ideal" ones follow the plan; "real" ones have dry friction and limited efforts, encoders that are a
+            little off, and a controller whose idea of the arm's masses is a little wrong.
+        seed: Of what is a little off in real motors; the same seed gives the same run, bit for bit.
+        page_height_error: How much higher the paper lies than planned, along its normal [m].
+        page_tilt: How far the page is turned about its own x axis through its centre; positive raises its top [rad].
+        pen: "sprung", pressed in by 4 mm; or "rigid", pressed into the paper by 0.5 mm, which is what it breaks of.
+        progress: Called as `progress("physics", fraction)`. It may raise to stop: the error then carries what was
+            written so far as its `.run`.
+
+    Returns:
+        The `Run`. An interrupted kernel gives what was written so far, with `.stopped` True.
+
+    Raises:
+        SettingError: Not a motion, or a setting out of its range.
+        MissingPartError: pybullet is not installed.
+    """
+    _check(motion)
+    _check_known("motors", motors, MOTORS)
+    _check_known("pen", pen, tuple(PENS))
+    _check_size("page_height_error", page_height_error, _FARTHEST, "m", "millimetres")
+    _check_size("page_tilt", page_tilt, _STEEPEST, "rad", "degrees")
+    if not isinstance(seed, int | np.integer) or isinstance(seed, bool) or seed < 0:
+        raise SettingError(f"seed is {seed!r}, but must be a whole number, 0 or more.")
+    page = _really(
+        motion.page, page_height_error + (RIGID_PRESS if pen == "rigid" else 0.0), page_tilt
+    )
+    diary = _Diary(motion, pen)
+    failure, stopped = None, False
+    with client() as (bullet, number):
+        try:
+            bench = Bench(bullet, number, motion, page, pen)
+            rng = np.random.default_rng(seed)
+            moved = (
+                IdealMotors(bench, motion) if motors == "ideal" else RealMotors(bench, motion, rng)
+            )
+            diary.keep(bench, moved, progress or (lambda step, fraction: None))
+        except KeyboardInterrupt:
+            if diary.rows < 2:
+                raise
+            stopped = True
+        except Exception as error:
+            if diary.rows < 2:
+                raise
+            failure, stopped = error, True
+    run = diary.read(page, pen, motors, stopped)
+    if failure is not None:
+        with contextlib.suppress(AttributeError):  # some errors take no more words
+            failure.run = run
+        raise failure
+    return run
+
+
+class _Diary:
+    """What was felt at every step; an interruption leaves all steps before it."""
+
+    def __init__(self, motion: Motion, pen: str) -> None:
+        self.motion, self.model = motion, _model(pen)
+        self.names = (*motion.joint_names, *([SLIDE] if pen == "sprung" else []))
+        self.limits = np.array([self.model.joint(name).effort for name in motion.joint_names])
+        length, joints = motion.q.shape
+        self.q = np.zeros((length, len(self.names)))
+        self.q[0, :joints] = motion.q[0]
+        self.effort, self.force = np.zeros((length, joints)), np.zeros(length)
+        self.rows = 1
+
+    def keep(
+        self, bench: Bench, motors: IdealMotors | RealMotors, report: Callable[[str, float], Any]
+    ) -> None:
+        """Let the whole motion happen."""
+        last = len(self.motion.t) - 1
+        q, v = self.motion.q[0].tolist(), [0.0] * len(bench.arm)
+        for row in range(1, last + 1):
+            if row % _OFTEN == 1:
+                report("physics", (row - 1) / last)
+            asked = motors.push(row, q, v)
+            q, v, felt, force = bench.step()
+            self.q[row], self.force[row] = q, force
+            self.effort[row] = felt if asked is None else asked
+            self.rows = row + 1
+        report("physics", 1.0)
+
+    def read(self, page: Page, pen: str, motors: str, stopped: bool) -> Run:
+        """The run, as far as it went."""
+        plan, rows = self.motion, slice(self.rows)
+        X = self.model.frame("pen_tip", self.q[rows], self.names)
+        nib = page.to_page(X[:, :3, 3] - NIB * X[:, :3, 2]) - (
+            0.0,
+            0.0,
+            NIB,
+        )  # the ball's place nearest to the paper
+        contact = self.force[rows] > INK
+        happened = Motion(
+            t=plan.t[rows],
+            q=self.q[rows],
+            joint_names=self.names,
+            tip=X[:, :3, 3],
+            target=plan.target[rows],
+            pen_down=plan.pen_down[rows],
+            page=page,
+            strokes=plan.strokes,
+            notes=plan.notes,
+        )
+        return Run(
+            motion=happened,
+            planned=plan,
+            ink=_strokes(plan.t[rows], nib, contact),
+            nib=nib,
+            force=self.force[rows],
+            contact=contact,
+            effort=self.effort[rows],
+            limits=self.limits,
+            pen=pen,
+            motors=motors,
+            stopped=stopped,
+        )
+
+
+@lru_cache(maxsize=2)
+def _model(pen: str) -> Model:
+    """The robot with a pen, read once."""
+    return Model.load(PENS[pen])
+
+
+def _strokes(t: Array, nib: Array, contact: Array) -> tuple[Trajectory, ...]:
+    """A stroke for each stay on the paper; a touch of a single step begins where that step did."""
+    edges = np.flatnonzero(
+        np.diff(np.concatenate([[False], contact, [False]]).astype(int))
+    ).reshape(-1, 2)
+    pieces = ((min(start, stop - 2), stop) for start, stop in edges)
+    return tuple(Trajectory(t[start:stop], nib[start:stop, :2]) for start, stop in pieces)
+
+
+def _really(page: Page, height: float, tilt: float) -> Page:
+    """Where a page lies that is higher [m] and turned about its own x axis [rad]; the same one where it is neither."""
+    if height == 0 and tilt == 0:
+        return page
+    c, s = np.cos(tilt), np.sin(tilt)
+    X = page.X_world_page.copy()
+    X[:3, 3] += height * page.normal
+    X[:3, :3] = X[:3, :3] @ np.array([[1, 0, 0], [0, c, -s], [0, s, c]])
+    return Page(X, page.width, page.height)
+
+
+def _check(motion: Any) -> None:
+    """Raise for what is no motion, or too coarse a one."""
+    if not isinstance(motion, Motion):
+        kind = kind_of(motion)
+        raise SettingError(
+            f"motion is {kind}, but must be a Motion; Fetch().write(strokes, page) gives one."
+        )
+    steps = np.diff(motion.t)
+    if len(steps) < 1 or not np.allclose(steps, steps[0], rtol=1e-3) or steps[0] * SLOWEST > 1:
+        raise SettingError(
+            f"The motion must have at least {SLOWEST} samples a second, evenly spaced; "
+            "Fetch().write(strokes, page) gives 240."
+        )
+
+
+def _check_known(name: str, value: Any, known: tuple[str, ...]) -> None:
+    """Raise for a word that is not among those known."""
+    if value not in known:
+        raise SettingError(
+            f"{name} is {value!r}, but must be one of: {', '.join(map(repr, known))}."
+        )
+
+
+def _check_size(name: str, value: Any, most: float, unit: str, hint: str) -> None:
+    """Raise for what is no number, or so large that it must have been meant in another unit."""
+    number = value if isinstance(value, int | float | np.number) else np.nan
+    if not abs(number) <= most:
+        raise SettingError(
+            f"{name} is {value!r} {unit}, but must be between {-most} and {most} {unit}; was it in {hint}?"
+        )

@@ -1,0 +1,198 @@
+"""The robot with its pen at its page, under gravity: one world of pybullet, one step at a time."""
+
+from __future__ import annotations
+
+from functools import partial
+from types import ModuleType
+from typing import Any, NamedTuple
+
+import numpy as np
+from scipy.spatial.transform import Rotation
+
+from dmp_teach.files import ASSETS
+from dmp_teach.robot.model.kinematics import REST
+from dmp_teach.robot.motion import Motion
+from dmp_teach.robot.page import Page
+from dmp_teach.trajectory import Array
+
+PENS = {"sprung": ASSETS / "fetch_sprung.urdf", "rigid": ASSETS / "fetch.urdf"}
+"""The robot with a pen that slides on a spring, or with one that is held fast."""
+
+SLIDE = "pen_slide_joint"
+STIFFNESS = 100.0
+"""Of the pen's spring [N/m]."""
+
+PRESS = 0.004
+"""How far the paper pushes the spring in, where it lies as planned [m]."""
+
+RIGID_PRESS = 0.0005
+"""A rigid pen that is to write must be pressed a little, too [m]."""
+
+NIB = 0.0015
+"""Radius of the ball at the pen's tip [m]."""
+
+FRICTION = 0.15
+"""Of the nib on the paper."""
+
+_DAMPING = 1.6  # of the pen's slide, 0.7 of what would be critical [N s/m]
+_GRAVITY = 9.81
+_TABLE = (0.10, 0.02)  # how far the table reaches beyond the sheet, and how thick it is [m]
+
+
+class Felt(NamedTuple):
+    """What can be measured after a step.
+
+    Args:
+        q: Joint positions, shape (J,), and the pen's slide last where there is one [rad, m].
+        v: Their velocities, shape (J,) [rad/s, m/s].
+        effort: What position motors needed, shape (J,) [N m, N].
+        force: With which the nib and the paper push each other [N].
+    """
+
+    q: list[float]
+    v: list[float]
+    effort: list[float]
+    force: float
+
+
+class Bench:
+    """A Fetch bolted to the floor, its arm where a motion begins, and a page.
+
+    Args:
+        bullet: pybullet.
+        number: Of its client.
+        motion: What is to be done; its first sample is where the arm starts.
+        page: Where the sheet really lies.
+        pen: "sprung" or "rigid".
+    """
+
+    def __init__(
+        self, bullet: ModuleType, number: int, motion: Motion, page: Page, pen: str
+    ) -> None:
+        self.bullet, self._number = bullet, number
+        self.call("setGravity", 0, 0, -_GRAVITY)
+        self.call("setTimeStep", motion.duration / (len(motion.t) - 1))
+        self.call("setPhysicsEngineParameter", deterministicOverlappingPairs=1)
+        flags = bullet.URDF_USE_INERTIA_FROM_FILE | bullet.URDF_IGNORE_VISUAL_SHAPES
+        self.robot = self.call("loadURDF", str(PENS[pen]), useFixedBase=True, flags=flags)
+        self._facts = [
+            self.call("getJointInfo", self.robot, n)
+            for n in range(self.call("getNumJoints", self.robot))
+        ]
+        numbers = {fact[1].decode(): fact[0] for fact in self._facts}
+        links = {fact[12].decode(): fact[0] for fact in self._facts}
+        self.arm = [numbers[name] for name in motion.joint_names]
+        self.limits = np.array([self._facts[n][10] for n in self.arm])
+        self._slide = numbers.get(SLIDE)
+        self._tip = links["pen_tip"]
+        self._pushed = 0.0
+        self._place(motion.q[0])
+        self._page = self._lay(page)
+        self._read = [*self.arm, *([] if self._slide is None else [self._slide])]
+        self.send = partial(bullet.setJointMotorControlArray, self.robot, physicsClientId=number)
+
+    def call(self, name: str, *args: Any, **options: Any) -> Any:
+        """One of pybullet's functions, in this world."""
+        return getattr(self.bullet, name)(*args, **options, physicsClientId=self._number)
+
+    @property
+    def links(self) -> range:
+        """Numbers of the robot's links, without its base."""
+        return range(len(self._facts))
+
+    def step(self) -> Felt:
+        """Let one step of time pass, after the motors have been told what to do."""
+        if self._slide is not None:
+            # a motor's torque lasts for one step, and adds up if it is set twice
+            self.call(
+                "setJointMotorControl2",
+                self.robot,
+                self._slide,
+                self.bullet.TORQUE_CONTROL,
+                force=-STIFFNESS * self._pushed,
+            )
+        self.call("stepSimulation")
+        states = self.call("getJointStates", self.robot, self._read)
+        q = [state[0] for state in states]
+        if self._slide is not None:
+            self._pushed = q[-1]
+        arm = states[: len(self.arm)]
+        points = self.call("getContactPoints", self.robot, self._page, self._tip, -1)
+        force = sum(point[9] for point in points)
+        return Felt(q, [state[1] for state in arm], [state[3] for state in arm], force)
+
+    def dynamics(self, q: Array, v: Array, a: Array) -> Array:
+        """The efforts that a movement needs by the model, pen in the air, shape (T, J) [N m, N].
+
+        Args:
+            q: Positions, shape (T, J) [rad, m].
+            v: Velocities, shape (T, J) [rad/s, m/s].
+            a: Accelerations, shape (T, J) [rad/s^2, m/s^2].
+        """
+        full, columns = self._all_joints()
+        efforts = np.empty_like(q)
+        still = np.zeros_like(full)
+        for row in range(len(q)):
+            moment = [full.copy(), still.copy(), still.copy()]
+            for values, given in zip(moment, (q[row], v[row], a[row]), strict=True):
+                values[columns] = given
+            needed = self.call(
+                "calculateInverseDynamics", self.robot, *(values.tolist() for values in moment)
+            )
+            efforts[row] = np.array(needed)[columns]
+        return efforts
+
+    def inertia(self, q: Array) -> Array:
+        """How hard the arm is to accelerate by the model, shape (J, J) [kg m^2, kg m, kg]."""
+        full, columns = self._all_joints()
+        full[columns] = q
+        return np.array(self.call("calculateMassMatrix", self.robot, full.tolist()))[
+            np.ix_(columns, columns)
+        ]
+
+    def _all_joints(self) -> tuple[Array, list[int]]:
+        """Positions of all joints at rest, and which of them belong to the arm."""
+        moving = [fact for fact in self._facts if fact[2] != self.bullet.JOINT_FIXED]
+        full = np.array([REST.get(fact[1].decode(), 0.0) for fact in moving])
+        order = [fact[0] for fact in moving]
+        return full, [order.index(number) for number in self.arm]
+
+    def _place(self, q: Array) -> None:
+        """Everything where it starts; all joints that do not write are held; only the nib can touch anything."""
+        for number in range(-1, len(self._facts)):
+            self.call("setCollisionFilterGroupMask", self.robot, number, 0, 0)
+        self.call("setCollisionFilterGroupMask", self.robot, self._tip, 1, 1)
+        self.call("changeDynamics", self.robot, self._tip, lateralFriction=1.0)
+        for number, position in zip(self.arm, q, strict=True):
+            self.call("resetJointState", self.robot, number, position, 0.0)
+            # not the URDF's damping: at full speed it would ask more of the wrist's roll than its motor has
+            # (5 N m s/rad, 2.27 rad/s, 7.36 N m)
+            self.call("changeDynamics", self.robot, number, jointDamping=0.0)
+        for fact in self._facts:
+            number, position = fact[0], REST.get(fact[1].decode(), 0.0)
+            if fact[2] == self.bullet.JOINT_FIXED or number in self.arm:
+                continue
+            control = {
+                "controlMode": self.bullet.POSITION_CONTROL,
+                "targetPosition": position,
+                "force": fact[10],
+            }
+            if number == self._slide:
+                control = {
+                    "controlMode": self.bullet.VELOCITY_CONTROL,
+                    "force": 0.0,
+                }  # no motor: the spring is ours
+                self.call("changeDynamics", self.robot, number, jointDamping=_DAMPING)
+            self.call("resetJointState", self.robot, number, position, 0.0)
+            self.call("setJointMotorControl2", self.robot, number, **control)
+
+    def _lay(self, page: Page) -> int:
+        """The sheet on its table or board: a box whose upper face is the paper."""
+        margin, thick = _TABLE
+        halves = [page.width / 2 + margin, page.height / 2 + margin, thick / 2]
+        box = self.call("createCollisionShape", self.bullet.GEOM_BOX, halfExtents=halves)
+        turn = Rotation.from_matrix(page.X_world_page[:3, :3]).as_quat()
+        middle = page.to_world((0.0, 0.0, -thick / 2))
+        body = self.call("createMultiBody", 0, box, -1, middle.tolist(), turn.tolist())
+        self.call("changeDynamics", body, -1, lateralFriction=FRICTION)
+        return body

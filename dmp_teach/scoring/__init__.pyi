@@ -1,0 +1,14 @@
+from .differences import UNSEEN as UNSEEN
+from .distances import letter_distance as letter_distance
+from .distances import letter_distances as letter_distances
+from .kinematics import measured as measured
+from .letter_score import WORDS as WORDS
+from .letter_score import Score as Score
+from .letter_score import laid_middle as laid_middle
+from .letter_score import named as named
+from .letter_score import score as score
+from .matching import matched as matched
+from .resampling import listed as listed
+from .resampling import size_of as size_of
+from .resampling import spread as spread
+from .resampling import strokes_of as strokes_of

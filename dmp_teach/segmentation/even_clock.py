@@ -1,0 +1,65 @@
+"""A pen's motion on an even clock, without what is faster than a hand."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.signal import butter, filtfilt
+
+from dmp_teach.errors import RecordingError
+from dmp_teach.trajectory import Array
+
+UNEVEN = 100  # a clock with more holes than this many samples to each that is there is broken
+
+
+@dataclass(frozen=True)
+class Motion:
+    """A recording on an even clock.
+
+    Args:
+        dt: Its step [s].
+        raw: The height as it was, shape (K,) [m].
+        z: The height, low-passed at 12 Hz, shape (K,) [m].
+        rise: The rate of that, shape (K,) [m/s].
+        speed: Over the page, shape (K,) [m/s].
+        path: On the page, low-passed at 10 Hz, shape (K, 2) [m].
+    """
+
+    dt: float
+    raw: Array
+    z: Array
+    rise: Array
+    speed: Array
+    path: Array
+
+
+def on_even_clock(t: Array, position: Array) -> Motion:
+    """The motion on an even clock from `t[0]` on, whatever the jitter of the recording's own."""
+    dt = float(np.median(np.diff(t)))
+    samples = round((t[-1] - t[0]) / dt) + 1
+    if samples > UNEVEN * len(t):
+        raise RecordingError(
+            f"{len(t)} samples, mostly {dt:.3g} s apart, are spread over {t[-1] - t[0]:.6g} s: too uneven to find "
+            "strokes. Cut the recording at its longest break."
+        )
+    clock = np.linspace(t[0], t[-1], max(2, samples))
+    dt = float(clock[1] - clock[0])
+    even = np.column_stack([np.interp(clock, t, axis) for axis in position.T])
+    z, path = smoothed(even[:, 2], dt, 12.0), smoothed(even[:, :2], dt, 10.0)
+    speed = np.linalg.norm(np.gradient(path, dt, axis=0), axis=1)
+    return Motion(dt, even[:, 2], z, np.gradient(z, dt), speed, path)
+
+
+def smoothed(values: Array, dt: float, cutoff: float) -> Array:
+    """`values` (K, ...) without what is faster than `cutoff` [Hz], not delayed."""
+    if len(values) < 12:
+        return values
+    b, a = butter(2, min(cutoff * 2 * dt, 0.8))
+    return filtfilt(b, a, values, axis=0, padlen=min(9, len(values) - 1))
+
+
+def runs(flags: Array) -> list[tuple[int, int]]:
+    """Where `flags` (K,) stay true: pairs (start, end), end not included."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], flags, [False]]).astype(int)))
+    return [(int(a), int(b)) for a, b in edges.reshape(-1, 2)]

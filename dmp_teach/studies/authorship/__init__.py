@@ -1,0 +1,1 @@
+"""Whose letter is it."""

@@ -1,0 +1,144 @@
+"""Letters drawn again: as they were shown, and with four kernel widths."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from concurrent.futures import Executor
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+
+from dmp_teach.dmp import DMP, Settings, as_settings, named_settings
+from dmp_teach.errors import SettingError
+from dmp_teach.letters import rms_distance
+from dmp_teach.studies.inputs import Written, letters_of
+from dmp_teach.studies.parallel import Progress, run
+from dmp_teach.studies.tables import Rows, Tabled
+from dmp_teach.trajectory import Trajectory
+
+FOUR = (1.0, 10.0, np.inf, 2 / 3)
+"""The kernel widths of the paper's figure 4 [1/N], in the order of their errors as it gives them, best first."""
+
+
+@dataclass(frozen=True, eq=False)
+class Redrawn:
+    """One letter as it was shown, and as it was drawn.
+
+    Args:
+        letter: As it was shown.
+        drawn: Its strokes as they were drawn, or None where the settings refused it.
+        settings: Words for how it was drawn.
+    """
+
+    letter: Written
+    drawn: tuple[Trajectory, ...] | None
+    settings: str
+
+    @property
+    def error(self) -> float:
+        """Root mean square distance at equal times [m]; infinite where there is no drawing."""
+        return np.inf if self.drawn is None else rms_distance(self.letter.strokes, self.drawn)
+
+    @property
+    def largest(self) -> float:
+        """The largest distance at equal times [m]."""
+        if self.drawn is None:
+            return np.inf
+        pairs = zip(self.letter.strokes, self.drawn, strict=True)
+        return max(float(np.linalg.norm(p.position - q.position, axis=1).max()) for p, q in pairs)
+
+
+@dataclass(frozen=True, eq=False)
+class Redrawings(Tabled):
+    """Letters as they were drawn."""
+
+    items: tuple[Redrawn, ...]
+
+    def rows(self) -> Rows:
+        """In mm and in per cent of the letter's size."""
+        return tuple(
+            {
+                "letter": item.letter.name,
+                "drawn with": item.settings,
+                "size [mm]": 1e3 * item.letter.size,
+                "rms [mm]": 1e3 * item.error,
+                "largest [mm]": 1e3 * item.largest,
+                "rms [% of size]": 100 * item.error / item.letter.size,
+            }
+            for item in self.items
+        )
+
+
+def redrawn(
+    recordings: Any = None,
+    letters: str = "abem",
+    settings: Settings | Mapping[str, Settings] | None = None,
+    *,
+    executor: Executor | None = None,
+    progress: Progress | None = None,
+) -> Redrawings:
+    """These letters drawn again to their own goals (the paper's figure 8).
+
+    Args:
+        recordings: Recordings, files or strokes; None takes our own alphabets.
+        letters: Which letters to draw; where none of them was recorded, all that were.
+        settings: How, one or several by name; `Settings.star()` unless given.
+        executor: Any `concurrent.futures.Executor`; a piece of work is one letter.
+        progress: Called as `progress(done, total)`.
+    """
+    own = settings if isinstance(settings, Mapping) else {"DMP*": as_settings(settings)}
+    named = named_settings(own, {})
+    pieces = [(letter, tuple(named.items())) for letter in chosen(letters_of(recordings), letters)]
+    return Redrawings(
+        tuple(item for found in run(_drawn, pieces, executor, progress) for item in found)
+    )
+
+
+def four_widths(
+    recordings: Any = None,
+    letters: str = "a",
+    widths: Sequence[float] = FOUR,
+    settings: Settings | None = None,
+    *,
+    executor: Executor | None = None,
+    progress: Progress | None = None,
+) -> Redrawings:
+    """A letter with four kernel widths (the paper's figure 4: 1/N, 10/N, full Gaussian, 2/3N on 'a').
+
+    Args:
+        recordings: Recordings, files or strokes; None takes our own alphabets.
+        letters: Which letters; where none of them was recorded, all that were.
+        widths: Kernel widths [1/N].
+        settings: All but the width; DMP* with Gaussians of sigma 4/N and N = 12 a second unless given.
+        executor: Any `concurrent.futures.Executor`; a piece of work is one letter with all widths.
+        progress: Called as `progress(done, total)`.
+    """
+    base = as_settings(settings, lambda: Settings.star(kernel_sigma=4.0, sharpen=False))
+    named = {width_name(width): replace(base, kernel_width=float(width)) for width in widths}
+    return redrawn(recordings, letters, named, executor=executor, progress=progress)
+
+
+def width_name(width: float) -> str:
+    """Such as "1/N", "2/3N" or "full Gaussian"."""
+    if np.isinf(width):
+        return "full Gaussian"
+    return "2/3N" if np.isclose(width, 2 / 3) else f"{width:g}/N"
+
+
+def chosen(letters: Sequence[Written], wanted: str) -> tuple[Written, ...]:
+    """The letters that are wanted; all, where none of them is there."""
+    return tuple(each for each in letters if each.character in wanted) or tuple(letters)
+
+
+def _drawn(piece: tuple[Written, tuple]) -> tuple[Redrawn, ...]:
+    """One letter with all settings."""
+    letter, named = piece
+    drawn = []
+    for name, settings in named:
+        try:
+            strokes = tuple(DMP.imitate(stroke, settings).rollout() for stroke in letter.strokes)
+        except SettingError:
+            strokes = None
+        drawn.append(Redrawn(letter, strokes, name))
+    return tuple(drawn)

@@ -1,0 +1,83 @@
+"""The formulations that a study compares, each by a name."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from dmp_teach.dmp import DMP, Settings
+from dmp_teach.trajectory import Trajectory
+
+TENTH = 0.1
+"""The paper's N = Num/10, as a share of the samples."""
+
+
+@dataclass(frozen=True)
+class Variant:
+    """Settings whose number of kernels may follow the stroke.
+
+    Args:
+        settings: Everything but the number of kernels.
+        share: Kernels for each sample, such as 0.1 for Num/10; None: as the settings say, but no more than samples.
+    """
+
+    settings: Settings
+    share: float | None = TENTH
+
+    def on(self, path: Trajectory, **changes: object) -> Settings:
+        """The settings for one stroke."""
+        number = self.settings.n_kernels
+        if self.share is not None:
+            number = max(1, round(self.share * len(path)))
+        elif number is not None:
+            number = min(number, len(path))
+        return replace(self.settings, **{"n_kernels": number, **changes})
+
+
+PLAIN = {"sharpen": False, "feed_goal": False}
+SMOOTH = {"derivatives": "inverse", "start_velocity": "fitted"}
+
+WIDTH_VARIANTS: Mapping[str, Variant] = {
+    "the authors' 200 kernels": Variant(
+        Settings.as_fixed(n_kernels=200, alpha=25.0, **SMOOTH), share=None
+    ),
+    "the authors' program": Variant(Settings.as_coded(n_kernels=200), share=None),
+    "Gaussian, LWR": Variant(Settings.as_fixed()),
+    "Gaussian, joint": Variant(Settings.joint()),
+    "box, LWR": Variant(Settings.star(**PLAIN)),
+    "box, local bias": Variant(Settings.plus(**PLAIN)),
+    "box, joint": Variant(Settings.joint(kernel_sigma=math.inf)),
+    "mollifier, LWR": Variant(Settings.star(kernel="mollifier", **PLAIN)),
+}
+"""Kernel kinds and fits for error against width; N = Num/10 except for the authors' own 200.
+
+The first has the authors' constants (N = 200, sigma 4/N, LWR, a soft spring) in the paper's mended formulas, the second
+is their program line by line: centres i/N, an underdamped spring, Euler steps that lag. Gaussians have sigma 4/N, with
+the joint fit 0.65/N.
+"""
+
+NUMBER_VARIANTS: Mapping[str, Variant] = {
+    "the authors' program": Variant(Settings.as_coded(kernel_width=1.0)),
+    "soft spring": Variant(Settings.as_fixed(alpha=25.0)),
+    "spring as stiff as 2 N": Variant(Settings.as_fixed()),
+    "our DMP*": Variant(Settings.star()),
+}
+"""Formulations for error against N, all with kernels of width 1/N."""
+
+
+def rms_error(path: Trajectory, settings: Settings) -> float:
+    """How far the learned stroke is from the one that was shown, at equal times, root mean square [m]."""
+    return rms(DMP.imitate(path, settings).rollout().position - path.position)
+
+
+def has_ends(settings: Settings, width: float) -> bool:
+    """Whether these kernels may have this width: a mollifier must end somewhere."""
+    return settings.kernel != "mollifier" or math.isfinite(width)
+
+
+def rms(apart: np.ndarray) -> float:
+    """Root mean square length of the rows of `apart` (T, D)."""
+    return float(np.sqrt((np.asarray(apart) ** 2).sum(axis=1).mean()))

@@ -1,0 +1,121 @@
+"""What a study is made on: strokes that know their letter and their writer."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import Any
+
+from dmp_teach.errors import RecordingError, kind_of
+from dmp_teach.formats import read_recording
+from dmp_teach.ink import Recording, alphabets, recording_of
+from dmp_teach.scoring import size_of
+from dmp_teach.trajectory import Trajectory
+
+OURS = "abeDBmM"
+"""The letters of the paper, taken from each of our own alphabets where no recordings are given."""
+
+
+@dataclass(frozen=True)
+class Written:
+    """One letter, cut into its strokes.
+
+    Args:
+        character: The letter, or "?".
+        writer: The writer's pseudonym, or a number.
+        strokes: As they were written, 2-D [m].
+    """
+
+    character: str
+    writer: str
+    strokes: tuple[Trajectory, ...]
+
+    @property
+    def name(self) -> str:
+        """Such as "a w01"."""
+        return f"{self.character} {self.writer}"
+
+    @property
+    def size(self) -> float:
+        """The larger side of the letter's bounding box [m]."""
+        return size_of(self.strokes)
+
+
+@dataclass(frozen=True)
+class Stroke:
+    """One stroke of a letter, with a name such as "D w01 2" (its second stroke)."""
+
+    name: str
+    character: str
+    path: Trajectory
+
+
+def own_recordings(letters: str = OURS) -> tuple[Recording, ...]:
+    """These letters of every alphabet of ours."""
+    return tuple(recording_of(letter, alphabet) for letter in letters for alphabet in alphabets())
+
+
+def recordings_of(recordings: Any = None) -> tuple:
+    """What was given, as a tuple; our own letters where nothing was.
+
+    Raises:
+        RecordingError: Something that no letter can be read from, or nothing at all.
+    """
+    if recordings is None:
+        return own_recordings()
+    if isinstance(recordings, (Recording, Trajectory, Written, str, os.PathLike)):
+        recordings = (recordings,)
+    if not isinstance(recordings, Iterable):
+        raise RecordingError(
+            f"recordings is {kind_of(recordings)}, but must be recordings, or their files."
+        )
+    read = tuple(
+        read_recording(each) if isinstance(each, (str, os.PathLike)) else each
+        for each in recordings
+    )
+    if not read:
+        raise RecordingError(
+            "recordings is empty; give at least one, or None for our own alphabets."
+        )
+    return read
+
+
+def letters_of(recordings: Any = None) -> tuple[Written, ...]:
+    """Every letter, cut into its strokes.
+
+    Args:
+        recordings: `Recording`s, files of them, or strokes (`Trajectory`, or a tuple of them for a letter).
+
+    Raises:
+        RecordingError: Something that no letter can be read from, or nothing at all.
+    """
+    return tuple(
+        _letter(each, number) for number, each in enumerate(recordings_of(recordings), start=1)
+    )
+
+
+def strokes_of(recordings: Any = None) -> tuple[Stroke, ...]:
+    """Every stroke of every letter."""
+    found = []
+    for letter in letters_of(recordings):
+        for number, path in enumerate(letter.strokes, start=1):
+            name = letter.name if len(letter.strokes) == 1 else f"{letter.name} {number}"
+            found.append(Stroke(name, letter.character, path))
+    return tuple(found)
+
+
+def _letter(given: Any, number: int) -> Written:
+    """One letter, whatever it was given as."""
+    if isinstance(given, Written):
+        return given
+    if isinstance(given, Trajectory):
+        return Written("?", str(number), (given,))
+    if isinstance(given, Recording):
+        return Written(given.character or "?", given.writer or str(number), given.strokes())
+    strokes = tuple(given) if isinstance(given, Iterable) else ()
+    if not strokes or not all(isinstance(stroke, Trajectory) for stroke in strokes):
+        raise RecordingError(
+            f"recordings[{number - 1}] is {kind_of(given)}, but must be a recording, its file, or strokes (Trajectory)."
+        )
+    return Written("?", str(number), strokes)

@@ -1,0 +1,129 @@
+"""One claim of the paper, and what becomes of it: computed, never written down."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+
+from dmp_teach.errors import SettingError
+from dmp_teach.studies.tables import Rows, html_table, text_table
+
+HOLDS, FAILS, DEPENDS = "HOLDS", "DOES NOT HOLD", "DEPENDS ON"
+COLUMNS = {"claim": 34, "on what": 44, "figure": 58}
+MARKS = {
+    HOLDS: "font-weight:bold;color:#00664A",
+    FAILS: "font-weight:bold;color:#A34700",
+    DEPENDS: "font-weight:bold;color:#005A8F",
+}
+
+
+@dataclass(frozen=True)
+class Claim:
+    """One row.
+
+    Args:
+        name: Short, such as "narrow kernels".
+        claim: What the paper says.
+        verdict: "HOLDS", "DOES NOT HOLD" or "DEPENDS ON".
+        figure: The numbers, as a sentence.
+        depends_on: On what, or over what it holds or fails.
+        call: The line that computes `figure` again, where `teach` is `dmp_teach` and `recordings` is what was given.
+    """
+
+    name: str
+    claim: str
+    verdict: str
+    figure: str
+    depends_on: str
+    call: str
+
+    def __str__(self) -> str:
+        """In four lines."""
+        return f"{self.verdict}: {self.claim}\n  {self.figure}\n  {self.depends_on}\n  {self.call}"
+
+
+@dataclass(frozen=True)
+class Claims:
+    """All rows; `claims["narrow kernels"]` or `claims[0]` is one."""
+
+    items: tuple[Claim, ...]
+
+    def __iter__(self) -> Iterator[Claim]:
+        return iter(self.items)
+
+    def __len__(self) -> int:
+        return len(self.items)
+
+    def __getitem__(self, key: int | str) -> Claim:
+        """A row by its place or its name.
+
+        Raises:
+            SettingError: No claim of that name; names those that there are.
+        """
+        if not isinstance(key, str):
+            return self.items[key]
+        for each in self.items:
+            if each.name == key:
+                return each
+        raise SettingError(
+            f"There is no claim {key!r}; there are: {', '.join(each.name for each in self.items)}."
+        )
+
+    def rows(self) -> Rows:
+        """What is shown of each row."""
+        return tuple(
+            {
+                "claim": f"{each.name}: {each.claim}",
+                "verdict": each.verdict,
+                "on what": each.depends_on,
+                "figure": each.figure,
+            }
+            for each in self.items
+        )
+
+    def table(self) -> str:
+        """The rows as a table in plain text."""
+        return text_table(self.rows(), COLUMNS, apart=True)
+
+    def __str__(self) -> str:
+        return self.table()
+
+    def __repr__(self) -> str:
+        return self.table()
+
+    def _repr_html_(self) -> str:
+        """The rows as a table in a notebook."""
+        return html_table(self.rows(), MARKS)
+
+
+def judged(cases: Mapping[str, bool]) -> tuple[str, str]:
+    """The verdict over several cases, and on what it depends.
+
+    HOLDS if it holds in every case, DOES NOT HOLD if in none, else DEPENDS ON.
+    """
+    held = [name for name, holds in cases.items() if holds]
+    failed = [name for name, holds in cases.items() if not holds]
+    if not failed:
+        return HOLDS, f"holds for: {'; '.join(held)}"
+    if not held:
+        return FAILS, f"fails for: {'; '.join(failed)}"
+    return DEPENDS, f"holds for: {'; '.join(held)}. Not for: {'; '.join(failed)}"
+
+
+def mm(metres: float) -> str:
+    """A length for a sentence."""
+    value = 1e3 * metres
+    if value >= 995:
+        return f"{metres:.0f} m" if metres >= 9.95 else f"{metres:.2g} m"
+    return f"{value:.0f} mm" if value >= 9.95 else f"{value:.2g} mm"
+
+
+def per_cent(part: float) -> str:
+    """A part for a sentence."""
+    value = 100 * part
+    return f"{value:.0f} %" if value >= 9.5 or value == 0 else f"{value:.2g} %"
+
+
+def times(factor: float) -> str:
+    """A factor for a sentence."""
+    return f"{factor:.0f} times" if factor >= 9.95 else f"{factor:.2g} times"

@@ -1,0 +1,187 @@
+"""The studies that the verdicts rest on, each made once for one set of recordings."""
+
+from __future__ import annotations
+
+from concurrent.futures import Executor
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from typing import Any
+
+from dmp_teach.dmp import DMP, Settings
+from dmp_teach.errors import RecordingError, SettingError
+from dmp_teach.studies.authorship.answers import Attributions
+from dmp_teach.studies.authorship.made import attribution
+from dmp_teach.studies.authorship.real import told_apart
+from dmp_teach.studies.experiments.d_to_p import MadeLetters, p_from_d
+from dmp_teach.studies.experiments.error_curves import (
+    ErrorCurves,
+    error_against_number,
+    error_against_width,
+)
+from dmp_teach.studies.experiments.goal_change import GoalChanges, goal_change_1d, goal_change_2d
+from dmp_teach.studies.experiments.goal_near_start import Closeness, goals_near_start
+from dmp_teach.studies.experiments.initial_acceleration import FirstMoments, first_moments
+from dmp_teach.studies.experiments.random_ink import AnyShape, any_shape
+from dmp_teach.studies.experiments.redraw import Redrawings, redrawn
+from dmp_teach.studies.experiments.star_vs_original import Against, against_original
+from dmp_teach.studies.experiments.stroke_segmentation import Segmentation, segmentation
+from dmp_teach.studies.inputs import Stroke, Written, letters_of, recordings_of, strokes_of
+from dmp_teach.trajectory import Trajectory
+
+FOURTH = 4
+
+
+@dataclass(frozen=True, eq=False)
+class Bench:
+    """What the verdicts are computed from. Every claim takes recordings, or one of these.
+
+    Args:
+        recordings: Recordings, files or strokes; None takes our own alphabets.
+        star: How DMP* is learned in the claims about DMP*; `Settings.star()` unless given.
+        original: How the original form is learned; `Settings.original()` unless given.
+        executor: Any `concurrent.futures.Executor`.
+    """
+
+    recordings: Any = None
+    star: Settings = field(default_factory=Settings.star)
+    original: Settings = field(default_factory=Settings.original)
+    executor: Executor | None = None
+
+    @property
+    def argument(self) -> str:
+        """What stands in the brackets of the call that makes a claim again."""
+        return "" if self._is_ours else "recordings"
+
+    @property
+    def _is_ours(self) -> bool:
+        return self.recordings is None and (self.star, self.original) == (
+            Settings.star(),
+            Settings.original(),
+        )
+
+    @cached_property
+    def letters(self) -> tuple[Written, ...]:
+        """Every letter, cut into strokes once.
+
+        Raises:
+            RecordingError: A stroke that is not 2-D: these claims are about ink on a page.
+        """
+        found = letters_of(self.recordings)
+        for letter in found:
+            for stroke in letter.strokes:
+                if stroke.dimensions != 2:
+                    raise RecordingError(
+                        f"{letter.name} has a stroke of {stroke.dimensions} dimensions, but the paper's claims are "
+                        "about ink on a page: give strokes of x and y."
+                    )
+        return found
+
+    @cached_property
+    def open_letters(self) -> tuple[Written, ...]:
+        """The letters, or our own where the original form can learn none of their strokes: all end where they began."""
+        return self.letters if any(map(self._has_way, strokes_of(self.letters))) else letters_of()
+
+    @property
+    def borrowed(self) -> str:
+        """Words that say so."""
+        return (
+            ""
+            if self.open_letters is self.letters
+            else "; our own letters, since all strokes end where they began"
+        )
+
+    def _has_way(self, stroke: Stroke) -> bool:
+        """Whether the original form can learn a stroke."""
+        try:
+            DMP.imitate(stroke.path, self.original)
+        except SettingError:
+            return False
+        return True
+
+    @cached_property
+    def widths(self) -> ErrorCurves:
+        """Error against kernel width."""
+        return error_against_width(self.letters, executor=self.executor)
+
+    @cached_property
+    def numbers(self) -> ErrorCurves:
+        """Error against the number of kernels."""
+        return error_against_number(self.letters, executor=self.executor)
+
+    @cached_property
+    def fewer_samples(self) -> ErrorCurves:
+        """The same with every fourth sample of every stroke that has enough of them."""
+        paths = [stroke.path for stroke in strokes_of(self.letters)]
+        kept = [
+            Trajectory(p.t[::FOURTH], p.position[::FOURTH]) for p in paths if len(p) >= 12 * FOURTH
+        ]
+        return error_against_number(kept or paths, executor=self.executor)
+
+    @cached_property
+    def small_shifts(self) -> GoalChanges:
+        """Goals moved by 0.01 m in one coordinate."""
+        return goal_change_1d(
+            self.open_letters, settings=self.star, original=self.original, executor=self.executor
+        )
+
+    @cached_property
+    def large_shifts(self) -> GoalChanges:
+        """Goals moved by 0.1 m in two."""
+        return goal_change_2d(
+            self.open_letters, settings=self.star, original=self.original, executor=self.executor
+        )
+
+    @cached_property
+    def closeness(self) -> Closeness:
+        """Goals near the start."""
+        return goals_near_start(
+            self.open_letters, settings=self.star, original=self.original, executor=self.executor
+        )
+
+    @cached_property
+    def first(self) -> FirstMoments:
+        """First accelerations."""
+        return first_moments(self.letters, settings=self.star, executor=self.executor)
+
+    @cached_property
+    def redrawn(self) -> Redrawings:
+        """The letters a, b, e and m drawn again."""
+        return redrawn(self.letters, settings=self.star, executor=self.executor)
+
+    @cached_property
+    def new_letters(self) -> MadeLetters:
+        """Every D made into a P."""
+        return p_from_d(self.letters, executor=self.executor)
+
+    @cached_property
+    def lifts(self) -> Segmentation:
+        """Strokes as the paper finds them."""
+        return segmentation(recordings_of(self.recordings), executor=self.executor)
+
+    @cached_property
+    def hands(self) -> Attributions:
+        """Made letters given to their writers."""
+        return attribution(
+            None if self.recordings is None else self.letters, executor=self.executor
+        )
+
+    @cached_property
+    def real_hands(self) -> Attributions:
+        """Real letters given to their writers."""
+        return told_apart(self.letters, executor=self.executor)
+
+    @cached_property
+    def against(self) -> Against:
+        """DMP* against the original form."""
+        return against_original(self.open_letters, self.star, self.original, executor=self.executor)
+
+    @cached_property
+    def shapes(self) -> AnyShape:
+        """Random ink."""
+        return any_shape(self.star, executor=self.executor)
+
+
+def bench_of(recordings: Any, executor: Executor | None = None) -> Bench:
+    """A bench for recordings; a bench is one already."""
+    bench = recordings if isinstance(recordings, Bench) else Bench(recordings)
+    return bench if executor is None else replace(bench, executor=executor)

@@ -1,0 +1,5 @@
+"""Every figure of ours, each a function that returns a matplotlib `Figure`."""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -1,0 +1,319 @@
+"""Which marker is the pen, also where it changes its name or is lost, and what else a table may say."""
+
+import re
+
+import numpy as np
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+
+from dmp_teach.errors import RecordingError
+from dmp_teach.formats.motive.take import read_take
+from dmp_teach.formats.read import read_recording
+from tests.formats.motive_csv import Pen, bar, lab, motive
+from tests.formats.test_reader import check_d, d_file, edited
+
+NOISE = np.random.default_rng(0).normal(0, 0.0004, (10_000, 3))
+
+
+def only(world, start, end):
+    """A marker that is seen in the frames `start:end` only."""
+    part = np.full_like(world, np.nan)
+    part[start:end] = world[start:end]
+    return part
+
+
+def hand(seconds=1.5):
+    """The D of all tests, at rest before and after, as the cameras see it."""
+    t, page = (
+        Pen().rest(seconds).draw(bar()).hop((0.0, 0.0)).draw(bowl_of_d()).rest(seconds).sampled()
+    )
+    return t, lab(page)
+
+
+def bowl_of_d():
+    angle = np.radians(np.linspace(90, -90, 40))
+    return np.column_stack([0.07 * np.cos(angle), 0.06 * np.sin(angle) - 0.06])
+
+
+def circling(t):
+    """A hand far from the pen that moves all the time."""
+    return np.column_stack([0.3 + 0.02 * np.sin(3 * t), 0.05 + 0 * t, 0.2 + 0.03 * np.cos(2 * t)])
+
+
+def spans(recording):
+    return np.array([(stroke.t[0], stroke.t[-1]) for stroke in recording.strokes()])
+
+
+@settings(
+    max_examples=40, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
+)
+@given(
+    cuts=st.lists(st.integers(30, 590), min_size=1, max_size=3, unique=True).map(sorted),
+    gap=st.integers(0, 4),
+)
+def test_a_marker_that_changes_its_name_is_followed(tmp_path, cuts, gap):
+    t, world = hand()
+    whole = read_recording(motive(tmp_path / "D_w01.csv", t, world))
+    edges = [0, *cuts, len(t)]
+    pieces = [
+        (f"Unlabeled:{5000 + k}", only(world, edges[k] + gap * (k > 0), edges[k + 1]))
+        for k in range(len(cuts) + 1)
+    ]
+    swapped = read_recording(
+        motive(tmp_path / "D_w07.csv", t, pieces[0][1], pen=pieces[0][0], ghosts=pieces[1:])
+    )
+    assert np.abs(spans(swapped) - spans(whole)).max() < 0.05
+    assert np.allclose(swapped.position.max(axis=0), whole.position.max(axis=0), atol=0.002)
+
+
+def test_a_name_for_a_while_is_followed_and_ghosts_far_away_are_not(tmp_path):
+    """Motive may find the old name again; a ghost that begins in the same frame is somewhere else."""
+    t, world = hand()
+    first = world.copy()
+    first[250:350] = np.nan
+    ghosts = [
+        ("Unlabeled:5001", only(world, 250, 350)),
+        ("Unlabeled:5002", only(circling(t), 250, 300)),
+    ]
+    whole = read_recording(motive(tmp_path / "D_w01.csv", t, world))
+    again = read_recording(motive(tmp_path / "D_w07.csv", t, first, ghosts=ghosts))
+    assert np.array_equal(again.position, whole.position)
+
+
+def test_two_that_could_be_the_lost_marker_are_named(tmp_path):
+    t, world = hand()
+    ghosts = [(f"Unlabeled:{5001 + k}", only(world + 0.005 * k, 220, len(t))) for k in range(2)]
+    with pytest.raises(
+        RecordingError,
+        match=r"frame 220 \(row 228\): 'Unlabeled:5001' and 'Unlabeled:5002' could both",
+    ):
+        read_recording(
+            motive(
+                tmp_path / "D_w07.csv", t, only(world, 0, 220), pen="Unlabeled:4999", ghosts=ghosts
+            ),
+            "Unlabeled:4999",
+        )
+
+
+@pytest.mark.parametrize("cut", [215, 240, 350, 380, 420])
+def test_a_marker_that_is_lost_for_good_in_a_stroke_is_refused(tmp_path, cut):
+    t, world = hand()
+    stroke = 0 if cut < 300 else 1
+    with pytest.raises(
+        RecordingError,
+        match=rf"D_w07.csv: .*is lost for good after frame {cut - 1} .*inside stroke {stroke}",
+    ):
+        read_recording(motive(tmp_path / "D_w07.csv", t, only(world, 0, cut)))
+
+
+@pytest.mark.parametrize("cut", [200, 240, 360, 400])
+def test_a_marker_that_is_first_seen_in_a_stroke_is_refused(tmp_path, cut):
+    t, world = hand()
+    with pytest.raises(
+        RecordingError,
+        match=rf"is first seen at frame {cut} \(row {cut + 8}\), inside stroke 0: .* before",
+    ):
+        read_recording(motive(tmp_path / "D_w07.csv", t, only(world, cut, len(t))))
+
+
+def test_a_marker_that_is_lost_at_rest_or_in_the_air_does_no_harm(tmp_path):
+    t, world = hand()
+    check_d(
+        read_recording(motive(tmp_path / "D_w07.csv", t, only(world, 100, len(t) - 100))),
+        Pen(touches=touches()),
+    )
+    pen = (
+        Pen()
+        .rest(0.5)
+        .draw(bar())
+        .hop((0.0, 0.0))
+        .draw(bowl_of_d())
+        .fly((0.2, 0.0), 0.1, 0.5)
+        .rest(1.0)
+    )
+    t, page = pen.sampled()
+    for later in (0.1, 0.2, 0.3):
+        path = motive(
+            tmp_path / "D_w07.csv", t, only(lab(page), 0, int((pen.touches[1][1] + later) * 120))
+        )
+        check_d(read_recording(path), pen)
+
+
+def touches():
+    return Pen().rest(1.5).draw(bar()).hop((0.0, 0.0)).draw(bowl_of_d()).touches
+
+
+@pytest.mark.parametrize("name", ["RigidBody 1", "Robot", "Rigid Body 001", "a:b", "Stift"])
+def test_a_rigid_body_that_moves_is_not_the_pen_whatever_its_name(tmp_path, name):
+    t, world = hand()
+    world[170:174] = np.nan
+    check_d(
+        read_recording(motive(tmp_path / "D_w07.csv", t, world, body=(name, circling(t)))),
+        Pen(touches=touches()),
+    )
+
+
+@pytest.mark.parametrize("pen", ["traj:FKA-RigidBody 1:Marker2 (2)", "finger:Unlabeled:5286"])
+@pytest.mark.parametrize("body", ["RigidBody 1", "traj", "traj:FKA-RigidBody 1", "finger"])
+def test_a_name_that_begins_like_a_body_may_be_the_pen(tmp_path, pen, body):
+    t, world = hand()
+    check_d(
+        read_recording(motive(tmp_path / "D_w07.csv", t, world, pen=pen, body=(body, circling(t)))),
+        Pen(touches=touches()),
+    )
+
+
+def test_of_very_many_names_some_are_listed(tmp_path):
+    t = np.arange(30) / 120
+    ghosts = [(f"Unlabeled:{k}" + "x" * 100 * (k == 3), np.ones((30, 3))) for k in range(60)]
+    with pytest.raises(
+        RecordingError,
+        match=r"'Unlabeled:2', 'Unlabeled:3x{49} \.\.\.', .*'Unlabeled:19', \.\.\.\.$",
+    ):
+        read_recording(
+            motive(tmp_path / "a_w01.csv", t, np.ones((30, 3)), ghosts=ghosts), marker="pen"
+        )
+
+
+def test_a_body_can_still_be_named(tmp_path):
+    t, world = hand()
+    path = motive(tmp_path / "D_w07.csv", t, circling(t), body=("Robot", world))
+    check_d(read_recording(path, marker="Robot:Marker1"), Pen(touches=touches()))
+
+
+GHOSTS = {
+    "one wrong cell": (7, 8, 0.5),
+    "pushed once": (250, None, 0.006),
+    "pushed far": (250, None, 0.1),
+}
+
+
+@pytest.mark.parametrize("kind", GHOSTS)
+def test_a_ghost_that_was_pushed_or_has_a_wrong_cell_is_not_the_pen(tmp_path, kind):
+    start, end, by = GHOSTS[kind]
+    t, world = hand()
+    world[170:175] = np.nan
+    still = np.array([0.1, 0.05, 0.3]) + NOISE[: len(t)]
+    still[start:end, 0] += by
+    check_d(
+        read_recording(
+            motive(tmp_path / "D_w07.csv", t, world, ghosts=[("Unlabeled:4999", still)])
+        ),
+        Pen(touches=touches()),
+    )
+
+
+@pytest.mark.parametrize("size", [0.006, 0.02])
+def test_a_quick_small_pen_is_not_taken_for_a_ghost(tmp_path, size):
+    t, page = Pen(speed=0.5).rest(1.0).draw(np.array([(0.0, -size)])).rest(1.0).sampled()
+    world = lab(page)
+    world[20:40] = np.nan
+    still = np.array([0.1, 0.05, 0.3]) + NOISE[: len(t)]
+    path = motive(tmp_path / "i_w07.csv", t, world, ghosts=[("Unlabeled:4999", still)])
+    assert read_take(path.read_bytes(), path.name).marker == "Unlabeled:5000"
+
+
+def test_a_torn_number_beside_empty_columns_is_a_decimal_comma(tmp_path):
+    """Two columns of a ghost that was never seen leave room for the second halves."""
+    t, world = hand()
+    ghosts = [(f"Unlabeled:{6000 + k}", np.full_like(world, np.nan)) for k in range(3)]
+    path = motive(tmp_path / "D_w07.csv", t, world, pen="A", ghosts=[], empty_last=False)
+    lines = path.read_text().splitlines()
+    shown = [
+        line + "," * 9 if k < 7 else re.sub(r"\.", ",", line) + "," * 9
+        for k, line in enumerate(lines)
+    ]
+    head = motive(
+        tmp_path / "b.csv", t, ghosts[0][1], pen="C", ghosts=[("A", world), *ghosts[1:]]
+    ).read_text()
+    path.write_text("\n".join([*head.splitlines()[:7], *shown[7:]]))
+    with pytest.raises(
+        RecordingError,
+        match=r"D_w07.csv, row 9, column 2 .*decimal comma, such as 0,5\? Export with points",
+    ):
+        read_recording(path)
+
+
+@pytest.mark.parametrize("sign", [";", "\t"])
+def test_other_signs_between_columns_are_named(tmp_path, sign):
+    wanted = {";": "semicolons", "\t": "tabs"}[sign]
+    for quote in ("", '"'):
+        path = edited(
+            d_file(tmp_path / "D_w07.csv", quoted=False),
+            lambda lines, q=quote: [
+                sign.join(f"{q}{cell}{q}" for cell in line.split(",")) for line in lines
+            ],
+        )
+        with pytest.raises(
+            RecordingError,
+            match=f"row 7: columns are not separated by commas but by {wanted}; export",
+        ):
+            read_recording(path)
+
+
+UNITS = {
+    "mm": 1e3,
+    "Millimetres": 1e3,
+    "MILLIMETERS": 1e3,
+    "cm": 1e2,
+    "m": 1,
+    "Metre": 1,
+    "in.": 1 / 0.0254,
+    "Foot": 1 / 0.3048,
+}
+
+
+@pytest.mark.parametrize("unit", UNITS)
+def test_units_have_many_names(tmp_path, unit):
+    check_d(read_recording(d_file(tmp_path / "D_w07.csv", units=unit, scale=UNITS[unit])))
+
+
+@pytest.mark.parametrize("encoding", ["utf-16", "utf-8-sig"])
+def test_a_table_from_an_office_is_text_too(tmp_path, encoding):
+    path = d_file(tmp_path / "D_w07.csv", pen="Zeigefinger ä")
+    path.write_bytes(path.read_bytes().decode().encode(encoding))
+    check_d(read_recording(path))
+
+
+def test_times_that_were_rounded_come_from_the_frames(tmp_path):
+    t, world = hand()
+    path = motive(tmp_path / "D_w07.csv", t, world, times="{:.2f}", empty_last=False)
+    rounded, whole = read_recording(path), read_recording(motive(tmp_path / "D_w01.csv", t, world))
+    assert np.allclose(rounded.t, whole.t, atol=1e-6)
+    late = read_recording(
+        motive(tmp_path / "D_w02.csv", t + 12.34, world, times="{:.2f}", empty_last=False)
+    )
+    assert np.allclose(late.t - late.t[0], whole.t - whole.t[0], atol=1e-6)
+    assert abs(late.t[0] - whole.t[0] - 12.34) < 0.005
+
+
+def test_hundredths_of_a_second_do_not_make_a_hand_uneven(tmp_path):
+    pen = Pen().rest(1.5).draw(bar()).hop((0.0, 0.0)).draw(bowl_of_d()).rest(1.5)
+    t, page = pen.sampled(60)
+    path = motive(tmp_path / "D_w07.csv", t, lab(page), times="{:.2f}", empty_last=False)
+    edited(path, lambda lines: [lines[0].replace("120.000000", "60"), *lines[1:]])
+    assert np.allclose(np.diff(read_recording(path).t), 1 / 60, atol=1e-9)
+
+
+@pytest.mark.parametrize(
+    "change", [("120.000000", "99"), ("120.000000", "fast"), ("Capture Frame Rate", "Comment")]
+)
+def test_rounded_times_that_nothing_explains_want_more_decimals(tmp_path, change):
+    t, world = hand()
+    path = edited(
+        motive(tmp_path / "D_w07.csv", t, world, times="{:.2f}", empty_last=False),
+        lambda lines: [lines[0].replace(*change), *lines[1:]],
+    )
+    with pytest.raises(
+        RecordingError, match=r"column 2 \(Time\): .* time must increase .* with more decimals\."
+    ):
+        read_recording(path)
+
+
+@pytest.mark.parametrize(
+    ("name", "character"), [("a\u0308_w01.csv", "ä"), ("é_w01.csv", "é"), ("e\u0301_w01.csv", "é")]
+)
+def test_a_file_name_as_macos_writes_it_keeps_its_letter(tmp_path, name, character):
+    recording = read_recording(d_file(tmp_path / name))
+    assert (recording.character, recording.writer) == (character, "w01")

@@ -1,0 +1,305 @@
+"""SVG: a drawing becomes the way of a pen at a hand's pace, and letters become drawings that others read."""
+
+import re
+import shutil
+import subprocess
+from itertools import pairwise
+from xml.etree import ElementTree
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from svgelements import SVG, Path
+
+from dmp_teach.errors import RecordingError
+from dmp_teach.formats.read import read_recording
+from dmp_teach.formats.svg.pace import in_time
+from dmp_teach.formats.write import write_recording
+from dmp_teach.ink.alphabet import recording_of
+
+SPACE = 'xmlns="http://www.w3.org/2000/svg"'
+HOOK = np.array([[0.0, 0.04], [0.0, 0.0], [0.03, 0.0]])  # an L, right and up [m]
+
+
+def svg(body, head='width="100mm" height="80mm" viewBox="0 0 100 80"'):
+    return f"<svg {SPACE} {head}>{body}</svg>"
+
+
+def read(tmp_path, text, **which):
+    (tmp_path / "a.svg").write_text(text, encoding="utf-8")
+    return read_recording(tmp_path / "a.svg", **which)
+
+
+def corners(recording):
+    """Where each stroke begins, ends and how large it is [m]."""
+    return [
+        (*s.position[0], *s.position[-1], *np.ptp(s.position, axis=0)) for s in recording.strokes()
+    ]
+
+
+def check_hook(recording):
+    assert len(recording.strokes()) == 1
+    assert corners(recording)[0] == pytest.approx((0.0, 0.04, 0.03, 0.0, 0.03, 0.04), abs=1e-6)
+    path = recording.strokes()[0].position
+    assert np.minimum(np.abs(path[:, 0]), np.abs(path[:, 1])).max() < 1e-6, (
+        "the ink stays where it was drawn"
+    )
+
+
+L = '<path d="M10 20 V60 H40"/>'
+SAME = {
+    "as it is": svg(L),
+    "centimetres": svg(L, 'width="10cm" height="8cm" viewBox="0 0 100 80"'),
+    "inches": svg(L, f'width="{100 / 25.4}in" height="{80 / 25.4}in" viewBox="0 0 100 80"'),
+    "points": svg(
+        L, f'width="{100 / 25.4 * 72}pt" height="{80 / 25.4 * 72}pt" viewBox="0 0 100 80"'
+    ),
+    "one length": svg(L, 'width="100mm" viewBox="0 0 100 80"'),
+    "a share of the window": svg(L, 'width="100%" height="80mm" viewBox="0 0 100 80"'),
+    "letterboxed": svg(L, 'width="200mm" height="80mm" viewBox="0 0 100 80"'),
+    "stretched": svg(
+        '<path d="M5 20 V60 H20"/>',
+        'width="100mm" height="80mm" viewBox="0 0 50 80" preserveAspectRatio="none"',
+    ),
+    "a view elsewhere": svg(L, 'width="100mm" height="80mm" viewBox="-50, -60, 100, 80"'),
+    "pixels": svg(f'<g transform="scale({96 / 25.4})">{L}</g>', ""),
+    "pixels said": svg(
+        f'<path transform="scale({96 / 25.4})" d="M10 20 V60 H40"/>', 'width="900px" height="700"'
+    ),
+    "relative": svg('<path d="m10,20 0,40 30,0"/>'),
+    "polyline": svg('<polyline points="10,20 10,60, 40 60"/>'),
+    "transforms": svg(
+        '<g transform="translate(10 20)"><g transform="rotate(90) scale(1,-1)"><path d="M0 0 H40 V30"/></g></g>'
+    ),
+    "matrix": svg('<path transform="matrix(2 0 0 2 -3 5)" d="M10 20 v20 h15"/>'),
+    "nested": svg(
+        f'<svg width="100" height="80" viewBox="0 0 50 40">{L.replace("10 20 V60 H40", "5 10 V30 H20")}</svg>'
+    ),
+    "an editor's": svg(
+        f'<title>x</title><defs><path d="M0 0 L9 9"/></defs><metadata/><g id="layer1">{L}</g>'
+    ),
+    "hidden parts": svg(
+        f'{L}<g style="display : none"><path d="M0 0 L9 9"/></g><path display="none" d="M0 0 L9 9"/>'
+    ),
+    "a declaration": '<?xml version="1.0"?><!DOCTYPE svg PUBLIC "-//W3C//DTD SVG 1.1//EN" "http://www.w3.org/s.dtd">'
+    + svg(L),
+    "no namespace": svg(L).replace(SPACE, ""),
+    "curves that are straight": svg('<path d="M10 20 C10 30 10 50 10 60 Q25 60 40 60"/>'),
+    "an empty path": svg('<path d=""/><path/><path d="M 3 4"/>' + L),
+}
+
+
+def test_a_view_within_a_drawing_lies_where_its_corner_is(tmp_path):
+    view = '<svg x="10" y="20" width="50" height="40" viewBox="-7 -9 50 40"><path d="M-7 -9 V31"/></svg>'
+    stem, foot = read(tmp_path, svg(view + '<path d="M10 60 H40"/>')).strokes()
+    assert np.allclose(stem.position[-1], foot.position[0], atol=1e-6)
+
+
+@pytest.mark.parametrize("how", SAME)
+def test_the_same_drawing_is_the_same_letter(tmp_path, how):
+    check_hook(read(tmp_path, SAME[how]))
+
+
+def test_every_move_begins_a_stroke_in_the_order_of_the_file(tmp_path):
+    body = '<path d="M10 10 L10 50 M10 10 C40 10 40 50 10 50"/><line x1="0" y1="30" x2="20" y2="30"/><path d="M30 60 h0"/>'
+    recording = read(tmp_path, svg(body))
+    first, second, third, dot = corners(recording)
+    assert first[:4] == pytest.approx((0.01, 0.05, 0.01, 0.01), abs=1e-6)
+    assert second[:4] == pytest.approx((0.01, 0.05, 0.01, 0.01), abs=1e-6)
+    assert second[4] == pytest.approx(0.0225, abs=1e-5)
+    assert third[:4] == pytest.approx((0.0, 0.03, 0.02, 0.03), abs=1e-6)
+    assert dot == pytest.approx((0.03, 0.0, 0.03, 0.0, 0.0, 0.0), abs=1e-6)
+    lifts = [b.t[0] - a.t[-1] for a, b in pairwise(recording.strokes())]
+    assert lifts == pytest.approx([0.4] * 3)
+    assert recording.position[:, 2].max() > 0.01
+
+
+def test_shapes_are_drawn_as_svg_says(tmp_path):
+    body = '<circle cx="30" cy="30" r="20"/><rect x="5" y="5" width="10" height="20"/><polygon points="0,0 9,0 9,9"/>'
+    body += '<ellipse cx="30" cy="30" rx="20" ry="10"/><path d="M10 30 A20 20 0 0 1 50 30"/>'
+    round_, box, wedge, oval, arc = corners(read(tmp_path, svg(body)))
+    assert round_[4:] == pytest.approx((0.04, 0.04), abs=2e-5)
+    assert round_[:2] == pytest.approx(round_[2:4], abs=1e-6)
+    assert box[4:] == pytest.approx((0.01, 0.02), abs=2e-5)
+    assert wedge[4:] == pytest.approx((0.009, 0.009), abs=1e-4)
+    assert oval[4:] == pytest.approx((0.04, 0.02), abs=2e-5)
+    assert arc[4:] == pytest.approx((0.04, 0.02), abs=2e-5)
+
+
+def test_a_title_of_one_sign_is_the_letter_and_other_titles_stay_out(tmp_path):
+    for title, about in {
+        "D": ("D", None),
+        "D by w07": ("D", "w07"),
+        "by w07": (None, "w07"),
+        "a\u0308": ("ä", None),
+        "Drawing by Anna": (None, None),
+        "Anna": (None, None),
+    }.items():
+        recording = read(tmp_path, svg(f"<title>{title}</title>{L}"))
+        assert (recording.character, recording.writer) == about
+
+
+points = st.lists(st.tuples(st.floats(-0.1, 0.1), st.floats(-0.1, 0.1)), min_size=2, max_size=12)
+
+
+@settings(max_examples=30, deadline=None)
+@given(strokes=st.lists(points, min_size=1, max_size=3))
+def test_a_hand_starts_and_stops_at_rest_and_never_leaves_the_ink(strokes):
+    strokes = [np.array(stroke) for stroke in strokes]
+    size = np.ptp(np.concatenate(strokes), axis=0).max()
+    if size < 1e-3:
+        return
+    written = in_time(strokes)
+    for stroke, points_ in zip(written, strokes, strict=True):
+        assert np.allclose(stroke.position[[0, -1]], points_[[0, -1]], atol=1e-3 * size)
+        step = np.linalg.norm(np.diff(stroke.position, axis=0), axis=1) * 120
+        assert max(step[0], step[-1]) < 0.02 * size
+        assert step.max() < 4 * size
+        assert np.abs(np.diff(step)).max() * 120 < 80 * size
+        away = [distance(each, points_) for each in stroke.position[:: max(1, len(stroke) // 20)]]
+        assert max(away) < 1e-6 + 1e-4 * size
+    assert all(b.t[0] - a.t[-1] == pytest.approx(0.4) for a, b in pairwise(written))
+
+
+def distance(point, way):
+    """From a point to a polyline."""
+    a, b = way[:-1], way[1:]
+    along = np.clip(((point - a) * (b - a)).sum(1) / np.maximum(((b - a) ** 2).sum(1), 1e-30), 0, 1)
+    return np.linalg.norm(a + along[:, None] * (b - a) - point, axis=1).min()
+
+
+def test_bends_are_slow_and_a_large_letter_takes_no_longer():
+    s = np.linspace(0, 2 * np.pi, 400)
+    (oval,) = in_time([np.column_stack([0.05 * np.cos(s), 0.015 * np.sin(s)])])
+    speed = np.linalg.norm(np.gradient(oval.position, oval.t, axis=0), axis=1)
+    middle = slice(len(speed) // 5, -len(speed) // 5)
+    tip, flat = np.abs(oval.position[middle, 0]) > 0.045, np.abs(oval.position[middle, 0]) < 0.02
+    assert speed[middle][tip].mean() < 0.8 * speed[middle][flat].mean()
+    (large,) = in_time([np.column_stack([0.5 * np.cos(s), 0.15 * np.sin(s)])])
+    assert large.duration == pytest.approx(oval.duration, abs=0.02)
+
+
+@pytest.mark.parametrize("length", [0.01, 0.06, 0.3])
+def test_a_bar_is_one_bell_of_speed(length):
+    (stroke,) = in_time([np.array([[0.0, 0.0], [0.0, -length]])])
+    speed = np.linalg.norm(np.gradient(stroke.position, stroke.t, axis=0), axis=1)
+    peak = stroke.t[np.argmax(speed)] / stroke.duration
+    assert 0.4 < peak < 0.6
+    assert 0.3 < speed.mean() / speed.max() < 0.6
+    assert speed[stroke.t < 0.15 * stroke.duration].max() < 0.35 * speed.max()
+
+
+@pytest.mark.parametrize("letter", ["a", "D", "i", "M"])
+def test_what_is_written_is_read_again_to_the_micrometre_and_by_others(tmp_path, letter):
+    once = recording_of(letter)
+    path = write_recording(once, tmp_path / "a.svg")
+    again = read_recording(path)
+    assert (again.character, again.writer, again.baseline) == (letter, once.writer, once.baseline)
+    assert len(again.strokes()) == len(once.strokes())
+    for one, other in zip(once.strokes(), again.strokes(), strict=True):
+        assert max(distance(point, one.position) for point in other.position[::5]) < 1e-6
+        assert np.allclose(one.position[[0, -1]], other.position[[0, -1]], atol=1e-6)
+    drawn = [Path(each) for each in SVG.parse(str(path)).elements() if isinstance(each, Path)]
+    assert len(drawn) == len(once.strokes())
+    millimetre = 96 / 25.4
+    for stroke, other in zip(once.strokes(), drawn, strict=True):
+        box = other.bbox()
+        assert (box[2] - box[0], box[3] - box[1]) == pytest.approx(
+            np.ptp(stroke.position, axis=0) * 1000 * millimetre, abs=0.01
+        )
+    root = ElementTree.parse(path).getroot()
+    assert root.get("width").endswith("mm")
+    assert not re.search(r"\d{4}-\d\d|date|time", path.read_text())
+
+
+@pytest.mark.skipif(not shutil.which("chromium"), reason="no browser")
+def test_a_browser_shows_the_ink(tmp_path):
+    from PIL import Image  # noqa: PLC0415
+
+    write_recording(recording_of("D"), tmp_path / "d.svg")
+    quiet = [
+        "--headless",
+        "--no-sandbox",
+        "--disable-gpu",
+        "--no-first-run",
+        "--disable-background-networking",
+    ]
+    shot = [
+        f"--screenshot={tmp_path / 'd.png'}",
+        "--window-size=400,600",
+        f"--user-data-dir={tmp_path / 'user'}",
+    ]
+    subprocess.run(
+        ["chromium", *quiet, *shot, f"file://{tmp_path / 'd.svg'}"],
+        check=True,
+        capture_output=True,
+        timeout=120,
+    )
+    dark = np.argwhere(np.asarray(Image.open(tmp_path / "d.png").convert("L")) < 128)
+    height = (
+        np.ptp(np.vstack([s.position for s in recording_of("D").strokes()])[:, 1]) * 96 / 0.0254
+    )
+    assert np.ptp(dark[:, 0]) == pytest.approx(height, abs=6)
+
+
+BROKEN = {
+    "nothing": (svg(""), "draws nothing: there is no path in it. Convert text"),
+    "text only": (svg("<text>a</text>"), "draws nothing"),
+    "a clone": (
+        svg('<path id="a" d="M0 0 L9 9"/><use href="#a"/>'),
+        "has a clone .use.; unlink clones",
+    ),
+    "a bomb of clones": (
+        svg('<g id="a"><use href="#a"/><use href="#a"/></g>'),
+        "has a clone .use.",
+    ),
+    "a picture": (svg('<image href="file:///etc/passwd"/>'), "draws nothing"),
+    "a word in a path": (
+        svg('<path d="M0 0 L nine"/>'),
+        "the path 'M0 0 L nine' cannot be read: it must begin with M",
+    ),
+    "no move": (svg('<path d="L9 9"/>'), "it must begin with M"),
+    "a number is missing": (svg('<path d="M0 0 C 1 1"/>'), "the path 'M0 0 C 1 1' cannot be read"),
+    "endless": (svg('<path d="M0 0 L1e400 3"/>'), "the ink is inf m large"),
+    "endless arcs": (
+        svg('<path d="M0 0 a1e308 1e308 0 0 1 1e308 5"/>'),
+        "(the ink is inf m large|cannot be followed)",
+    ),
+    "a mile": (svg('<path d="M0 0 L1e6 3"/>'), "the ink is 1000 m large, but must be"),
+    "a speck": (svg('<path d="M0 0 L0.01 0"/>'), "the ink is 1e-05 m large"),
+    "an odd length": (
+        svg(L, 'width="wide"'),
+        "width is 'wide', but must be a length such as '210mm'",
+    ),
+    "an odd view": (svg(L, 'viewBox="0 0 0 9"'), "viewBox is '0 0 0 9', but must be four numbers"),
+    "an odd transform": (
+        svg('<g transform="url(x)"><path d="M0 0L9 9"/></g>'),
+        r"transform is 'url\(x\)', which cannot",
+    ),
+    "a flat transform": (
+        svg('<g transform="scale(0)"><path d="M0 0L9 9"/></g>'),
+        "the ink is 0 m large",
+    ),
+    "an odd place": (svg('<line x1="left" x2="9"/>'), "x1 is 'left', but must be a number"),
+    "a scribble": (
+        svg('<path d="M0 0' + "l9 9 l-9 -9" * 2000 + '"/>'),
+        "times as long as the ink is large are no letter",
+    ),
+    "dust": (
+        svg("".join(f'<path d="M{k} {k % 70} h1"/>' for k in range(1001))),
+        "1001 strokes .* are no letter",
+    ),
+    "a foreign origin": (
+        svg(L, 'data-origin="99999 0" width="9cm" viewBox="0 0 90 9"'),
+        "no page is so large",
+    ),
+}
+
+
+@pytest.mark.parametrize("fault", BROKEN)
+def test_what_cannot_be_drawn_says_why(tmp_path, fault):
+    text, sentence = BROKEN[fault]
+    with pytest.raises(RecordingError, match=rf"a\.svg: .*{sentence}") as caught:
+        read(tmp_path, text)
+    assert len(str(caught.value)) < 400

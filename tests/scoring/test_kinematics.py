@@ -1,0 +1,80 @@
+"""How a letter was moved, and how it stands."""
+
+import numpy as np
+import pytest
+
+from dmp_teach.ink.alphabet import recording_of
+from dmp_teach.scoring.kinematics import measured, slant
+from dmp_teach.trajectory import Trajectory
+
+
+def least_jerk(duration=1.0, rate=120):
+    t = np.linspace(0, 1, round(duration * rate) + 1)
+    way = t**3 * (10 - 15 * t + 6 * t**2)
+    return Trajectory(duration * t, np.column_stack([0.1 * way, 0.05 * way]))
+
+
+def resampled(stroke, rate):
+    t = np.arange(stroke.t[0], stroke.t[-1], 1 / rate)
+    return Trajectory(
+        t, np.column_stack([np.interp(t, stroke.t, axis) for axis in stroke.position.T])
+    )
+
+
+@pytest.mark.parametrize("duration", [0.5, 1.0, 4.0])
+def test_a_stroke_of_least_jerk_is_as_smooth_as_theory_says(duration):
+    found = measured([least_jerk(duration)])
+    assert found.smoothness == pytest.approx(-np.log(720 / 1.875**2), abs=0.1)
+    assert found.peaks == 1
+
+
+@pytest.mark.parametrize("character", list("aDgM8"))
+@pytest.mark.parametrize("rate", [40, 60, 100, 250, 1000])
+def test_smoothness_hardly_depends_on_the_sampling_rate(character, rate):
+    strokes = recording_of(character).strokes()
+    given, other = measured(strokes), measured([resampled(stroke, rate) for stroke in strokes])
+    assert other.smoothness == pytest.approx(given.smoothness, abs=0.3)
+    assert other.peaks == given.peaks
+
+
+@pytest.mark.parametrize("character", list("aDgM8"))
+def test_smoothness_falls_and_peaks_grow_with_a_shaking_hand_and_little_with_noise(character):
+    strokes, rng = recording_of(character).strokes(), np.random.default_rng(0)
+    given = measured(strokes)
+    noisy = measured(
+        [Trajectory(s.t, s.position + rng.normal(0, 1e-4, s.position.shape)) for s in strokes]
+    )
+    assert noisy.smoothness == pytest.approx(given.smoothness, abs=0.6)
+    before = given.smoothness
+    for size in (0.0005, 0.001, 0.002, 0.004):
+        shaking = measured(
+            [Trajectory(s.t, s.position + size * np.sin(38 * s.t)[:, None]) for s in strokes]
+        )
+        assert shaking.smoothness < before - 0.5
+        before = shaking.smoothness
+    assert shaking.peaks > given.peaks
+
+
+def test_size_pace_and_duration_are_those_of_the_ink():
+    found = measured(
+        [Trajectory([0, 1], [[0, 0], [0.03, 0]]), Trajectory([2, 4], [[0, 0.02], [0, 0.08]])]
+    )
+    assert (found.strokes, found.width, found.height, found.duration) == (2, 0.03, 0.08, 4.0)
+    assert found.pace == pytest.approx(0.09 / 3)
+
+
+@pytest.mark.parametrize("lean", [-20, -5, 0, 10, 25])
+def test_slant_is_the_lean_of_what_is_upright(lean):
+    up = np.column_stack([np.zeros(50), np.linspace(0, 0.1, 50)])
+    level = np.column_stack([np.linspace(-0.03, 0.03, 30), np.full(30, 0.07)])
+    leaned = [path @ [[1, 0], [np.tan(np.radians(lean)), 1]] for path in (up, level)]
+    assert slant([Trajectory(np.arange(len(path)), path) for path in leaned]) == pytest.approx(
+        lean, abs=0.5
+    )
+
+
+def test_a_tap_has_measures_too():
+    tap = Trajectory([0, 0.008], [[0, 0], [0.0002, 0]])
+    assert np.isfinite(measured([tap]).smoothness)
+    still = Trajectory([1, 1.1], [[0.02, 0.02], [0.02, 0.02]])
+    assert measured([tap, still]).strokes == 2
