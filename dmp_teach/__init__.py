@@ -4,6 +4,7 @@ Names are loaded when they are first used (PEP 562): importing the package loads
 the same names for editors and type checkers.
 """
 
+import warnings
 from importlib import import_module
 
 __version__ = "0.1.0"
@@ -24,11 +25,21 @@ _NAMES = {
 _HOME = {name: room for room, names in _NAMES.items() for name in names.split()}
 _HOME.update(errors="errors", figures="views.figures", studies="studies")  # modules of their own
 
+_RENAMED = {}  # old name: new name; the old one stays for one version
+
 __all__ = ["__version__", *_HOME]  # noqa: PLE0604 (the keys are strings)
 
 
 def __getattr__(name):
     """Load a public name from its room when it is first used."""
+    if name in _RENAMED:
+        new = _RENAMED[name]
+        warnings.warn(
+            f"dmp_teach.{name} is now called dmp_teach.{new}.",
+            DeprecationWarning,
+            stacklevel=2,
+        )
+        return globals()[new] if new in globals() else __getattr__(new)
     if name not in _HOME:
         raise AttributeError(
             "dmp_teach has no {!r}; it has: {}.".format(name, ", ".join(sorted(_HOME)))
@@ -40,5 +51,5 @@ def __getattr__(name):
 
 
 def __dir__():
-    """The public names, for the Tab key."""
+    """Return the public names, for the Tab key."""
     return sorted(__all__)

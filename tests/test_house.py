@@ -188,6 +188,16 @@ def test_every_public_name_is_at_home_and_typed():
     assert [name for name in typed if getattr(dmp_teach, name) is None] == []
 
 
+def test_every_old_name_gives_the_new_one_with_a_warning():
+    source = (PACKAGE / "__init__.py").read_text(encoding="utf-8")
+    renamed = ast.literal_eval(re.search(r"^_RENAMED = (\{.*?\})", source, re.M | re.S).group(1))
+    assert not set(renamed) & set(dir(dmp_teach))
+    for old, new in renamed.items():
+        with pytest.warns(DeprecationWarning, match=rf"dmp_teach\.{old} is .*\.{new}") as said:
+            assert getattr(dmp_teach, old) is getattr(dmp_teach, new)
+        assert said[0].filename == __file__
+
+
 def test_no_room_has_a_public_name():
     rooms = {
         path.stem
