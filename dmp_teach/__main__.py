@@ -85,6 +85,11 @@ def prepare():
     """The environment's Python; makes the environment first, if it is not there or the pins have changed."""
     python = VENV / ("Scripts/python.exe" if WINDOWS else "bin/python")
     stamp = VENV / "dmp_teach.stamp"
+    if not PINS.exists():
+        raise SetupError(
+            "This copy of dmp_teach is installed, and the commands work in a clone. "
+            "Type them there, or open your own notebooks with  jupyter lab  here."
+        )
     pins = hashlib.sha256(PINS.read_bytes()).hexdigest()
     done = stamp.read_text() if stamp.exists() and python.exists() else None
     if done == pins:
