@@ -16,7 +16,7 @@ _NAMES = {
     "formats": "read_recording read_recordings write_recording",
     "scoring": "score Score letter_distance",
     "dmp": "Settings DMP Rollout joined",
-    "letters": "Letter Style Shelf Piece word lines",
+    "letters": "Letter Style Shelf Piece make_letter word lines",
     "robot": "Page Motion Fetch reach_map reach_around simulate Run write_rosbag",
     "studies": "claims choose_kernels error_against_width error_against_number goal_change_1d goal_change_2d ProgressBar",
     "views": "view",

@@ -30,6 +30,7 @@ from dmp_teach.letters import Piece as Piece
 from dmp_teach.letters import Shelf as Shelf
 from dmp_teach.letters import Style as Style
 from dmp_teach.letters import lines as lines
+from dmp_teach.letters import make_letter as make_letter
 from dmp_teach.letters import word as word
 from dmp_teach.robot import Fetch as Fetch
 from dmp_teach.robot import Motion as Motion

@@ -58,7 +58,6 @@ ROOMS = {  # where a library from elsewhere may be imported
 }
 CIRCLES = [  # to be cut
     ("dmp_teach.robot.simulation.findings", "dmp_teach.robot.simulation.run"),
-    ("dmp_teach.letters.letter", "dmp_teach.letters.compose.recipes"),
 ]
 TOP_LEVEL = {"dmp_teach", "notebooks", "assets", "tests", "environment.txt", "pyproject.toml"}
 TOP_LEVEL |= {"README.md", "CHANGELOG.md", "LICENSE", "CONTRIBUTING.md", "CITATION.cff", "docs"}

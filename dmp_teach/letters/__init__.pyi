@@ -3,6 +3,7 @@ from .compose.geometry import cut as cut
 from .compose.geometry import evenly as evenly
 from .compose.piece import Piece as Piece
 from .compose.recipes import cooked as cooked
+from .compose.recipes import make_letter as make_letter
 from .compose.recipes import needed as needed
 from .compose.recipes import recipes as recipes
 from .compose.roles import strokes_in_role as strokes_in_role

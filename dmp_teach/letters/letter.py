@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
@@ -111,22 +112,14 @@ class Letter:
     @classmethod
     def make(
         cls, character: str, shelf: Any, transform: str | None = None, recipe: str | None = None
-    ) -> Self:
-        """Make a letter of strokes of other letters, by the table of recipes (`letters/recipes.py`).
+    ) -> Letter:
+        """Make a letter; use `make_letter`, as this name goes after one version."""
+        from dmp_teach.letters import make_letter  # noqa: PLC0415 (`compose` imports this module)
 
-        Args:
-            character: The letter to make; see `recipes.makeable(shelf)`.
-            shelf: Where the strokes are; of one writer.
-            transform: As in `compose`.
-            recipe: A line of one's own instead of the table's: "D bar, D bowl lead lower to 1:0.5".
-
-        Raises:
-            LetterError: No recipe, letters that are not on the shelf, or one that cannot be taken apart; says which.
-            SettingError: A similarity is to lead a closed stroke.
-        """
-        from dmp_teach.letters.compose.recipes import made  # noqa: PLC0415 (it composes letters itself)
-
-        return made(character, shelf, transform, recipe)
+        warnings.warn(
+            "Letter.make is now called dmp_teach.make_letter.", DeprecationWarning, stacklevel=2
+        )
+        return make_letter(character, shelf, transform, recipe)
 
     def write(
         self,

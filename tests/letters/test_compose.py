@@ -13,6 +13,7 @@ from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import LetterError, TrajectoryError
 from dmp_teach.ink.alphabet import recording_of
 from dmp_teach.letters.compose.geometry import corners, cut, nearest
+from dmp_teach.letters.compose.recipes import make_letter
 from dmp_teach.letters.compose.roles import strokes_in_role
 from dmp_teach.letters.compose.shelf import Shelf
 from dmp_teach.letters.letter import Letter
@@ -164,7 +165,7 @@ def test_a_d_in_one_stroke_is_taken_apart_at_its_corner():
     assert len(shelf) == 1
     assert strokes_in_role("bar", shelf["D"])[0].name == "D.1a"
     assert strokes_in_role("bowl", shelf["D"])[0].name == "D.1b"
-    p = Letter.make("P", shelf)
+    p = make_letter("P", shelf)
     assert far(strokes_in_role("bar", shelf["D"])[0], p.write()[1].position[0]) < 1e-3
 
 
@@ -173,8 +174,8 @@ def test_a_d_whose_bowl_comes_first_is_still_a_d():
     early = Trajectory(bowl.t - bowl.t[0], bowl.position)
     late = Trajectory(bar.t + early.t[-1] + 0.4, bar.position)
     back = Trajectory(early.t, early.position[::-1])
-    p = Letter.make("P", Shelf.of({"D": Letter.learn([back, late])}))
-    usual = Letter.make("P", SHELF)
+    p = make_letter("P", Shelf.of({"D": Letter.learn([back, late])}))
+    usual = make_letter("P", SHELF)
     np.testing.assert_allclose(p.write()[0].position, usual.write()[0].position, atol=1e-6)
     assert p.made_of == ("D.2", "D.1")
 
@@ -186,7 +187,7 @@ def test_a_d_without_a_corner_is_refused_in_a_sentence():
         LetterError,
         match=r"^This D, drawn in one stroke, has no 'bar': .*take another recording of it\.$",
     ):
-        Letter.make("P", Shelf.of({"D": Letter.learn([ring])}))
+        make_letter("P", Shelf.of({"D": Letter.learn([ring])}))
 
 
 def test_a_shelf_is_read_by_name():

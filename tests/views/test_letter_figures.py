@@ -5,8 +5,8 @@ import pytest
 
 from dmp_teach.errors import LetterError
 from dmp_teach.ink.alphabet import recording_of
+from dmp_teach.letters.compose.recipes import make_letter
 from dmp_teach.letters.compose.shelf import Shelf
-from dmp_teach.letters.letter import Letter
 from dmp_teach.letters.text.words import word
 from dmp_teach.views.figures.letter import letters_made, recipes_drawn, written_text
 
@@ -17,7 +17,7 @@ def test_every_writer_has_a_row_with_the_letter_and_what_each_transformation_mak
     assert titles[:3] == ["D, writer-1, as shown", "P by DMP*", "P by similarity"]
     assert len(titles) == 6
     shown = figure.axes[1].lines[1].get_xydata()
-    made = Letter.make("P", Shelf.of([recording_of("D")]), "star").write()[1].position
+    made = make_letter("P", Shelf.of([recording_of("D")]), "star").write()[1].position
     np.testing.assert_allclose(shown, 1e3 * made)
     assert figure.axes[0].get_xlim() == figure.axes[2].get_xlim()
 

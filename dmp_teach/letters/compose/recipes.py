@@ -118,10 +118,21 @@ def makeable(shelf: Shelf) -> tuple[str, ...]:
     )
 
 
-def made(
+def make_letter(
     character: str, shelf: Shelf, transform: str | None = None, recipe: str | None = None
 ) -> Letter:
-    """A letter by its recipe; arguments and errors as `Letter.make`."""
+    """Make a letter from strokes of other letters, by the table of recipes (`letters/compose/recipes.py`).
+
+    Args:
+        character: The letter to make.
+        shelf: The strokes to make it from; of one writer.
+        transform: As in `Letter.compose`.
+        recipe: A recipe of one's own instead of the table's: "D bar, D bowl lead lower to 1:0.5".
+
+    Raises:
+        LetterError: No recipe, letters that are not on the shelf, or one that cannot be taken apart; says which.
+        SettingError: A similarity is to lead a closed stroke.
+    """
     if not isinstance(shelf, Shelf):
         raise LetterError(
             f"A letter is made from a Shelf, but got {kind_of(shelf)}; use Shelf.of(recordings)."

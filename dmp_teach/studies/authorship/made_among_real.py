@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from dmp_teach.errors import LetterError, SettingError
-from dmp_teach.letters import Letter, Shelf, needed, recipes
+from dmp_teach.letters import Letter, Shelf, make_letter, needed, recipes
 from dmp_teach.scoring import letter_distances
 from dmp_teach.studies.authorship.answers import Answers, Attributions, luck_of_takes
 from dmp_teach.studies.authorship.made import WAYS, Take, takes_of
@@ -109,7 +109,7 @@ def _drawn(character: str, take: Take, settings: Any, transform: str | None) -> 
     wanted = {letter for how in _hows(character, take) for letter in needed(how)}
     try:
         shelf = Shelf.of({letter: take[letter].strokes for letter in wanted}, settings)
-        return Letter.make(character, shelf, transform)
+        return make_letter(character, shelf, transform)
     except (LetterError, SettingError):
         return None
 

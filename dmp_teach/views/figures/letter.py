@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 
 from dmp_teach.errors import LetterError
 from dmp_teach.ink import alphabets, recording_of
-from dmp_teach.letters import Letter, Shelf, needed, recipes
+from dmp_teach.letters import Shelf, make_letter, needed, recipes
 from dmp_teach.trajectory import Trajectory
 from dmp_teach.views.figures.figure_style import (
     CHILD,
@@ -62,7 +62,7 @@ def letters_made(
     for row, recording in zip(panels, shown, strict=True):
         shelf = Shelf.of([recording])
         strokes = recording.strokes()
-        drawn = [Letter.make(character, shelf, form, how).write() for form, _ in FORMS]
+        drawn = [make_letter(character, shelf, form, how).write() for form, _ in FORMS]
         for stroke in strokes:
             row[0].plot(*(1e3 * stroke.position).T, color=CHILD, linestyle=":", linewidth=2.2)
         paper(row[0], f"{source}, {recording.writer or 'somebody'}, as shown")
@@ -97,7 +97,7 @@ def recipes_drawn(shelf: Shelf, transform: str = "star") -> Figure:
     for panel in panels.flat:
         panel.axis("off")
     for panel, (character, how) in zip(panels.flat, lines, strict=False):
-        strokes = Letter.make(character, shelf, transform, how).write()
+        strokes = make_letter(character, shelf, transform, how).write()
         _ink(panel, strokes)
         panel.set_aspect("equal")
         panel.set_title(f"{character} of {', '.join(needed(how))}", fontsize=9, color=QUIET)
