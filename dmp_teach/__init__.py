@@ -15,7 +15,7 @@ _NAMES = {
     "ink": "Recording recording_of",
     "formats": "read_recording read_recordings write_recording",
     "scoring": "score Score letter_distance",
-    "dmp": "Settings DMP Rollout joined",
+    "dmp": "Settings DMP Stepper chain",
     "letters": "Letter Style Shelf Piece make_letter word lines",
     "robot": "Page Motion Fetch reach_map reach_around simulate Run write_rosbag",
     "studies": "claims choose_kernels error_against_width error_against_number goal_change_1d goal_change_2d ProgressBar",
@@ -25,7 +25,11 @@ _NAMES = {
 _HOME = {name: room for room, names in _NAMES.items() for name in names.split()}
 _HOME.update(errors="errors", figures="views.figures", studies="studies")  # modules of their own
 
-_RENAMED = {}  # old name: new name; the old one stays for one version
+# Old name: new name. The old one stays for one version.
+_RENAMED = {
+    "Rollout": "Stepper",
+    "joined": "chain",
+}
 
 __all__ = ["__version__", *_HOME]  # noqa: PLE0604 (the keys are strings)
 

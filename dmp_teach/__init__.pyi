@@ -3,9 +3,9 @@ from dmp_teach import studies as studies
 from dmp_teach.classroom import explore as explore
 from dmp_teach.classroom import pad as pad
 from dmp_teach.dmp import DMP as DMP
-from dmp_teach.dmp import Rollout as Rollout
 from dmp_teach.dmp import Settings as Settings
-from dmp_teach.dmp import joined as joined
+from dmp_teach.dmp import Stepper as Stepper
+from dmp_teach.dmp import chain as chain
 from dmp_teach.errors import JointError as JointError
 from dmp_teach.errors import LetterError as LetterError
 from dmp_teach.errors import MissingPartError as MissingPartError

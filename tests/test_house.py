@@ -24,6 +24,7 @@ LAUNCHER = {"__init__.py", "__main__.py"}
 ORDER = [
     "errors",
     "trajectory",
+    "filtering",
     "files",
     "segmentation",
     "ink",

@@ -1,12 +1,11 @@
-from . import checks as checks
-from .chaining import joined as joined
+from .chaining import chain as chain
 from .checks import as_settings as as_settings
+from .checks import check_point as check_point
 from .checks import named_settings as named_settings
-from .checks import point as point
 from .kernels import Kernels as Kernels
 from .primitive import DMP as DMP
 from .settings import KERNELS_PER_SECOND as KERNELS_PER_SECOND
 from .settings import Settings as Settings
 from .settings import knob_of as knob_of
 from .settings import knobs as knobs
-from .stepper import Rollout as Rollout
+from .stepper import Stepper as Stepper

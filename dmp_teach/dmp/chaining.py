@@ -18,7 +18,7 @@ from dmp_teach.trajectory import Array, Trajectory
 LONGEST_TRAVEL = 5.0  # between two movements [s]
 
 
-def joined(
+def chain(
     primitives: Iterable[DMP],
     overlap: float = 0.1,
     starts: Mapping[int, ArrayLike] | None = None,

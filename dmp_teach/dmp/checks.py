@@ -39,7 +39,7 @@ def named_settings(given: Any, usual: Mapping[str, Settings]) -> dict[str, Setti
     return {name: as_settings(each, name=f"settings[{name!r}]") for name, each in given.items()}
 
 
-def point(name: str, value: ArrayLike, dimensions: int) -> Array:
+def check_point(name: str, value: ArrayLike, dimensions: int) -> Array:
     """`value` as a point (D,) of a movement of so many `dimensions` [m], or a sentence."""
     try:
         given = np.asarray(value, dtype=float)

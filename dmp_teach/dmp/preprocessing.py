@@ -6,8 +6,8 @@ import math
 
 import numpy as np
 from scipy.interpolate import Akima1DInterpolator, CubicSpline, PPoly
-from scipy.signal import lfilter
 
+from dmp_teach.filtering import extend_oddly, lowpass
 from dmp_teach.trajectory import Array, Trajectory
 
 EVEN = 0.01  # times are even if none is off by more than this part of a step
@@ -51,7 +51,7 @@ def prepared(
                 f"{least} samples at {least_rate:g} a second."
             )
         else:
-            path = smoothed(path, cutoff / rate)
+            path = smooth(path, cutoff / rate)
     if steps < least_steps:
         finer = steps * math.ceil(least_steps / steps)
         path = _sampled(CubicSpline(np.linspace(0, 1, steps + 1), path), path, finer)
@@ -66,16 +66,9 @@ def sharpened(path: Array, spacing: float) -> Array:
     difference over one spacing is h^2 y'', so a twelfth of it is taken off beforehand. The ends stay.
     """
     far = min(max(1, round(spacing)), len(path) - 1)
-    around = _turned_around(path, far)
+    around = extend_oddly(path, far)
     bend = around[2 * far :] - 2 * path + around[: -2 * far]
     return path - bend * ((spacing / far) ** 2 / 12)
-
-
-def _turned_around(path: Array, pad: int) -> Array:
-    """`path` (T, D) with `pad` samples more on either side: its odd extension, turned half around each end."""
-    return np.concatenate(
-        [2 * path[0] - path[pad:0:-1], path, 2 * path[-1] - path[-2 : -pad - 2 : -1]]
-    )
 
 
 def has_even_times(t: Array) -> bool:
@@ -85,31 +78,16 @@ def has_even_times(t: Array) -> bool:
     return bool(np.abs(t - t[0] - step * np.arange(steps + 1)).max() <= EVEN * step)
 
 
-def smoothed(path: Array, cutoff: float) -> Array:
-    """`path` (T, D) without what is faster than `cutoff` [cycles a sample], moved neither in time nor at its ends.
-
-    A Butterworth filter of second order, run forwards and backwards over the path and its odd extension
-    (turned half around each end), so that the ends stay. Its coefficients by the bilinear transform:
-    with k = tan(pi cutoff) and q = 1 / (1 + sqrt(2) k + k^2),
-
-        b = k^2 q [1, 2, 1],   a = [1, 2 (k^2 - 1) q, (1 - sqrt(2) k + k^2) q]
-    """
-    k = math.tan(math.pi * cutoff)
-    q = 1 / (1 + math.sqrt(2) * k + k * k)
-    b = np.array([k * k * q, 2 * k * k * q, k * k * q])
-    a = np.array([1.0, 2 * (k * k - 1) * q, (1 - math.sqrt(2) * k + k * k) * q])
-    settled = np.array([1 - b[0], b[2] - a[2]])  # the filter's memory after a long constant 1
-    pad = min(len(path) - 1, math.ceil(3 / cutoff))
-    x = _turned_around(path, pad).T
-    for _ in range(2):
-        x, _ = lfilter(b, a, x, zi=x[:, :1] * settled)
-        x = x[:, ::-1]
-    x = x[:, pad:-pad].T
-    first, last, along = path[0] - x[0], path[-1] - x[-1], np.arange(len(x)) / (len(x) - 1)
-    x = x + np.multiply.outer(last - first, along).T
-    x += first
-    x[0], x[-1] = path[0], path[-1]  # to the last bit
-    return x
+def smooth(path: Array, cutoff: float) -> Array:
+    """Return `path` (T, D) without what is faster than `cutoff` [cycles a sample], its ends kept."""
+    smoothed = lowpass(path, cutoff, min(len(path) - 1, math.ceil(3 / cutoff)))
+    first, last = path[0] - smoothed[0], path[-1] - smoothed[-1]
+    along = np.arange(len(path)) / (len(path) - 1)
+    smoothed = smoothed + np.multiply.outer(last - first, along).T
+    smoothed += first
+    # To the last bit.
+    smoothed[0], smoothed[-1] = path[0], path[-1]
+    return smoothed
 
 
 def _sampled(curve: PPoly, path: Array, steps: int) -> Array:

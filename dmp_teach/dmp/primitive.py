@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from dmp_teach.dmp.checks import (
     as_settings,
-    point,
+    check_point,
     refuse_no_similarity,
     refuse_no_way,
     samples,
@@ -160,10 +160,10 @@ class DMP:
                 return Trajectory._drawn(self.times, self._demonstrated)
             if self.settings.transform == "star":
                 return Trajectory._drawn(
-                    self.times, self._led_to(point("goal", goal, len(self.start)))
+                    self.times, self._led_to(check_point("goal", goal, len(self.start)))
                 )
-        start = self.start if start is None else point("start", start, len(self.start))
-        goal = self.goal if goal is None else point("goal", goal, len(self.start))
+        start = self.start if start is None else check_point("start", start, len(self.start))
+        goal = self.goal if goal is None else check_point("goal", goal, len(self.start))
         T = self.duration if duration is None else seconds("duration", duration)
         if dt is None:
             path = self._path(goal - start, self.steps)

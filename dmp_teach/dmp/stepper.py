@@ -10,7 +10,7 @@ from typing import Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from dmp_teach.dmp.checks import point, refuse_no_similarity, seconds
+from dmp_teach.dmp.checks import check_point, refuse_no_similarity, seconds
 from dmp_teach.dmp.equation import Equation, turned_and_scaled
 from dmp_teach.dmp.integrators import Spring, advanced
 from dmp_teach.dmp.primitive import DMP
@@ -54,8 +54,8 @@ class Plan:
             TrajectoryError, SettingError: As `DMP.rollout`.
         """
         p, D = primitive, len(primitive.start)
-        start = p.start if start is None else point("start", start, D)
-        goal = p.goal if goal is None else point("goal", goal, D)
+        start = p.start if start is None else check_point("start", start, D)
+        goal = p.goal if goal is None else check_point("goal", goal, D)
         equation, taught, way = Equation(p.settings, p.steps), p.goal - p.start, goal - start
         push, velocity = equation.push(p.weights, p.biases, taught), p.start_velocity * p.duration
         if p.settings.transform == "original":
@@ -109,14 +109,14 @@ class Plan:
 
 
 @dataclass(frozen=True, eq=False)
-class Rollout:
+class Stepper:
     """A movement under way: a value; each `step` gives the next.
 
-        pen = Rollout.begin(primitive)
+        pen = Stepper.begin(primitive)
         while not pen.over:
             pen = pen.step(push=(3.0, 0.0) if 0.5 < pen.t < 0.6 else None)
 
-    Undisturbed it draws what `DMP.rollout` draws. Made by `Rollout.begin`.
+    Undisturbed it draws what `DMP.rollout` draws. Made by `Stepper.begin`.
 
     Args:
         plan: What pushes the pen.
@@ -176,14 +176,14 @@ class Rollout:
         plan, spring, pace = self.plan, self.plan.spring, self._pace
         force = plan.waiting_push_at(self.clock, pace)
         if push is not None:
-            force = force + point("push", push, len(plan.start)) * plan.duration**2
+            force = force + check_point("push", push, len(plan.start)) * plan.duration**2
         h = 1 / spring.steps
         states = advanced(spring.integrator, h, force, (spring.K, spring.alpha), self.states)
         return replace(self, t=self.t + h * plan.duration, clock=self.clock + pace, states=states)
 
     def moved(self, by: ArrayLike) -> Self:
         """The same pen, taken elsewhere by somebody's hand: `by` (D,) [m]."""
-        hand = point("by", by, len(self.plan.start))
+        hand = check_point("by", by, len(self.plan.start))
         return replace(self, states=self.states + np.array([hand, np.zeros_like(hand)]))
 
     def to_the_end(self, push: Callable[[float], ArrayLike | None] | None = None) -> Trajectory:

@@ -14,7 +14,7 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from dmp_teach.dmp import DMP, Settings, joined
+from dmp_teach.dmp import DMP, Settings, chain
 from dmp_teach.errors import LetterError, kind_of
 from dmp_teach.files import write_whole
 from dmp_teach.ink import svg_of
@@ -152,7 +152,7 @@ class Letter:
         starts: Mapping[int, ArrayLike] | None = None,
         goal_shifts: Mapping[int, ArrayLike] | None = None,
     ) -> Trajectory:
-        """Write the letter in one stroke, without a lift or a stop (Kulvicius 2012; see `dmp_teach.joined`).
+        """Write the letter in one stroke, without a lift or a stop (Kulvicius 2012; see `dmp_teach.chain`).
 
         Args:
             overlap: How long before the end of a stroke the next begins [s]; negative: a time for the way between.
@@ -162,10 +162,10 @@ class Letter:
 
         Raises:
             LetterError: As in `write`.
-            TrajectoryError: As `joined`.
+            TrajectoryError: As `chain`.
         """
         starts, goals = self._asked(goals, starts, goal_shifts)
-        return joined(self.primitives, overlap, starts, goals)
+        return chain(self.primitives, overlap, starts, goals)
 
     def save(self, path: str | PathLike[str]) -> Path:
         """Keep the letter in a file of plain JSON, whole or not at all (`letters/saved.py` says what is in it).

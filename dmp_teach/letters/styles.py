@@ -9,8 +9,7 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from dmp_teach.dmp import Settings
-from dmp_teach.dmp import checks as asked
+from dmp_teach.dmp import Settings, check_point
 from dmp_teach.errors import LetterError
 from dmp_teach.letters.letter import Letter
 from dmp_teach.letters.styles_basis import as_letter, learned_alike, letter_of, path_of, row_of
@@ -202,7 +201,7 @@ class Style:
             last = len(self.letters[0].primitives) - 1
             raise LetterError(f"stroke is {stroke!r}, but strokes are numbered from 0 to {last}.")
         part, near = float(_within("part", part, (0, 1))), float(_within("near", near, (1e-6, 1)))
-        place = asked.point("point", point, 2)
+        place = check_point("point", point, 2)
         middle = self._place(np.zeros_like(self.centre), stroke, part)
         H = np.array(
             [self._place(unit, stroke, part) - middle for unit in np.eye(len(self.centre))]

@@ -5,9 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.signal import butter, filtfilt
 
 from dmp_teach.errors import RecordingError
+from dmp_teach.filtering import lowpass
 from dmp_teach.trajectory import Array
 
 UNEVEN = 100  # a clock with more holes than this many samples to each that is there is broken
@@ -46,17 +46,16 @@ def on_even_clock(t: Array, position: Array) -> Motion:
     clock = np.linspace(t[0], t[-1], max(2, samples))
     dt = float(clock[1] - clock[0])
     even = np.column_stack([np.interp(clock, t, axis) for axis in position.T])
-    z, path = smoothed(even[:, 2], dt, 12.0), smoothed(even[:, :2], dt, 10.0)
+    z, path = lowpass_hertz(even[:, 2], dt, 12.0), lowpass_hertz(even[:, :2], dt, 10.0)
     speed = np.linalg.norm(np.gradient(path, dt, axis=0), axis=1)
     return Motion(dt, even[:, 2], z, np.gradient(z, dt), speed, path)
 
 
-def smoothed(values: Array, dt: float, cutoff: float) -> Array:
-    """`values` (K, ...) without what is faster than `cutoff` [Hz], not delayed."""
+def lowpass_hertz(values: Array, dt: float, cutoff: float) -> Array:
+    """Return `values` (K, ...) without what is faster than `cutoff` [Hz], not delayed."""
     if len(values) < 12:
         return values
-    b, a = butter(2, min(cutoff * 2 * dt, 0.8))
-    return filtfilt(b, a, values, axis=0, padlen=min(9, len(values) - 1))
+    return lowpass(values, min(cutoff * dt, 0.4), padding=9)
 
 
 def runs(flags: Array) -> list[tuple[int, int]]:

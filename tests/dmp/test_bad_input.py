@@ -10,7 +10,7 @@ import pytest
 from dmp_teach.dmp.integrators import Spring, least_steps, most_alpha
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
-from dmp_teach.dmp.stepper import Rollout
+from dmp_teach.dmp.stepper import Stepper
 from dmp_teach.errors import SettingError, SettingWarning, TrajectoryError
 from dmp_teach.trajectory import Trajectory
 from tests.dmp.ink import letter
@@ -157,7 +157,7 @@ def test_a_closed_stroke_learned_as_dmp_star_is_not_led_by_a_similarity():
     star = DMP.imitate(closed(CLOSED))
     turned = replace(star, settings=replace(star.settings, transform="similarity"))
     np.testing.assert_allclose(turned.rollout().position, star.rollout().position, atol=1e-12)
-    for draw in (turned.rollout, lambda goal: Rollout.begin(turned, goal=goal)):
+    for draw in (turned.rollout, lambda goal: Stepper.begin(turned, goal=goal)):
         with pytest.raises(SettingError, match="this stroke is closed: its goal is its start"):
             draw(goal=star.goal + 0.01)
 

@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.signal import butter, filtfilt
 
-from dmp_teach.dmp.preprocessing import has_even_times, prepared, sharpened, smoothed
+from dmp_teach.dmp.preprocessing import has_even_times, prepared, sharpened, smooth
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.trajectory import Trajectory
@@ -21,7 +21,7 @@ def test_smoothing_is_scipys_butterworth_forwards_and_backwards(n, cutoff, seed)
     theirs = filtfilt(*butter(2, 2 * cutoff), path, axis=0, padlen=pad)
     along = np.linspace(0, 1, n)[:, None]
     theirs += (path[0] - theirs[0]) * (1 - along) + (path[-1] - theirs[-1]) * along
-    assert np.abs(smoothed(path, cutoff) - theirs).max() <= 1e-9 * np.abs(path).max()
+    assert np.abs(smooth(path, cutoff) - theirs).max() <= 1e-9 * np.abs(path).max()
 
 
 @settings(deadline=None, max_examples=60)
@@ -39,8 +39,8 @@ def test_trembling_goes_and_a_straight_line_stays():
     t = np.arange(300) / 120
     line = np.outer(t, [0.1, -0.05])
     tremble = 0.001 * np.sin(2 * np.pi * 40 * t)[:, None]
-    assert np.abs(smoothed(line, 10 / 120) - line).max() < 1e-8
-    assert np.abs(smoothed(line + tremble, 10 / 120) - line)[10:-10].max() < 2e-5
+    assert np.abs(smooth(line, 10 / 120) - line).max() < 1e-8
+    assert np.abs(smooth(line + tremble, 10 / 120) - line)[10:-10].max() < 2e-5
 
 
 @pytest.mark.parametrize(

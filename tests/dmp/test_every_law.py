@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from dmp_teach.dmp.equation import turned_and_scaled
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
-from dmp_teach.dmp.stepper import Rollout
+from dmp_teach.dmp.stepper import Stepper
 from dmp_teach.errors import SettingError, SettingWarning
 from tests.dmp.ink import any_ink
 
@@ -76,7 +76,7 @@ def check(demo, variant, shift, factor):
 
     follows_its_goal(p, shown, moved, shift, size)
     assert_duration_and_place_do_not_matter(p, moved, shift, factor, size)
-    pen = Rollout.begin(p, goal=p.goal + shift)
+    pen = Stepper.begin(p, goal=p.goal + shift)
     path = p._path(way + shift, p.steps)
     for k in range(1, 4):
         pen = pen.step()

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from dmp_teach.dmp.chaining import joined
+from dmp_teach.dmp.chaining import chain
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import TrajectoryError
@@ -29,7 +29,7 @@ def beside(demo, way):
 @given(letters(), presets, st.floats(-0.1, 0.1))
 def test_a_movement_joined_with_nothing_is_its_rollout(demo, preset, shift):
     p = DMP.imitate(demo, preset())
-    alone = joined([p], goals={0: p.goal + shift})
+    alone = chain([p], goals={0: p.goal + shift})
     drawn = p.start + p._path(p.goal + shift - p.start, p.steps)
     assert np.abs(alone.position - drawn).max() <= 1e-12 * max(1, np.abs(drawn).max())
     assert alone.t[0] == demo.t[0]
@@ -45,7 +45,7 @@ def test_two_halves_of_a_letter_join_to_the_letter(preset, seed, overlap, cut):
     parts = [
         DMP.imitate(Trajectory(whole.t[each], whole.position[each]), preset()) for each in halves
     ]
-    drawn = joined(parts, overlap=more / 120)
+    drawn = chain(parts, overlap=more / 120)
     at = np.column_stack(
         [np.interp(whole.t, drawn.t, drawn.position[:, axis]) for axis in range(2)]
     )
@@ -81,7 +81,7 @@ def test_nothing_jumps_at_a_joint(preset, seed, overlap):
             )
             for each in pieces
         ]
-        drawn = joined(
+        drawn = chain(
             [DMP.imitate(each, preset(alpha=40.0, n_kernels=12)) for each in fine], overlap
         )
         change.append(np.abs(np.diff(speeds(drawn), axis=0)).max())
@@ -97,7 +97,7 @@ def test_at_a_joint_the_pen_passes_from_one_path_to_the_other_by_their_shares(ov
         Trajectory(t, np.outer(t, way)) for way in ((0.2, 0.1), (-0.1, 0.2))
     ]  # at full speed at both ends
     one, two = (DMP.imitate(each, settings) for each in lines)
-    drawn = joined([one, two], overlap)
+    drawn = chain([one, two], overlap)
     t = np.linspace(1.5 - overlap, 1.5, 200)
     at = np.column_stack([np.interp(t, drawn.t, column) for column in drawn.position.T])
     p = ((t - t[0]) / overlap)[:, None]
@@ -118,7 +118,7 @@ def test_the_pen_does_not_stop_between_two_strokes_that_overlap(preset):
     parts = [DMP.imitate(one, preset()), DMP.imitate(two, preset())]
     slowest = []
     for overlap in (0.0, 0.4):
-        drawn = joined(parts, overlap)
+        drawn = chain(parts, overlap)
         middle = (drawn.t[1:] > 1.0) & (drawn.t[1:] < 2.0)
         slowest.append(np.linalg.norm(speeds(drawn), axis=1)[middle].min())
     assert slowest[0] < 0.01
@@ -132,7 +132,7 @@ def test_letters_side_by_side_are_joined_on_the_way_and_keep_their_shapes(preset
     """A negative overlap is a time for the way: the goal moves from the end of the one to the start of the next."""
     one, two = letter(200, 1.6, seed=1), beside(letter(240, 2.0, seed=2), (0.3, 0.0))
     parts = [DMP.imitate(each, preset(phase=phase)) for each in (one, two)]
-    drawn = joined(parts, overlap=-0.5)
+    drawn = chain(parts, overlap=-0.5)
     assert drawn.duration == pytest.approx(1.6 + 0.5 + 2.0)
     for p, begin in ((parts[0], 0.0), (parts[1], 2.1)):
         alone = p.rollout()
@@ -148,9 +148,7 @@ def test_letters_side_by_side_are_joined_on_the_way_and_keep_their_shapes(preset
 
 def test_starts_and_goals_may_move():
     p = DMP.imitate(letter(200, 1.6))
-    drawn = joined(
-        [p, p], 0.1, starts={1: p.start + 0.1}, goals={0: p.goal + 0.1, 1: p.goal + 0.05}
-    )
+    drawn = chain([p, p], 0.1, starts={1: p.start + 0.1}, goals={0: p.goal + 0.1, 1: p.goal + 0.05})
     assert drawn.position[0] == pytest.approx(p.start)
     assert drawn.position[-1] == pytest.approx(p.goal + 0.05, abs=1e-3)
 
@@ -158,26 +156,26 @@ def test_starts_and_goals_may_move():
 @pytest.mark.parametrize(
     ("ask", "answer"),
     [
-        (lambda p: joined([]), "Primitives are joined .DMP.imitate makes them., but got nothing"),
+        (lambda p: chain([]), "Primitives are joined .DMP.imitate makes them., but got nothing"),
         (
-            lambda p: joined([p, 3]),
+            lambda p: chain([p, 3]),
             "Primitives are joined .DMP.imitate makes them., but got an int",
         ),
         (
-            lambda p: joined([p, DMP.imitate(letter(dimensions=3))]),
+            lambda p: chain([p, DMP.imitate(letter(dimensions=3))]),
             "Movements of 2 and 3 dimensions cannot be joined: give all of them the same",
         ),
         (
-            lambda p: joined([p, p], overlap=1.3),
+            lambda p: chain([p, p], overlap=1.3),
             "overlap is 1.3, but it must be between -5 s and 1.25 s, half of the sh",
         ),
-        (lambda p: joined([p, p], overlap="long"), "overlap is 'long', but it must be between"),
+        (lambda p: chain([p, p], overlap="long"), "overlap is 'long', but it must be between"),
         (
-            lambda p: joined([p, p], goals={2: (0, 0)}),
+            lambda p: chain([p, p], goals={2: (0, 0)}),
             "There is no movement 2 .* counted from 0 to 1",
         ),
         (
-            lambda p: joined([p, p], starts={1: (0, 0, 0)}),
+            lambda p: chain([p, p], starts={1: (0, 0, 0)}),
             r"start has shape \(3,\), but this movement has 2 dimensions",
         ),
     ],

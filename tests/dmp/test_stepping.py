@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
-from dmp_teach.dmp.stepper import Rollout
+from dmp_teach.dmp.stepper import Stepper
 from dmp_teach.errors import TrajectoryError
 from tests.dmp.ink import letter, letters
 
@@ -32,11 +32,11 @@ KINDS = [
 def test_undisturbed_steps_are_the_rollout(demo, kind, shift, factor):
     p = DMP.imitate(demo, kind)
     goal, T = p.goal + shift, factor * p.duration
-    stepped = Rollout.begin(p, goal=goal, duration=T).to_the_end()
+    stepped = Stepper.begin(p, goal=goal, duration=T).to_the_end()
     drawn = p.start + p._path(goal - p.start, p.steps)
     assert np.abs(stepped.position - drawn).max() <= 1e-12 * max(1, np.abs(drawn).max())
     assert stepped.duration == pytest.approx(T)
-    waiting = Rollout.begin(p, goal=goal, patience=0.01).to_the_end()
+    waiting = Stepper.begin(p, goal=goal, patience=0.01).to_the_end()
     assert np.abs(waiting.position[:-1] - drawn[: len(waiting) - 1]).max() <= 1e-9 * max(
         1, np.abs(drawn).max()
     )
@@ -48,14 +48,14 @@ def test_a_pushed_pen_comes_back_to_its_path(demo, kind, when, seed):
     p = DMP.imitate(demo, kind)
     hand = np.random.default_rng(seed).normal(size=len(p.start))
     begin, end = when * p.duration, (when + 0.05) * p.duration
-    pushed = Rollout.begin(p).to_the_end(
+    pushed = Stepper.begin(p).to_the_end(
         lambda t: 100 * hand / p.duration**2 if begin < t < end else None
     )
     off = np.linalg.norm(pushed.position - p.start - p.shown, axis=1)
     before = pushed.t < begin - 1e-9
     assert off[before].max(initial=0) < 1e-12
     assert off.max() > 1e-3 * np.linalg.norm(hand)
-    spring, during = Rollout.begin(p).plan.spring, (pushed.t[:-1] > begin) & (pushed.t[:-1] < end)
+    spring, during = Stepper.begin(p).plan.spring, (pushed.t[:-1] > begin) & (pushed.t[:-1] < end)
     alone = spring.follow(
         np.outer(during, 100 * hand)
     )  # the spring's own answer, whatever the letter
@@ -66,7 +66,7 @@ def test_a_pushed_pen_comes_back_to_its_path(demo, kind, when, seed):
 
 def test_a_pen_that_a_hand_has_moved_comes_back_too():
     p = DMP.imitate(letter())
-    pen = Rollout.begin(p)
+    pen = Stepper.begin(p)
     for _ in range(60):
         pen = pen.step()
     taken = pen.moved((0.02, -0.01))
@@ -76,7 +76,7 @@ def test_a_pen_that_a_hand_has_moved_comes_back_too():
 
 
 def test_every_step_is_a_new_value():
-    pen = Rollout.begin(DMP.imitate(letter()))
+    pen = Stepper.begin(DMP.imitate(letter()))
     later = pen.step(push=(1.0, 0.0))
     assert (pen.t, pen.clock) == (0.0, 0.0)
     assert (later.clock, later.t) == (1.0, pytest.approx(2.5 / later.plan.spring.steps))
@@ -87,7 +87,7 @@ def test_every_step_is_a_new_value():
 
 def test_after_the_end_the_pen_goes_on_to_its_goal_and_rests():
     p = DMP.imitate(letter(), Settings.star(feed_goal=False))
-    goal, pen = p.goal + 0.05, Rollout.begin(p, goal=p.goal + 0.05)
+    goal, pen = p.goal + 0.05, Stepper.begin(p, goal=p.goal + 0.05)
     while not pen.over:
         pen = pen.step()
     missed = np.abs(pen.position - goal).max()
@@ -107,8 +107,8 @@ def test_with_patience_the_clock_waits_for_a_pen_that_is_held():
         return (6.0, 6.0) if 0.8 < t < 1.4 else None
 
     hasty, patient = (
-        Rollout.begin(p).to_the_end(hold),
-        Rollout.begin(p, patience=0.005).to_the_end(hold),
+        Stepper.begin(p).to_the_end(hold),
+        Stepper.begin(p, patience=0.005).to_the_end(hold),
     )
     assert hasty.duration == pytest.approx(2.5)
     assert 3.0 < patient.duration < 4.0
@@ -127,28 +127,28 @@ def test_with_patience_the_clock_waits_for_a_pen_that_is_held():
     ("ask", "answer"),
     [
         (
-            lambda p: Rollout.begin(p, goal=(1, 2, 3)),
+            lambda p: Stepper.begin(p, goal=(1, 2, 3)),
             r"goal has shape \(3,\), but this movement has 2 dimensions",
         ),
         (
-            lambda p: Rollout.begin(p, duration=0),
+            lambda p: Stepper.begin(p, duration=0),
             "duration is 0, but it must be a time longer than 0 s",
         ),
         (
-            lambda p: Rollout.begin(p, patience=0),
+            lambda p: Stepper.begin(p, patience=0),
             "patience is 0, but it must be a distance over 0 m, or None",
         ),
         (
-            lambda p: Rollout.begin(p).step(push=3.0),
+            lambda p: Stepper.begin(p).step(push=3.0),
             r"push has shape \(\), but this movement has 2 dimensions",
         ),
         (
-            lambda p: Rollout.begin(p).step(push=(math.nan, 0)),
+            lambda p: Stepper.begin(p).step(push=(math.nan, 0)),
             "push is .*nan.*, but it must be finite",
         ),
-        (lambda p: Rollout.begin(p).moved("left"), "by is 'left', but it must be 2 numbers"),
+        (lambda p: Stepper.begin(p).moved("left"), "by is 'left', but it must be 2 numbers"),
         (
-            lambda p: Rollout.begin(p, patience=1e-4).to_the_end(lambda t: (500.0, 0.0)),
+            lambda p: Stepper.begin(p, patience=1e-4).to_the_end(lambda t: (500.0, 0.0)),
             "has not ended after 250 s, for the clock waits .* more patience than 0.0001 m",
         ),
     ],

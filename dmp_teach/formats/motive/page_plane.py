@@ -12,7 +12,7 @@ from typing import Self
 import numpy as np
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.segmentation import find_strokes, runs, smoothed
+from dmp_teach.segmentation import find_strokes, lowpass_hertz, runs
 from dmp_teach.trajectory import Array
 
 AXES = {
@@ -100,7 +100,7 @@ def _check_side(t: Array, z: Array, up: str) -> None:
     A wandering marker sinks slowly, and one that sinks fast from the air lands; a lift seen upside down does neither.
     """
     dt = float(np.median(np.diff(t)))
-    rise = np.gradient(smoothed(z, dt, 12.0), t)
+    rise = np.gradient(lowpass_hertz(z, dt, 12.0), t)
     falls = [(a, b) for a, b in runs(rise < 0) if rise[a:b][z[a:b] < 0].min(initial=0.0) < -DIVE]
     dives = any(z[a] < UNDER / 2 for a, _ in falls)
     if dives and np.mean(z < -UNDER) > 0.05 and np.mean(z > UNDER) < 0.01:
@@ -113,7 +113,7 @@ def _check_side(t: Array, z: Array, up: str) -> None:
 def _moving(t: Array, flat: Array) -> Array:
     """The samples that move (K, 3): a rest of seconds must not outvote the ink."""
     dt = float(np.median(np.diff(t)))
-    speed = np.linalg.norm(np.gradient(smoothed(flat, dt, 10.0), t, axis=0), axis=1)
+    speed = np.linalg.norm(np.gradient(lowpass_hertz(flat, dt, 10.0), t, axis=0), axis=1)
     return flat[speed >= 0.2 * np.sqrt(np.mean(speed**2))]
 
 

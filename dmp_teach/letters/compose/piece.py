@@ -13,7 +13,7 @@ from typing import Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from dmp_teach.dmp import DMP, point
+from dmp_teach.dmp import DMP, check_point
 from dmp_teach.errors import LetterError
 from dmp_teach.letters.compose.geometry import across, crossings, cut, middle_of, nearest, row_of
 from dmp_teach.trajectory import Array, Trajectory, locked, ways
@@ -100,7 +100,7 @@ class Piece:
         Args:
             by: To the right and up, shape (2,) [m].
         """
-        step = point("by", by, 2)
+        step = check_point("by", by, 2)
         own = replace(
             self.primitive, start=self.primitive.start + step, goal=self.primitive.goal + step
         )
@@ -128,7 +128,7 @@ class Piece:
                 raise LetterError(
                     f"{' and '.join(ends)} are the same end of {self.name}; lead it once."
                 )
-            sent[row] = point(name, where, 2)
+            sent[row] = check_point(name, where, 2)
         goal = sent.get(-1, self.at("goal"))
         aimed = self.led_to if self.led_to is not None else self.primitive.goal
         piece = self._from(sent[0]) if 0 in sent else self
@@ -159,7 +159,7 @@ class Piece:
 
     def put(self, place: float | str, where: ArrayLike) -> Self:
         """The stroke as it is, moved so that `place` (as in `at`) comes to lie at the point `where` (2,) [m]."""
-        return self.moved(point("where", where, 2) - self.at(place))
+        return self.moved(check_point("where", where, 2) - self.at(place))
 
     def slid(self, place: float | str, other: Piece) -> Self:
         """The stroke moved level, until `place` (as in `at`) lies on another stroke.
@@ -177,7 +177,7 @@ class Piece:
         Raises:
             LetterError: The stroke is nowhere near that height.
         """
-        spot = point("where", where, 2)
+        spot = check_point("where", where, 2)
         return self.moved((spot[0] - _across(self, spot[1]), 0))
 
     def scaled(self, factor: float) -> Self:
