@@ -16,9 +16,9 @@ _NAMES = {
     "formats": "read_recording read_recordings write_recording",
     "scoring": "score Score letter_distance",
     "dmp": "Settings DMP Stepper chain",
-    "letters": "Letter Style Shelf Piece make_letter word lines",
+    "letters": "Letter Style Shelf Piece make_letter write_word write_lines",
     "robot": "Page Motion Fetch reach_map reach_around simulate Run write_rosbag",
-    "studies": "claims choose_kernels error_against_width error_against_number goal_change_1d goal_change_2d ProgressBar",
+    "studies": "claims choose_kernels sweep_kernel_width sweep_kernel_number change_goals_1d change_goals_2d progress_bar",
     "views": "view",
     "classroom": "explore pad",
 }
@@ -29,6 +29,13 @@ _HOME.update(errors="errors", figures="views.figures", studies="studies")  # mod
 _RENAMED = {
     "Rollout": "Stepper",
     "joined": "chain",
+    "ProgressBar": "progress_bar",
+    "error_against_number": "sweep_kernel_number",
+    "error_against_width": "sweep_kernel_width",
+    "goal_change_1d": "change_goals_1d",
+    "goal_change_2d": "change_goals_2d",
+    "lines": "write_lines",
+    "word": "write_word",
 }
 
 __all__ = ["__version__", *_HOME]  # noqa: PLE0604 (the keys are strings)

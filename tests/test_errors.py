@@ -17,15 +17,15 @@ from dmp_teach.letters.kernel_choice import imitated
 from dmp_teach.letters.letter import Letter
 from dmp_teach.letters.styles import Style
 from dmp_teach.letters.styles_basis import learned_alike
-from dmp_teach.letters.text.lines import lines
-from dmp_teach.letters.text.words import word
-from dmp_teach.studies.experiments.d_to_p import p_from_d
-from dmp_teach.studies.experiments.goal_change import goal_change_1d, goal_change_2d
-from dmp_teach.studies.experiments.goal_near_start import goals_near_start
-from dmp_teach.studies.experiments.initial_acceleration import first_moments
-from dmp_teach.studies.experiments.random_ink import any_shape
-from dmp_teach.studies.experiments.redraw import four_widths, redrawn
-from dmp_teach.studies.experiments.star_vs_original import against_original
+from dmp_teach.letters.text.lines import write_lines
+from dmp_teach.letters.text.words import write_word
+from dmp_teach.studies.experiments.d_to_p import make_p_from_d
+from dmp_teach.studies.experiments.goal_change import change_goals_1d, change_goals_2d
+from dmp_teach.studies.experiments.goal_near_start import change_goals_near_start
+from dmp_teach.studies.experiments.initial_acceleration import measure_initial_acceleration
+from dmp_teach.studies.experiments.random_ink import learn_random_ink
+from dmp_teach.studies.experiments.redraw import redraw_at_widths, redraw_letters
+from dmp_teach.studies.experiments.star_vs_original import compare_with_original
 from dmp_teach.studies.experiments.validation import choose_kernels, choose_width
 from dmp_teach.studies.experiments.variants import rms_error
 
@@ -38,19 +38,19 @@ TAKE_SETTINGS = {
     Shelf.of: ({"D": LEARNED},),
     Style.of: ([D, recording_of("D", "slanted")],),
     learned_alike: ([LEARNED, LEARNED],),
-    word: ("hi",),
-    lines: ("hi",),
-    against_original: (D,),
-    first_moments: (D,),
+    write_word: ("hi",),
+    write_lines: ("hi",),
+    compare_with_original: (D,),
+    measure_initial_acceleration: (D,),
     choose_kernels: (STROKE,),
     choose_width: (STROKE,),
-    goals_near_start: (D,),
-    goal_change_1d: (D,),
-    goal_change_2d: (D,),
-    p_from_d: (D,),
-    redrawn: (D,),
-    four_widths: (D,),
-    any_shape: (),
+    change_goals_near_start: (D,),
+    change_goals_1d: (D,),
+    change_goals_2d: (D,),
+    make_p_from_d: (D,),
+    redraw_letters: (D,),
+    redraw_at_widths: (D,),
+    learn_random_ink: (),
     rms_error: (STROKE,),
 }
 INSIDE = {
@@ -104,16 +104,16 @@ def test_the_refusal_is_a_sentence():
         SettingError,
         match=r"^settings is 'star', but must be Settings, such as Settings\.star\(\)\.$",
     ):
-        word("hi", settings="star")
+        write_word("hi", settings="star")
     with pytest.raises(
         SettingError, match=r"^settings\['mine'\] is 'star', but must be Settings, such as"
     ):
-        redrawn(D, settings={"mine": "star"})
+        redraw_letters(D, settings={"mine": "star"})
     with pytest.raises(
         SettingError,
         match=r"^settings is 'star', but must be Settings by their names, such as \{'DMP",
     ):
-        p_from_d(D, settings="star")
+        make_p_from_d(D, settings="star")
 
 
 @pytest.mark.parametrize(

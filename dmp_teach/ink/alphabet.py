@@ -47,7 +47,7 @@ def characters(alphabet: str | None = None) -> tuple[str, ...]:
 
 
 def signs(alphabet: str | None = None) -> tuple[str, ...]:
-    """The signs of an alphabet, from the full stop to the slash: `recording_of` and `word` know them, too.
+    """The signs of an alphabet, from the full stop to the slash: `recording_of` and `write_word` know them, too.
 
     Args:
         alphabet: One of `alphabets()`; None is the first.

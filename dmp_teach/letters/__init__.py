@@ -7,7 +7,7 @@ Read in this order:
     recipes     the table of new letters, a line each (`roles`: which stroke is the bar; `outline`: how that is seen)
     styles      one letter by several writers: blends, principal styles, chance (`alike`: so that weights add up)
     words       text on one clock: a `hand` gives its letters, `spacing` sets them, `linking` joins them where they meet
-                (`meeting`), `lines` fills a sheet
+                (`meeting`), `write_lines` fills a sheet
 """
 
 import lazy_loader

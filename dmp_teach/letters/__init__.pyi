@@ -11,5 +11,5 @@ from .compose.shelf import Shelf as Shelf
 from .letter import Letter as Letter
 from .letter import rms_distance as rms_distance
 from .styles import Style as Style
-from .text.lines import lines as lines
-from .text.words import word as word
+from .text.lines import write_lines as write_lines
+from .text.words import write_word as write_word

@@ -145,7 +145,7 @@ class Letter:
         drawn = [p.rollout(starts.get(i), goals.get(i)) for i, p in enumerate(self.primitives)]
         return tuple(drawn) if duration is None else self._stretched(drawn, duration)
 
-    def joined(
+    def chain(
         self,
         overlap: float = 0.1,
         goals: Mapping[int, ArrayLike] | None = None,
@@ -166,6 +166,11 @@ class Letter:
         """
         starts, goals = self._asked(goals, starts, goal_shifts)
         return chain(self.primitives, overlap, starts, goals)
+
+    def joined(self, *args: Any, **kwargs: Any) -> Trajectory:
+        """Write the letter in one stroke; use `chain`, as this name goes after one version."""
+        warnings.warn("Letter.joined is now called Letter.chain.", DeprecationWarning, stacklevel=2)
+        return self.chain(*args, **kwargs)
 
     def save(self, path: str | PathLike[str]) -> Path:
         """Keep the letter in a file of plain JSON, whole or not at all (`letters/saved.py` says what is in it).

@@ -16,9 +16,9 @@ from pathlib import Path
 import numpy as np
 
 from dmp_teach.studies.authorship.answers import Attributions
-from dmp_teach.studies.authorship.made import attribution
-from dmp_teach.studies.authorship.made_among_real import made_among_real
-from dmp_teach.studies.authorship.real import told_apart
+from dmp_teach.studies.authorship.made import attribute_made_letters
+from dmp_teach.studies.authorship.made_among_real import attribute_among_real
+from dmp_teach.studies.authorship.real import classify_writers
 from dmp_teach.studies.inputs import Written
 from dmp_teach.trajectory import Trajectory
 
@@ -82,9 +82,9 @@ def asked(found: list[Written]) -> dict[str, Attributions]:
     """All that the studies ask, by words for them."""
     bowls = [each for each in found if each.character in "DB"]
     return {
-        "Real letters, told apart": told_apart(found),
-        "Bowls that were led, beside bowls": attribution(bowls, 4),
-        "Made letters, beside real ones of their kind": made_among_real(found),
+        "Real letters, told apart": classify_writers(found),
+        "Bowls that were led, beside bowls": attribute_made_letters(bowls, 4),
+        "Made letters, beside real ones of their kind": attribute_among_real(found),
     }
 
 

@@ -39,7 +39,7 @@ def said():
         ),
         (
             "teach.pad('hello')",
-            "RecordingError: A pad takes one letter; for words use teach.word('hello').",
+            "RecordingError: A pad takes one letter; for words use teach.write_word('hello').",
         ),
         (
             "teach.Settings.star(kernel_width=0)",

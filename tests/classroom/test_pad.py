@@ -481,7 +481,7 @@ def test_no_message_ever_kills_the_panel(messages):
 
 def test_a_pad_takes_one_letter_and_an_accent_may_be_a_sign_of_its_own(panel):
     for wrong, words in (
-        ("hello", r"teach.word\('hello'\)"),
+        ("hello", r"teach.write_word\('hello'\)"),
         (5, "character is 5, but must be one letter"),
     ):
         with pytest.raises(RecordingError, match=words):

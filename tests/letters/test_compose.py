@@ -108,7 +108,7 @@ def test_a_composed_letter_is_written_moved_and_joined_as_any_other():
     assert shifted == pytest.approx((0.01, 0), abs=2e-4)
     assert p.write(goals={1: (0.05, 0.05)})[1].position[-1] == pytest.approx((0.05, 0.05), abs=1e-3)
     assert p.write(duration=9)[-1].t[-1] - p.write(duration=9)[0].t[0] == pytest.approx(9)
-    assert p.joined(-0.3).position[-1] == pytest.approx(p.write()[1].position[-1], abs=2e-3)
+    assert p.chain(-0.3).position[-1] == pytest.approx(p.write()[1].position[-1], abs=2e-3)
 
 
 @settings(max_examples=20, deadline=None)

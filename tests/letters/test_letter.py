@@ -192,13 +192,13 @@ def test_the_distance_of_a_letter_to_itself_moved_by_a_centimetre_is_a_centimetr
 
 
 def test_a_letter_may_be_written_in_one_stroke_that_never_stops(letter_d):
-    one = letter_d.joined(overlap=-0.3, goal_shifts={1: SHIFT})
+    one = letter_d.chain(overlap=-0.3, goal_shifts={1: SHIFT})
     durations = [p.duration for p in letter_d.primitives]
     assert one.duration == pytest.approx(sum(durations) + 0.3)
     assert one.t[0] == letter_d.strokes[0].t[0]
     assert one.position[0] == pytest.approx(letter_d.primitives[0].start)
     assert one.position[-1] == pytest.approx(letter_d.primitives[1].goal + SHIFT, abs=2e-3)
-    shorter = letter_d.joined()
+    shorter = letter_d.chain()
     assert shorter.duration == pytest.approx(sum(durations) - 0.1)
     moving = np.linalg.norm(np.diff(shorter.position, axis=0), axis=1) / np.diff(shorter.t)
     joint = np.abs(shorter.t[1:] - shorter.t[0] - durations[0]) < 0.2
@@ -209,13 +209,13 @@ def test_what_cannot_be_joined_is_said_in_a_sentence(letter_d):
     with pytest.raises(
         LetterError, match=r"goals names stroke 2, but this letter has stroke 0, 1\."
     ):
-        letter_d.joined(goals={2: (0, 0)})
+        letter_d.chain(goals={2: (0, 0)})
     with pytest.raises(
         LetterError, match=r"Stroke 1 has a goal and a goal shift; give one of them\."
     ):
-        letter_d.joined(goals={1: (0, 0)}, goal_shifts={1: (0, 0)})
+        letter_d.chain(goals={1: (0, 0)}, goal_shifts={1: (0, 0)})
     with pytest.raises(TrajectoryError, match=r"overlap is 9\.0, but it must be between -5 s and"):
-        letter_d.joined(overlap=9.0)
+        letter_d.chain(overlap=9.0)
 
 
 def test_a_letter_says_in_one_line_how_well_it_was_learned():

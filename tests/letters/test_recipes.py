@@ -16,7 +16,7 @@ from dmp_teach.letters.compose.roles import strokes_in_role
 from dmp_teach.letters.compose.shelf import Shelf
 from dmp_teach.letters.letter import Letter
 from dmp_teach.scoring.letter_score import score
-from dmp_teach.studies.experiments.d_to_p import p_from_d
+from dmp_teach.studies.experiments.d_to_p import make_p_from_d
 from dmp_teach.trajectory import Trajectory
 from tests.recordings import RECORDINGS, needs_recordings
 
@@ -244,7 +244,7 @@ def test_everybodys_strokes_make_every_letter_that_they_can(everybody, transform
 @needs_recordings
 def test_every_writers_d_makes_a_p_of_that_writer_however_it_was_drawn():
     of_d = [read_recording(path) for path in RECORDINGS if path.name.startswith("D")]
-    found = p_from_d(of_d)
+    found = make_p_from_d(of_d)
     assert len(found.by("DMP*")) == len(of_d)
     assert all(item.recognisable for way in ("DMP*", "similarity") for item in found.by(way))
     for recording in of_d:

@@ -23,7 +23,7 @@ from dmp_teach.letters.text.connection_points import (
 )
 from dmp_teach.letters.text.connections import linked
 from dmp_teach.letters.text.handwriting import Hand, plain
-from dmp_teach.letters.text.lines import lines
+from dmp_teach.letters.text.lines import write_lines
 from dmp_teach.letters.text.spacing import distance, linked_distance
 from dmp_teach.robot.fetch import Fetch
 from dmp_teach.robot.layout import place
@@ -164,7 +164,7 @@ def test_a_line_spaces_print_as_what_is_written_for_it():
         ("so\u2026 yes", "so... yes"),
         ("\u201cno\u201d \u2014 no", '"no" - no'),
     ):
-        for one, other in zip(lines(printed), lines(typed), strict=True):
+        for one, other in zip(write_lines(printed), write_lines(typed), strict=True):
             np.testing.assert_array_equal(one.position, other.position)
 
 
@@ -393,7 +393,7 @@ def test_small_text_is_written_in_less_time_but_not_in_proportion():
 
 
 def test_the_way_to_the_next_line_takes_its_time_however_small_the_letters_are():
-    text = lines("on and on and on\nlo", x_height=0.004, width=0.2)
+    text = write_lines("on and on and on\nlo", x_height=0.004, width=0.2)
     for before, after in pairwise(text):
         far = np.linalg.norm(after.position[0] - before.position[-1])
         assert far / (after.t[0] - before.t[-1]) < 0.5 + 1e-9
@@ -498,21 +498,24 @@ def test_accents_are_written_too():
             r"letters\['h'\] cannot be written\. A letter is learned .* nothing",
         ),
         (lambda: word("hi", joined="yes"), r"joined is 'yes', but must be True or False"),
-        (lambda: lines("hi", joined=2), r"joined is 2, but must be True or False"),
+        (lambda: write_lines("hi", joined=2), r"joined is 2, but must be True or False"),
         (
-            lambda: lines("a\nb\nc", pitch=0),
+            lambda: write_lines("a\nb\nc", pitch=0),
             r"pitch is 0 m, but lines .* on each other: give at least the x_height, 0\.008 m",
         ),
-        (lambda: lines("a", pitch="wide"), r"pitch is 'wide', but must be a length from 0 to 10 m"),
+        (
+            lambda: write_lines("a", pitch="wide"),
+            r"pitch is 'wide', but must be a length from 0 to 10 m",
+        ),
         (lambda: word("a", x_height=0), r"x_height is 0, but must be a height from 0\.0001 to 1 m"),
         (
             lambda: word("a", tempo=2),
             r"tempo is 2, but must be from 0 \(the same time in every size\) to 1",
         ),
-        (lambda: lines("a", tempo="fast"), r"tempo is 'fast', but must be from 0"),
-        (lambda: lines("  \n "), r"There is nothing to write in"),
-        (lambda: lines("a", margin=-1), r"margin is -1, but must be a length from 0 to 10 m"),
-        (lambda: lines("a", x_height="big"), r"x_height is 'big', but must be a height"),
+        (lambda: write_lines("a", tempo="fast"), r"tempo is 'fast', but must be from 0"),
+        (lambda: write_lines("  \n "), r"There is nothing to write in"),
+        (lambda: write_lines("a", margin=-1), r"margin is -1, but must be a length from 0 to 10 m"),
+        (lambda: write_lines("a", x_height="big"), r"x_height is 'big', but must be a height"),
     ],
 )
 def test_what_cannot_be_written_is_said_in_a_sentence(ask, answer):
@@ -530,14 +533,14 @@ def test_an_alphabet_that_is_none_is_named_by_those_that_are():
 def asked(x_height, width, height):
     """The strokes, or why there are none."""
     try:
-        return lines("go dog all along", x_height=x_height, width=width, height=height)
+        return write_lines("go dog all along", x_height=x_height, width=width, height=height)
     except LetterError as error:
         return error
 
 
 def test_the_robot_writes_text_as_one_motion_where_it_stands():
     pytest.importorskip("placo")
-    text = lines("go\nup", x_height=0.012, joined=True)
+    text = write_lines("go\nup", x_height=0.012, joined=True)
     motion = Fetch().write(text, Page.table(), at=text.middle)
     assert len(motion.strokes) == len(text)
     assert np.abs(points(motion.strokes) - points(text)).max() < 1e-9
@@ -550,7 +553,9 @@ TEXT = "the quick brown fox jumps over the lazy dog"
 @pytest.mark.parametrize("joined", [False, True])
 @pytest.mark.parametrize("x_height", [0.005, 0.009])
 def test_lines_stay_inside_their_margins(x_height, joined):
-    ink = points(lines(TEXT, width=0.15, height=0.2, margin=0.02, x_height=x_height, joined=joined))
+    ink = points(
+        write_lines(TEXT, width=0.15, height=0.2, margin=0.02, x_height=x_height, joined=joined)
+    )
     assert np.abs(ink[:, 0]).max() <= 0.055 + 1e-9
     assert np.abs(ink[:, 1]).max() <= 0.08 + 1e-9
     assert ink[:, 0].min() == pytest.approx(-0.055)
@@ -573,7 +578,7 @@ def whites(name, parts, strokes, size):
 def seams(name, some, others):
     """For all pairs of these: the white in a word of the two, and the white between two words."""
     rows = [[part for other in others for part in (one, other)] for one in some]
-    apart = lines(
+    apart = write_lines(
         "\n".join(map(" ".join, rows)), x_height=0.004, width=10, height=10, alphabet=name
     )
     between = whites(name, [part for row in rows for part in row], apart, 0.004)
@@ -607,7 +612,7 @@ def test_no_sign_stands_so_far_off_that_it_looks_like_another_word(name):
 )
 def test_words_stand_clearly_apart(name, text, joined):
     size = HANDS[name].x_height
-    ink = lines(text, x_height=size, width=9, height=4, alphabet=name, joined=joined)
+    ink = write_lines(text, x_height=size, width=9, height=4, alphabet=name, joined=joined)
     one, other = (word(part, name, joined=joined) for part in text.split())
     assert len(ink) == len(one) + len(other)
     ends = [points(part) @ (1.0, -HANDS[name].lean) for part in (ink[: len(one)], ink[len(one) :])]
@@ -615,7 +620,7 @@ def test_words_stand_clearly_apart(name, text, joined):
 
 
 def test_a_new_line_begins_at_the_left_margin_one_pitch_lower():
-    upper, lower = lines("lo\nlo", pitch=0.05), lines("lo", pitch=0.05)
+    upper, lower = write_lines("lo\nlo", pitch=0.05), write_lines("lo", pitch=0.05)
     half = len(upper) // 2
     for first, second, same in zip(upper[:half], upper[half:], lower, strict=True):
         np.testing.assert_allclose(second.position, first.position - (0, 0.05), atol=1e-12)
@@ -638,16 +643,16 @@ def test_what_does_not_fit_is_said():
     with pytest.raises(
         LetterError, match=r"the word 'wide' is \d+ mm wide, but a line has 10 mm; x_height=.* fits"
     ):
-        lines("wide", width=0.05)
+        write_lines("wide", width=0.05)
     with pytest.raises(
         LetterError,
         match=r"there is room for \d lines inside the margins, but the text needs more; x_",
     ):
-        lines(TEXT, height=0.1, x_height=0.02)
+        write_lines(TEXT, height=0.1, x_height=0.02)
 
 
 def test_text_is_written_on_the_page_where_it_stands():
-    text = lines("two\nlines", x_height=0.01, joined=True)
+    text = write_lines("two\nlines", x_height=0.01, joined=True)
     for placed, own in zip(place(text, Page.table(), at=text.middle), text, strict=True):
         np.testing.assert_allclose(placed.position, own.position, atol=1e-12)
     assert repr(text).startswith("Text(")

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from dmp_teach.errors import LetterError
-from dmp_teach.studies.authorship.made_among_real import made_among_real
+from dmp_teach.studies.authorship.made_among_real import attribute_among_real
 from dmp_teach.studies.inputs import Written
 from dmp_teach.trajectory import Trajectory
 from tests.studies.pupils import Pupil
@@ -24,7 +24,7 @@ def class_of_ten():
 
 @pytest.fixture(scope="module")
 def found(class_of_ten):
-    return made_among_real(class_of_ten)
+    return attribute_among_real(class_of_ten)
 
 
 def test_a_made_letter_is_nearest_to_what_its_writer_wrote(found):
@@ -46,7 +46,7 @@ def test_it_can_be_answered_wrongly(found, class_of_ten):
         else Written(each.character, other[each.writer], each.strokes)
         for each in class_of_ten
     ]
-    assert made_among_real(mixed)[ONLY_MOVED].rate < found[ONLY_MOVED].rate / 2
+    assert attribute_among_real(mixed)[ONLY_MOVED].rate < found[ONLY_MOVED].rate / 2
 
 
 def test_one_person_under_several_names_is_not_told_apart():
@@ -56,7 +56,7 @@ def test_one_person_under_several_names_is_not_told_apart():
         for c in "DP"
         for take in range(2)
     ]
-    answers = made_among_real(letters)[STAR]
+    answers = attribute_among_real(letters)[STAR]
     assert answers.luck > 0.05
     assert answers.interval[0] < answers.chance
 
@@ -64,7 +64,7 @@ def test_one_person_under_several_names_is_not_told_apart():
 def test_whoever_wrote_no_such_letter_is_not_asked_about():
     pupils = [Pupil(seed) for seed in range(3)]
     letters = [each.writes("D") for each in pupils] + [each.writes("P") for each in pupils[:2]]
-    answers = made_among_real(letters)[STAR]
+    answers = attribute_among_real(letters)[STAR]
     assert {writer for writer, _ in answers.items} == {"w0", "w1"}
     assert answers.chance == pytest.approx(0.5)
 
@@ -73,22 +73,24 @@ def test_a_letter_that_cannot_be_taken_apart_is_left_out():
     pupils = [Pupil(seed) for seed in range(3)]
     ring = Pupil(0).writes("O")
     letters = [each.writes("P") for each in pupils] + [each.writes("D") for each in pupils[:2]]
-    answers = made_among_real([*letters, Written("D", "w2", ring.strokes)])[STAR]
+    answers = attribute_among_real([*letters, Written("D", "w2", ring.strokes)])[STAR]
     assert {writer for writer, _ in answers.items} == {"w0", "w1"}
 
 
 def test_our_own_letters_are_taken_where_nothing_can_be_asked():
-    ours = made_among_real()
+    ours = attribute_among_real()
     assert not ours.borrowed
     assert (ours[STAR].right[1], ours[ONLY_MOVED].right[1]) == (2 * 3, 2 * 26)
-    assert made_among_real([Pupil(0).writes("D")]).borrowed
+    assert attribute_among_real([Pupil(0).writes("D")]).borrowed
 
 
 def test_an_executor_changes_nothing_and_progress_is_told(class_of_ten, found):
     told = []
     with ThreadPoolExecutor(2) as threads:
         assert (
-            made_among_real(class_of_ten, executor=threads, progress=lambda *now: told.append(now))
+            attribute_among_real(
+                class_of_ten, executor=threads, progress=lambda *now: told.append(now)
+            )
             == found
         )
     assert told[0] == (0, 9)
@@ -99,4 +101,4 @@ def test_ink_that_is_not_flat_is_refused_by_its_name():
     flat = Pupil(0).writes("D")
     high = tuple(Trajectory(s.t, np.column_stack([s.position, 0 * s.t])) for s in flat.strokes)
     with pytest.raises(LetterError, match="Stroke 0 of D w1 has 3 dimensions, but ink has 2"):
-        made_among_real([flat, Written("D", "w1", high)])
+        attribute_among_real([flat, Written("D", "w1", high)])

@@ -13,15 +13,15 @@ from dmp_teach.errors import RecordingError, SettingError
 from dmp_teach.ink.alphabet import alphabets, recording_of
 from dmp_teach.studies.authorship.answers import Answers, Attributions
 from dmp_teach.studies.authorship.made import question
-from dmp_teach.studies.experiments.d_to_p import p_from_d
+from dmp_teach.studies.experiments.d_to_p import make_p_from_d
 from dmp_teach.studies.experiments.error_curves import ErrorCurves
-from dmp_teach.studies.experiments.star_vs_original import Against
-from dmp_teach.studies.experiments.stroke_segmentation import Found, Lifts, Segmentation
+from dmp_teach.studies.experiments.star_vs_original import OriginalComparison
+from dmp_teach.studies.experiments.stroke_segmentation import Found, Segmentation, SegmentationCase
 from dmp_teach.studies.verdicts import kernels as on_kernels
 from dmp_teach.studies.verdicts import letters as on_letters
 from dmp_teach.studies.verdicts.all import ALL, claims
 from dmp_teach.studies.verdicts.claim import DEPENDS, FAILS, HOLDS, judged, mm, per_cent, times
-from dmp_teach.studies.verdicts.evidence import Bench
+from dmp_teach.studies.verdicts.evidence import Evidence
 from dmp_teach.trajectory import Trajectory
 from tests.dmp.ink import letter
 from tests.recordings import RECORDINGS, needs_recordings
@@ -139,12 +139,12 @@ def test_numbers_in_sentences_have_two_digits():
 
 
 def made(**studies):
-    """A bench whose studies are made up."""
-    bench = Bench(
+    """Evidence whose studies are made up."""
+    evidence = Evidence(
         FEW, **{name: studies.pop(name) for name in ("star", "original") if name in studies}
     )
-    bench.__dict__.update(studies)
-    return bench
+    evidence.__dict__.update(studies)
+    return evidence
 
 
 def curves(errors, names=NAMES):
@@ -257,7 +257,7 @@ def test_accuracy_and_efficiency_are_two_things():
         (2.0, 0.5, DEPENDS),
         (2.0, 1.5, FAILS),
     ):
-        found = Against(("a",), [10], 1e-3 * np.array([[error, 1.0]]), time)
+        found = OriginalComparison(("a",), [10], 1e-3 * np.array([[error, 1.0]]), time)
         assert on_letters.accuracy_and_efficiency(made(against=found)).verdict == verdict
 
 
@@ -268,7 +268,7 @@ def test_a_p_is_neat_sheared_or_none():
         FAILS: Settings.star(kernel_width=0.3),
     }
     for verdict, settings in ways.items():
-        found = p_from_d(FEW, {"DMP*": settings})
+        found = make_p_from_d(FEW, {"DMP*": settings})
         assert on_letters.d_becomes_p(made(new_letters=found)).verdict == verdict
 
 
@@ -276,7 +276,8 @@ def test_strokes_are_found_as_often_as_they_are_found():
     for right, verdict in ((10, HOLDS), (7, DEPENDS), (2, FAILS)):
         found = [Found(2, k < right) for k in range(10)]
         items = tuple(
-            Lifts("D w", 2, True, Found(2, True), each, Found(1, False), True) for each in found
+            SegmentationCase("D w", 2, True, Found(2, True), each, Found(1, False), True)
+            for each in found
         )
         assert on_letters.strokes_from_height(made(lifts=Segmentation(items))).verdict == verdict
 

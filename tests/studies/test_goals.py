@@ -11,13 +11,13 @@ from dmp_teach.robot.arm import JOINTS
 from dmp_teach.robot.model.kinematics import Model
 from dmp_teach.robot.reach.posture import POSTURES
 from dmp_teach.studies.experiments.goal_change import (
-    goal_change_1d,
-    goal_change_2d,
-    goal_paths,
-    goal_traces,
+    change_goals_1d,
+    change_goals_2d,
+    draw_goal_change,
+    trace_goal_change,
 )
-from dmp_teach.studies.experiments.goal_near_start import closed_up, goals_near_start
-from dmp_teach.studies.experiments.initial_acceleration import first_moments
+from dmp_teach.studies.experiments.goal_near_start import change_goals_near_start, closed_up
+from dmp_teach.studies.experiments.initial_acceleration import measure_initial_acceleration
 from dmp_teach.studies.experiments.joint_demand import ARM, arm_at_table, greatest_acceleration
 from dmp_teach.studies.experiments.variants import rms_error
 from dmp_teach.trajectory import Trajectory
@@ -30,7 +30,7 @@ def test_dmp_star_stays_within_the_shift_and_the_original_mirrors_as_its_factor_
     ink = letter(100, 1.0, seed=seed)
     way = ink.position[-1] - ink.position[0]
     learned = rms_error(ink, Settings.star())
-    found = goal_change_2d([ink], shift)
+    found = change_goals_2d([ink], shift)
     if found.refused:
         return
     for case in found.cases:
@@ -44,14 +44,14 @@ def test_dmp_star_stays_within_the_shift_and_the_original_mirrors_as_its_factor_
 
 def test_the_original_draws_the_letter_times_the_factor():
     ink = letter(200, 2.0, seed=3)
-    paths = goal_paths(ink, (0.1, -0.05))
+    paths = draw_goal_change(ink, (0.1, -0.05))
     drawn = DMP.imitate(ink, Settings.original()).rollout().position
     stretched = ink.position[0] + (drawn - ink.position[0]) * paths.factor
     np.testing.assert_allclose(paths.paths["original"], stretched, atol=1e-9)
 
 
 def test_one_dimension_has_a_case_for_each_coordinate_and_side():
-    found = goal_change_1d([letter(100, 1.0, seed=1)], 0.01)
+    found = change_goals_1d([letter(100, 1.0, seed=1)], 0.01)
     assert [case.stroke for case in found.cases] == ["? 1 x", "? 1 x", "? 1 y", "? 1 y"]
     assert [case.shift for case in found.cases] == [(0.01,), (-0.01,)] * 2
     assert {"DMP* [mm]", "original [mm]", "DMP* [mm/s]", "original [mm/s]"} <= set(found.rows()[0])
@@ -60,14 +60,14 @@ def test_one_dimension_has_a_case_for_each_coordinate_and_side():
 def test_what_the_original_refuses_is_named_and_not_counted():
     t = np.linspace(0, 1, 100)
     closed = Trajectory(t, np.column_stack([np.sin(2 * np.pi * t), t]))
-    assert goal_change_2d([closed]).refused == ("? 1",)
-    assert goal_change_2d([closed]).cases == ()
-    assert goal_change_2d([closed]).table() == "(no rows)"
+    assert change_goals_2d([closed]).refused == ("? 1",)
+    assert change_goals_2d([closed]).cases == ()
+    assert change_goals_2d([closed]).table() == "(no rows)"
 
 
 def test_traces_end_at_the_new_goal_and_velocity_belongs_to_position():
     ink = letter(300, 2.5, seed=2)
-    traces = goal_traces(ink, 1, 0.01, "name")
+    traces = trace_goal_change(ink, 1, 0.01, "name")
     assert traces.position["DMP*"][-1] == pytest.approx(ink.position[-1, 1] + 0.01, abs=0.001)
     for name, position in traces.position.items():
         np.testing.assert_allclose(traces.velocity[name], np.gradient(position, traces.t))
@@ -83,7 +83,7 @@ def test_a_closed_up_stroke_ends_where_it_should_and_starts_as_it_did(axis):
 
 
 def test_the_nearer_the_goal_the_harder_the_original_pulls_and_dmp_star_never():
-    near = goals_near_start(
+    near = change_goals_near_start(
         [letter(200, 1.5, seed=seed) for seed in range(3)], ways=(0.02, 0.002, 0.0005)
     )
     assert (np.diff(near.growth[:, 0]) > 0).all()
@@ -93,7 +93,9 @@ def test_the_nearer_the_goal_the_harder_the_original_pulls_and_dmp_star_never():
 
 
 def test_the_decay_term_leaves_nothing_of_the_first_jump():
-    found = first_moments([letter(200, 1.5, seed=seed) for seed in range(3)], shift=0.01)
+    found = measure_initial_acceleration(
+        [letter(200, 1.5, seed=seed) for seed in range(3)], shift=0.01
+    )
     assert np.abs(found.with_term).max() <= 1e-9 * found.without.min()
     alpha = 2 * 18
     np.testing.assert_allclose(found.without, alpha**2 / 4 / 1.5**2 * 0.01)

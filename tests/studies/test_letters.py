@@ -6,10 +6,10 @@ import pytest
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.ink.alphabet import alphabets, recording_of
 from dmp_teach.ink.recording import Recording
-from dmp_teach.studies.experiments.d_to_p import p_from_d
-from dmp_teach.studies.experiments.random_ink import KINDS, any_shape, random_ink
-from dmp_teach.studies.experiments.redraw import four_widths, redrawn, width_name
-from dmp_teach.studies.experiments.stroke_segmentation import segmentation
+from dmp_teach.studies.experiments.d_to_p import make_p_from_d
+from dmp_teach.studies.experiments.random_ink import KINDS, draw_random_ink, learn_random_ink
+from dmp_teach.studies.experiments.redraw import redraw_at_widths, redraw_letters, width_name
+from dmp_teach.studies.experiments.stroke_segmentation import compare_segmentation
 from dmp_teach.studies.inputs import letters_of, own_recordings
 from dmp_teach.trajectory import Trajectory
 from tests.dmp.ink import letter
@@ -25,21 +25,25 @@ def turned_about(recording):
 
 def test_asked_for_letters_are_drawn_and_all_where_there_are_none():
     ours = own_recordings("abx")
-    assert {item.letter.character for item in redrawn(ours).items} == {"a", "b"}
-    assert {item.letter.character for item in redrawn(ours, letters="q").items} == {"a", "b", "x"}
-    assert all(item.error < 0.001 < item.letter.size for item in redrawn(ours).items)
+    assert {item.letter.character for item in redraw_letters(ours).items} == {"a", "b"}
+    assert {item.letter.character for item in redraw_letters(ours, letters="q").items} == {
+        "a",
+        "b",
+        "x",
+    }
+    assert all(item.error < 0.001 < item.letter.size for item in redraw_letters(ours).items)
 
 
 def test_a_drawing_that_is_refused_is_infinitely_far():
     t = np.linspace(0, 1, 100)
     closed = Trajectory(t, np.column_stack([np.sin(2 * np.pi * t), np.cos(2 * np.pi * t)]))
-    (item,) = redrawn([closed], settings={"original": Settings.original()}).items
+    (item,) = redraw_letters([closed], settings={"original": Settings.original()}).items
     assert item.drawn is None
     assert item.error == item.largest == np.inf
 
 
 def test_four_widths_are_drawn_in_the_papers_order():
-    found = four_widths([recording_of("a")])
+    found = redraw_at_widths([recording_of("a")])
     assert [item.settings for item in found.items] == ["1/N", "10/N", "full Gaussian", "2/3N"]
     assert found.items[0].error == min(item.error for item in found.items)
     assert width_name(2.5) == "2.5/N"
@@ -49,8 +53,8 @@ def test_four_widths_are_drawn_in_the_papers_order():
 def test_a_p_is_made_whatever_stroke_came_first(recording):
     from dmp_teach.studies.inputs import Written  # noqa: PLC0415
 
-    usual = p_from_d([recording]).by("DMP*")[0]
-    other = p_from_d([Written("D", "x", turned_about(recording))]).by("DMP*")[0]
+    usual = make_p_from_d([recording]).by("DMP*")[0]
+    other = make_p_from_d([Written("D", "x", turned_about(recording))]).by("DMP*")[0]
     assert (usual.bar, usual.bowl) == (0, 1)
     assert (other.bar, other.bowl) == (1, 0)
     assert usual.recognisable
@@ -61,7 +65,7 @@ def test_a_p_is_made_whatever_stroke_came_first(recording):
 
 def test_a_d_is_no_p():
     """Drawn to its own goal, the bowl reaches the bar's foot and leaves no leg."""
-    item = p_from_d(DS).by("DMP*")[0]
+    item = make_p_from_d(DS).by("DMP*")[0]
     plain = type(item)(
         item.source, "as shown", item.bar, item.bowl, item.target, item.source.strokes
     )
@@ -69,14 +73,14 @@ def test_a_d_is_no_p():
 
 
 def test_the_similarity_makes_the_bowl_that_is_only_turned_and_scaled():
-    for item in p_from_d(DS).by("similarity"):
+    for item in make_p_from_d(DS).by("similarity"):
         assert item.shear <= 0.005 * item.height
         np.testing.assert_allclose(item.ideal[item.bowl].position[-1], item.target)
 
 
 def test_without_a_d_of_two_strokes_our_own_is_borrowed():
-    assert p_from_d([recording_of("a")]).borrowed
-    assert not p_from_d(DS).borrowed
+    assert make_p_from_d([recording_of("a")]).borrowed
+    assert not make_p_from_d(DS).borrowed
 
 
 def lifted(lift, rate=120):
@@ -90,7 +94,7 @@ def lifted(lift, rate=120):
 
 
 def test_every_rule_is_judged_by_the_strokes_that_are_known():
-    table = segmentation([lifted(0.05)])
+    table = compare_segmentation([lifted(0.05)])
     (item,) = table.items
     assert item.known
     assert item.strokes == 2
@@ -103,17 +107,17 @@ def test_every_rule_is_judged_by_the_strokes_that_are_known():
         item.authors.strokes,
         item.printed.strokes,
     )
-    assert segmentation([lifted(0.0)]).items == ()  # flat: nothing to find
+    assert compare_segmentation([lifted(0.0)]).items == ()  # flat: nothing to find
 
 
 def test_what_has_no_height_is_left_out():
-    assert segmentation([letter()]).items == ()
+    assert compare_segmentation([letter()]).items == ()
 
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_random_ink_is_what_its_name_says(kind):
     for seed in range(5):
-        ink = random_ink(kind, 2.0, np.random.default_rng(seed))
+        ink = draw_random_ink(kind, 2.0, np.random.default_rng(seed))
         size = np.ptp(ink.position, axis=0).max()
         assert 0.003 <= size <= 0.5
         assert ink.duration == 2.0
@@ -126,7 +130,7 @@ def test_random_ink_is_what_its_name_says(kind):
 
 
 def test_the_same_seed_gives_the_same_ink():
-    once, again = (any_shape(rates=(1.0, 3.0), pieces=3, seed=4) for _ in range(2))
+    once, again = (learn_random_ink(rates=(1.0, 3.0), pieces=3, seed=4) for _ in range(2))
     np.testing.assert_array_equal(once.error, again.error)
-    assert (any_shape(rates=(1.0, 3.0), pieces=3, seed=5).error != once.error).any()
-    assert len(letters_of(random_ink("waves", 1.0, np.random.default_rng(0)))) == 1
+    assert (learn_random_ink(rates=(1.0, 3.0), pieces=3, seed=5).error != once.error).any()
+    assert len(letters_of(draw_random_ink("waves", 1.0, np.random.default_rng(0)))) == 1

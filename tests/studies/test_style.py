@@ -10,8 +10,16 @@ from hypothesis import strategies as st
 from dmp_teach.errors import LetterError, SettingError
 from dmp_teach.ink.alphabet import recording_of
 from dmp_teach.studies.authorship.answers import Answers, luck_of
-from dmp_teach.studies.authorship.made import attribution, directions, question
-from dmp_teach.studies.authorship.real import HAND, SHAPE, TAKES, fresh, hand, signature, told_apart
+from dmp_teach.studies.authorship.made import attribute_made_letters, directions, question
+from dmp_teach.studies.authorship.real import (
+    HAND,
+    SHAPE,
+    TAKES,
+    classify_writers,
+    fresh,
+    hand,
+    signature,
+)
 from dmp_teach.studies.inputs import Written
 from dmp_teach.trajectory import Trajectory
 from tests.recordings import RECORDINGS, needs_recordings
@@ -47,11 +55,11 @@ def one_person():
 
 @pytest.fixture(scope="module")
 def made(class_of_eight):
-    return attribution(class_of_eight, 4)
+    return attribute_made_letters(class_of_eight, 4)
 
 
 def test_writers_are_told_apart_on_real_letters(class_of_eight):
-    found = told_apart(class_of_eight)
+    found = classify_writers(class_of_eight)
     takes = found[TAKES]
     assert takes.right[1] == 8 * 3
     assert takes.chance == pytest.approx(2 / 23)
@@ -63,7 +71,7 @@ def test_writers_are_told_apart_on_real_letters(class_of_eight):
 
 
 def test_one_person_under_several_names_is_not_told_apart(one_person):
-    for each in [*told_apart(one_person), *attribution(one_person, 3)]:
+    for each in [*classify_writers(one_person), *attribute_made_letters(one_person, 3)]:
         assert each.luck > 0.05, each.question
         assert each.rate <= each.chance + 0.2, each.question
         assert each.interval[0] < each.chance, each.question
@@ -90,8 +98,8 @@ def test_a_stroke_is_not_its_own_neighbour_where_its_writer_has_another():
     strange = [
         each.writes("D", 1, pupils[k - 1].name) for k, each in enumerate(pupils)
     ]  # somebody else's hand
-    assert attribution(once, 1)[FOUR[0]].rate == 1
-    found = attribution(once + strange, 1)[FOUR[0]]
+    assert attribute_made_letters(once, 1)[FOUR[0]].rate == 1
+    found = attribute_made_letters(once + strange, 1)[FOUR[0]]
     assert found.rate < 0.3
     assert found.chance == pytest.approx(1 / 7)
 
@@ -108,32 +116,34 @@ def test_a_take_that_was_exported_twice_is_one_take(class_of_eight):
     again = Written(first.character, first.writer, finer)
     assert fresh([first, again, class_of_eight[32]]) == [first, class_of_eight[32]]
     ones = [Pupil(seed).writes("a") for seed in range(3)]
-    assert not told_apart([*ones, Written("a", "w0", finer)])[TAKES].items
+    assert not classify_writers([*ones, Written("a", "w0", finer)])[TAKES].items
 
 
 def test_whoever_lacks_a_letter_is_left_out_and_nothing_is_asked_of_one_letter():
     pupils = [Pupil(seed) for seed in range(3)]
-    found = told_apart(
+    found = classify_writers(
         [each.writes("a") for each in pupils] + [pupils[0].writes("D"), pupils[1].writes("D")]
     )
     assert set(found[SHAPE].writers) == {"w0", "w1"}
-    (nothing, *_) = told_apart([each.writes("a") for each in pupils])
+    (nothing, *_) = classify_writers([each.writes("a") for each in pupils])
     assert (nothing.right, nothing.luck) == ((0, 0), 1.0)
     assert np.isnan([nothing.rate, *nothing.interval, nothing.chance]).all()
 
 
 def test_two_writers_prove_nothing():
-    found = attribution(variations=1)
+    found = attribute_made_letters(variations=1)
     assert found.borrowed is False
     assert found[FOUR[0]].rate == 1
     assert found[FOUR[0]].luck > 0.3
 
 
 def test_where_nobody_else_could_be_named_our_own_letters_are_taken():
-    assert attribution([recording_of("a")], 1).borrowed
-    assert attribution([recording_of("D"), recording_of("a", "slanted")], 1).borrowed
+    assert attribute_made_letters([recording_of("a")], 1).borrowed
+    assert attribute_made_letters([recording_of("D"), recording_of("a", "slanted")], 1).borrowed
     pupils = [Pupil(seed) for seed in range(3)]
-    found = attribution([each.writes("D") for each in pupils] + [pupils[0].writes("B")], 1)
+    found = attribute_made_letters(
+        [each.writes("D") for each in pupils] + [pupils[0].writes("B")], 1
+    )
     assert not found.borrowed
     assert found[FOUR[0]].right[1] == 3 * 2  # the bowl of the one B is not asked about
 
@@ -145,7 +155,7 @@ def test_what_the_original_form_cannot_learn_counts_as_wrong():
     path = bowl.position.copy()
     path[:, 0] += np.linspace(0, path[0, 0] - path[-1, 0], len(path))
     letters[0] = Written("D", "w0", (bar, Trajectory(bowl.t, path)))
-    found = attribution(letters, 1)
+    found = attribute_made_letters(letters, 1)
     assert ("w0", None) in found["original, less the mean"].items
     assert ("w0", "w0") in found["DMP*, less the mean"].items
     assert found["original, less the mean"].confusion.sum(axis=1).min() == 0
@@ -154,12 +164,12 @@ def test_what_the_original_form_cannot_learn_counts_as_wrong():
 def test_an_executor_changes_nothing_and_progress_is_told(class_of_eight):
     told = []
     with ThreadPoolExecutor(2) as threads:
-        found = attribution(
+        found = attribute_made_letters(
             class_of_eight[:12], 2, executor=threads, progress=lambda *now: told.append(now)
         )
-        real = told_apart(class_of_eight[:12], executor=threads)
-    assert found == attribution(class_of_eight[:12], 2)
-    assert real.rows()[1] == told_apart(class_of_eight[:12]).rows()[1]
+        real = classify_writers(class_of_eight[:12], executor=threads)
+    assert found == attribute_made_letters(class_of_eight[:12], 2)
+    assert real.rows()[1] == classify_writers(class_of_eight[:12]).rows()[1]
     assert told[0] == (0, 3)
     assert told[-1] == (3, 3)
 
@@ -168,7 +178,7 @@ def test_variations_must_be_a_number():
     with pytest.raises(
         SettingError, match="variations is 0, but must be a whole number of at least 1"
     ):
-        attribution(variations=0)
+        attribute_made_letters(variations=0)
 
 
 def test_a_question_that_was_not_asked_is_refused_and_all_are_rows(made):
@@ -237,7 +247,7 @@ def test_luck_is_the_share_of_shuffles_that_do_as_well():
     assert luck_of(lambda order: 0, []) == 1.0
 
 
-@pytest.mark.parametrize("study", [told_apart, attribution])
+@pytest.mark.parametrize("study", [classify_writers, attribute_made_letters])
 def test_ink_that_is_not_flat_or_a_dot_is_refused_by_its_name(study):
     flat = Pupil(0).writes("D")
     high = tuple(Trajectory(s.t, np.column_stack([s.position, 0 * s.t])) for s in flat.strokes)
@@ -249,7 +259,7 @@ def test_ink_that_is_not_flat_or_a_dot_is_refused_by_its_name(study):
 
 @needs_recordings
 def test_bowls_of_real_writers_stay_theirs():
-    found = attribution([path for path in RECORDINGS if path.name[0] == "D"], 4)
+    found = attribute_made_letters([path for path in RECORDINGS if path.name[0] == "D"], 4)
     for words in FOUR[:2]:
         assert found[words].luck <= 0.05
         assert found[words].rate > 2 * found[words].chance

@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 
 from dmp_teach.errors import SettingWarning
-from dmp_teach.studies.experiments.error_curves import error_against_number, error_against_width
-from dmp_teach.studies.experiments.goal_change import goal_change_1d, goal_change_2d
-from dmp_teach.studies.experiments.random_ink import any_shape
-from dmp_teach.studies.experiments.redraw import four_widths, redrawn
+from dmp_teach.studies.experiments.error_curves import sweep_kernel_number, sweep_kernel_width
+from dmp_teach.studies.experiments.goal_change import change_goals_1d, change_goals_2d
+from dmp_teach.studies.experiments.random_ink import learn_random_ink
+from dmp_teach.studies.experiments.redraw import redraw_at_widths, redraw_letters
 from dmp_teach.studies.experiments.validation import choose_kernels
-from dmp_teach.studies.parallel import ProgressBar, run
+from dmp_teach.studies.parallel import progress_bar, run
 from tests.dmp.ink import letter
 
 INK = [letter(120, 1.0, seed=seed) for seed in range(3)]
@@ -54,16 +54,16 @@ def processes():
 
 def figures(executor):
     """Every kind of study, as plain numbers."""
-    widths = error_against_width(INK, widths=(0.5, 1.0, 4.0, np.inf), executor=executor)
-    numbers = error_against_number(INK, shares=(0.1, 0.3), executor=executor)
+    widths = sweep_kernel_width(INK, widths=(0.5, 1.0, 4.0, np.inf), executor=executor)
+    numbers = sweep_kernel_number(INK, shares=(0.1, 0.3), executor=executor)
     return [
         widths.error,
         numbers.error,
-        goal_change_1d(INK, executor=executor).values("original"),
-        goal_change_2d(INK, executor=executor).values("star"),
-        [item.error for item in redrawn(INK, executor=executor).items],
-        [item.error for item in four_widths(INK, executor=executor).items],
-        any_shape(rates=(1.0,), pieces=2, executor=executor).error,
+        change_goals_1d(INK, executor=executor).values("original"),
+        change_goals_2d(INK, executor=executor).values("star"),
+        [item.error for item in redraw_letters(INK, executor=executor).items],
+        [item.error for item in redraw_at_widths(INK, executor=executor).items],
+        learn_random_ink(rates=(1.0,), pieces=2, executor=executor).error,
         choose_kernels(INK[0], candidates=(4, 8), executor=executor).error,
     ]
 
@@ -78,23 +78,26 @@ def test_threads_processes_and_other_engines_give_the_serial_result(processes):
 
 def test_progress_is_told_after_every_piece_from_none_to_all():
     told = []
-    error_against_number(
-        INK, shares=(0.1,), progress=lambda done, total: told.append((done, total))
-    )
+    sweep_kernel_number(INK, shares=(0.1,), progress=lambda done, total: told.append((done, total)))
     assert told == [(0, 3), (1, 3), (2, 3), (3, 3)]
 
 
 def test_a_bar_is_drawn_in_place_and_ends_its_line():
     stream = io.StringIO()
-    bar = ProgressBar("widths", stream, width=4)
-    run(abs, [-1, -2], progress=bar)
-    assert stream.getvalue() == "\rwidths ░░░░ 0/2\rwidths ██░░ 1/2\rwidths ████ 2/2\n"
+    bar = progress_bar("widths", stream, width=60)
+    for _ in range(2):
+        run(abs, [-1, -2], progress=bar)
+    first, last = stream.getvalue().split("\n")[:2]
+    for line in (first, last):
+        assert line.startswith("\rwidths:   0%|")
+        assert "\rwidths: 100%|" in line
+        assert "| 2/2 [" in line
 
 
 def test_nothing_to_do_is_done():
     stream = io.StringIO()
-    assert run(abs, [], progress=ProgressBar(stream=stream, width=2)) == []
-    assert stream.getvalue() == "\r██ 0/0\n"
+    assert run(abs, [], progress=progress_bar(stream=stream)) == []
+    assert stream.getvalue().endswith("\n")
 
 
 def test_an_error_in_one_piece_calls_off_the_rest():
@@ -125,4 +128,4 @@ def test_gaps_that_are_studied_are_not_warned_of(processes):
     with warnings.catch_warnings():
         warnings.simplefilter("error", SettingWarning)
         for engine in (None, processes):
-            error_against_width(INK[:1], widths=(0.3, 1.0), executor=engine)
+            sweep_kernel_width(INK[:1], widths=(0.3, 1.0), executor=engine)

@@ -10,10 +10,10 @@ from matplotlib.figure import Figure
 
 from dmp_teach.dmp.kernels import Kernels
 from dmp_teach.ink.alphabet import recording_of
-from dmp_teach.studies.experiments.d_to_p import p_from_d
-from dmp_teach.studies.experiments.error_curves import error_against_number, error_against_width
-from dmp_teach.studies.experiments.goal_change import goal_paths, goal_traces
-from dmp_teach.studies.experiments.redraw import four_widths, redrawn
+from dmp_teach.studies.experiments.d_to_p import make_p_from_d
+from dmp_teach.studies.experiments.error_curves import sweep_kernel_number, sweep_kernel_width
+from dmp_teach.studies.experiments.goal_change import draw_goal_change, trace_goal_change
+from dmp_teach.studies.experiments.redraw import redraw_at_widths, redraw_letters
 from dmp_teach.studies.experiments.validation import choose_kernels, choose_width
 from dmp_teach.views import figures
 
@@ -25,17 +25,19 @@ STROKE = A.strokes()[0]
 @pytest.fixture(scope="module")
 def every():
     """Every figure, by its name."""
-    widths, numbers = error_against_width(OURS), error_against_number(OURS)
+    widths, numbers = sweep_kernel_width(OURS), sweep_kernel_number(OURS)
     return {
         "kernel_types": figures.kernel_types(),
         "error_over_width": figures.error_over_width(widths),
         "error_over_width, all": figures.error_over_width(widths, "all"),
         "error_over_number": figures.error_over_number(numbers, "our DMP*"),
-        "four_widths_drawn": figures.four_widths_drawn(four_widths(OURS)),
-        "letters_redrawn": figures.letters_redrawn(redrawn(OURS)),
-        "goal_change_over_time": figures.goal_change_over_time(goal_traces(STROKE, 0, 0.01, "a")),
-        "goal_change_drawn": figures.goal_change_drawn(goal_paths(STROKE, (-0.1, 0.0))),
-        "d_to_p": figures.d_to_p(p_from_d(OURS)),
+        "four_widths_drawn": figures.four_widths_drawn(redraw_at_widths(OURS)),
+        "letters_redrawn": figures.letters_redrawn(redraw_letters(OURS)),
+        "goal_change_over_time": figures.goal_change_over_time(
+            trace_goal_change(STROKE, 0, 0.01, "a")
+        ),
+        "goal_change_drawn": figures.goal_change_drawn(draw_goal_change(STROKE, (-0.1, 0.0))),
+        "d_to_p": figures.d_to_p(make_p_from_d(OURS)),
         "kernel_choice": figures.kernel_choice(choose_kernels(STROKE, candidates=(5, 10, 20, 33))),
         "width_choice": figures.kernel_choice(choose_width(STROKE, candidates=(1.0, 4.0, np.inf))),
     }
@@ -89,7 +91,7 @@ def test_curves_differ_by_line_and_marker_not_by_colour_alone(every):
 
 
 def test_the_curve_of_a_letter_is_the_median_of_its_strokes():
-    curves = error_against_width(OURS, widths=(0.5, 1.0, 2.0, 4.0))
+    curves = sweep_kernel_width(OURS, widths=(0.5, 1.0, 2.0, 4.0))
     (panel,) = figures.error_over_width(curves, "box, LWR").axes
     shown = {line.get_label(): line.get_ydata() for line in panel.lines}
     of_d = curves.of("box, LWR")[np.array(curves.characters) == "D"]
@@ -109,14 +111,14 @@ def test_kernels_are_drawn_as_they_are():
 
 
 def test_letters_are_drawn_in_mm_where_they_are_on_the_page():
-    panel = figures.letters_redrawn(redrawn([A])).axes[0]
+    panel = figures.letters_redrawn(redraw_letters([A])).axes[0]
     line = next(line for line in panel.lines if line.get_label() == "as it was drawn")
-    drawn = redrawn([A]).items[0].drawn[0].position
+    drawn = redraw_letters([A]).items[0].drawn[0].position
     np.testing.assert_allclose(np.column_stack(line.get_data()), 1e3 * drawn)
 
 
 def test_a_moved_goal_is_drawn_with_both_forms_and_mirrors_are_named():
-    paths = goal_paths(STROKE, (-0.1, 0.0))
+    paths = draw_goal_change(STROKE, (-0.1, 0.0))
     star, original = figures.goal_change_drawn(paths).axes
     assert star.get_title(loc="left") == "DMP*"
     assert original.get_title(loc="left") == "original, mirrored in x"
@@ -124,7 +126,7 @@ def test_a_moved_goal_is_drawn_with_both_forms_and_mirrors_are_named():
 
 
 def test_ink_that_flies_off_is_cut_and_said():
-    paths = goal_paths(STROKE, (0.9, 0.0))
+    paths = draw_goal_change(STROKE, (0.9, 0.0))
     original = figures.goal_change_drawn(paths).axes[1]
     assert any("leaves the page" in text.get_text() for text in original.texts)
     assert np.ptp(original.get_xlim()) < 2000

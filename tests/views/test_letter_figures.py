@@ -7,7 +7,7 @@ from dmp_teach.errors import LetterError
 from dmp_teach.ink.alphabet import recording_of
 from dmp_teach.letters.compose.recipes import make_letter
 from dmp_teach.letters.compose.shelf import Shelf
-from dmp_teach.letters.text.words import word
+from dmp_teach.letters.text.words import write_word
 from dmp_teach.views.figures.letter import letters_made, recipes_drawn, written_text
 
 
@@ -39,7 +39,7 @@ def test_every_recipe_of_a_shelf_is_drawn():
 
 
 def test_a_word_is_drawn_in_mm_where_it_stands():
-    ink = word("no", x_height=0.01)
+    ink = write_word("no", x_height=0.01)
     panel = written_text(ink).axes[0]
     np.testing.assert_allclose(panel.lines[0].get_xydata(), 1e3 * ink[0].position)
     whole = written_text(ink, 0.21, 0.297).axes[0]

@@ -26,7 +26,9 @@ def one_letter(character: str) -> str:
         )
     letter = normalize("NFC", character)
     if len(letter) > 1:
-        raise RecordingError(f"A pad takes one letter; for words use teach.word({letter[:20]!r}).")
+        raise RecordingError(
+            f"A pad takes one letter; for words use teach.write_word({letter[:20]!r})."
+        )
     return letter
 
 

@@ -20,7 +20,7 @@ PITCH = 3.1  # from line to line, in x-heights: what hangs from a g and what sta
 FINEST = 0.0001  # in which steps a size that fits is looked for [m]
 
 
-def lines(
+def write_lines(
     text: str,
     *,
     width: float = 0.210,
@@ -36,7 +36,7 @@ def lines(
 ) -> Text:
     r"""Write text on a sheet: from the top left, broken between words, and where the text has a new line.
 
-        text = teach.lines("a letter\nfor you", x_height=0.012)
+        text = teach.write_lines("a letter\nfor you", x_height=0.012)
         motion = teach.Fetch().write(text, teach.Page.table(), at=text.middle)
 
     Args:
@@ -46,11 +46,11 @@ def lines(
         x_height: How tall a small letter without a stem is [m].
         margin: What stays free of ink at every edge [m].
         pitch: From line to line, an x-height at least [m]; None: 3.1 x-heights.
-        alphabet: As in `word`.
-        joined: As in `word`.
-        letters: As in `word`.
-        tempo: As in `word`.
-        settings: As in `word`.
+        alphabet: As in `write_word`.
+        joined: As in `write_word`.
+        letters: As in `write_word`.
+        tempo: As in `write_word`.
+        settings: As in `write_word`.
 
     Returns:
         The strokes on one clock, in the frame of the sheet: the origin is its middle, x right, y up [s, m].

@@ -43,7 +43,7 @@ class Text(tuple[Trajectory, ...]):
         return f"Text({len(self)} stroke{'s' * (len(self) > 1)}, {self.duration:.3f} s)"
 
 
-def word(
+def write_word(
     text: str,
     alphabet: str | None = None,
     *,
@@ -82,7 +82,7 @@ def word(
     hand = Hand.of(alphabet, letters, settings)
     if not isinstance(text, str) or not text or text.split() != [text]:
         raise LetterError(
-            f"A word is letters without a space, but got {text!r}; teach.lines writes text with spaces."
+            f"A word is letters without a space, but got {text!r}; teach.write_lines writes text with spaces."
         )
     return placed([hand.word(text, joined)], [(0.0, 0.0)], hand.scale(x_height), tempo)
 
@@ -96,7 +96,7 @@ def placed(
         words: Each from x = 0 on, in the size of the alphabet.
         spots: A place for each.
         scale: How much larger than that they are to be.
-        tempo: As in `word`.
+        tempo: As in `write_word`.
     """
     if isinstance(tempo, bool) or not isinstance(tempo, int | float) or not 0 <= tempo <= 1:
         raise LetterError(

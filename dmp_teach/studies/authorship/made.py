@@ -69,7 +69,7 @@ class _Bowl:
         ]
 
 
-def attribution(
+def attribute_made_letters(
     recordings: Any = None,
     variations: int = VARIATIONS,
     *,

@@ -28,13 +28,13 @@ Answered = tuple[dict[str, list[Asked]], list[float]]
 """Of one character: what was asked in each way, and a guesser's chance for each take."""
 
 
-def made_among_real(
+def attribute_among_real(
     recordings: Any = None, *, executor: Executor | None = None, progress: Progress | None = None
 ) -> Attributions:
     """Made letters given to whoever wrote the nearest real letter of that kind.
 
     Every letter for which there is a recipe is made of every take that has what it needs, if two writers or more wrote
-    it, the maker among them. So, other than in `attribution`, a P is compared with no stroke that it is made of: it is
+    it, the maker among them. So, other than in `attribute_made_letters`, a P is compared with no stroke that it is made of: it is
     right only if the writer's own P looks like it more than everybody else's does. The distance is
     `letter_distance(upright=False)`. There is a question for each way in which strokes are led to other ends (P, R and
     B), and one for letters whose strokes are only moved, which ask little of a primitive.

@@ -20,7 +20,7 @@ DIRECTIONS = 12  # in which half a turn is parted
 TAKES, SHAPE, HAND = "other takes", "other letters, by shape", "other letters, by movement"
 
 
-def told_apart(
+def classify_writers(
     recordings: Any = None, *, executor: Executor | None = None, progress: Progress | None = None
 ) -> Attributions:
     """Real letters given to writers by the nearest neighbour, each left out of what it is compared with.

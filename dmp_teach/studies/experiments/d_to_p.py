@@ -154,7 +154,7 @@ def transforms() -> dict[str, Settings]:
     return named
 
 
-def p_from_d(
+def make_p_from_d(
     recordings: Any = None,
     settings: Mapping[str, Settings] | None = None,
     *,

@@ -115,7 +115,7 @@ class ErrorCurves(Tabled):
         )
 
 
-def error_against_width(
+def sweep_kernel_width(
     recordings: Any = None,
     widths: Sequence[float] = WIDTHS,
     variants: Mapping[str, Variant] | None = None,
@@ -138,7 +138,7 @@ def error_against_width(
     return _curves(widths, "width [1/N]", variants, strokes, found)
 
 
-def error_against_number(
+def sweep_kernel_number(
     recordings: Any = None,
     shares: Sequence[float] | None = None,
     variants: Mapping[str, Variant] | None = None,

@@ -122,7 +122,7 @@ class Traces:
     velocity: dict[str, Array]
 
 
-def goal_change_1d(
+def change_goals_1d(
     recordings: Any = None,
     shift: float = 0.01,
     settings: Settings | None = None,
@@ -156,7 +156,7 @@ def goal_change_1d(
     return _together(run(_moved, pieces, executor, progress))
 
 
-def goal_change_2d(
+def change_goals_2d(
     recordings: Any = None,
     shift: float = 0.1,
     settings: Settings | None = None,
@@ -165,14 +165,16 @@ def goal_change_2d(
     executor: Executor | None = None,
     progress: Progress | None = None,
 ) -> GoalChanges:
-    """Each stroke, its goal moved by `shift` right, left, up and down (the paper: 0.1 m); else as `goal_change_1d`."""
+    """Each stroke, its goal moved by `shift` right, left, up and down (the paper: 0.1 m); else as `change_goals_1d`."""
     shifts = ((shift, 0.0), (-shift, 0.0), (0.0, shift), (0.0, -shift))
     strokes = strokes_of(recordings)
     pieces = [(stroke.name, stroke.path, shifts, *_both(settings, original)) for stroke in strokes]
     return _together(run(_moved, pieces, executor, progress))
 
 
-def goal_traces(stroke: Trajectory, axis: int = 0, shift: float = 0.01, name: str = "") -> Traces:
+def trace_goal_change(
+    stroke: Trajectory, axis: int = 0, shift: float = 0.01, name: str = ""
+) -> Traces:
     """Position and velocity of one coordinate of one stroke whose goal moved, as the paper draws them.
 
     Args:
@@ -274,7 +276,7 @@ class GoalPaths:
     factor: Array
 
 
-def goal_paths(
+def draw_goal_change(
     stroke: Trajectory, shift: Sequence[float] = (0.1, 0.0), name: str = ""
 ) -> GoalPaths:
     """One stroke whose goal moved, drawn by both forms, as the paper's figure 7 draws the letter a.

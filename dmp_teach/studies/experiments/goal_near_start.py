@@ -22,7 +22,7 @@ WAYS = (0.05, 0.02, 0.01, 0.005, 0.002, 0.001, 0.0005)
 
 
 @dataclass(frozen=True, eq=False)
-class Closeness(Tabled):
+class GoalsNearStart(Tabled):
     """Strokes whose goal was brought near their start in one coordinate, and then moved.
 
     Args:
@@ -70,7 +70,7 @@ class Closeness(Tabled):
         )
 
 
-def goals_near_start(
+def change_goals_near_start(
     recordings: Any = None,
     shift: float = 0.01,
     ways: Sequence[float] = WAYS,
@@ -79,7 +79,7 @@ def goals_near_start(
     *,
     executor: Executor | None = None,
     progress: Progress | None = None,
-) -> Closeness:
+) -> GoalsNearStart:
     """Every stroke bent so that its goal is near its start in one coordinate, learned, and its goal moved by `shift`.
 
     The joints' speeds and torques are those of the Fetch writing on a table (`limits.arm_at_table`).
@@ -98,7 +98,7 @@ def goals_near_start(
     found = np.concatenate(
         [each for each in run(_asked, pieces, executor, progress) if each.size], axis=1
     )
-    return Closeness(np.asarray(ways), shift, found[..., 0], found[..., 1], found[..., 2])
+    return GoalsNearStart(np.asarray(ways), shift, found[..., 0], found[..., 1], found[..., 2])
 
 
 def closed_up(path: Trajectory, axis: int, way: float) -> Trajectory:

@@ -16,7 +16,7 @@ from dmp_teach.trajectory import Array, locked
 
 
 @dataclass(frozen=True, eq=False)
-class FirstMoments(Tabled):
+class InitialAcceleration(Tabled):
     """What a goal that moved by `shift` adds to the acceleration of the first sample.
 
     Args:
@@ -53,14 +53,14 @@ class FirstMoments(Tabled):
         )
 
 
-def first_moments(
+def measure_initial_acceleration(
     recordings: Any = None,
     shift: float = 0.01,
     settings: Settings | None = None,
     *,
     executor: Executor | None = None,
     progress: Progress | None = None,
-) -> FirstMoments:
+) -> InitialAcceleration:
     """Each stroke drawn to a goal that moved, and the acceleration that this adds to its first sample.
 
     Args:
@@ -73,7 +73,7 @@ def first_moments(
     strokes = strokes_of(recordings)
     pieces = [(stroke, shift, as_settings(settings)) for stroke in strokes]
     found = np.array(run(_first, pieces, executor, progress))
-    return FirstMoments(tuple(stroke.name for stroke in strokes), shift, *found.T)
+    return InitialAcceleration(tuple(stroke.name for stroke in strokes), shift, *found.T)
 
 
 def _first(piece: tuple[Stroke, float, Settings]) -> tuple[float, float, float]:

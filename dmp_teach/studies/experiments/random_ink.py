@@ -20,7 +20,7 @@ RATES = (0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0)
 
 
 @dataclass(frozen=True, eq=False)
-class AnyShape(Tabled):
+class RandomInkErrors(Tabled):
     """How near random ink was drawn.
 
     Args:
@@ -54,7 +54,7 @@ class AnyShape(Tabled):
         )
 
 
-def any_shape(
+def learn_random_ink(
     settings: Settings | None = None,
     rates: Sequence[float] = RATES,
     pieces: int = 15,
@@ -62,7 +62,7 @@ def any_shape(
     *,
     executor: Executor | None = None,
     progress: Progress | None = None,
-) -> AnyShape:
+) -> RandomInkErrors:
     """Random ink from 3 mm to 0.5 m, anywhere, of 2 s at 120 samples a second, learned and drawn to two goals.
 
     Args:
@@ -79,10 +79,10 @@ def any_shape(
     found = np.array(run(_tried, work, executor, progress)).reshape(
         len(KINDS), len(rates), 2, pieces
     )
-    return AnyShape(KINDS, np.asarray(rates), found[:, :, 0], found[:, :, 1])
+    return RandomInkErrors(KINDS, np.asarray(rates), found[:, :, 0], found[:, :, 1])
 
 
-def random_ink(kind: str, rate: float, rng: np.random.Generator) -> Trajectory:
+def draw_random_ink(kind: str, rate: float, rng: np.random.Generator) -> Trajectory:
     """One stroke of 2 s in 2-D at 120 samples a second, of random size and place, at rest at both ends.
 
     Args:
@@ -119,7 +119,7 @@ def _tried(work: tuple[str, float, int, int, Settings]) -> Array:
     found = []
     for number in range(pieces):
         rng = np.random.default_rng([seed, KINDS.index(kind), round(1000 * rate), number])
-        ink = random_ink(kind, rate, rng)
+        ink = draw_random_ink(kind, rate, rng)
         size = float(np.ptp(ink.position, axis=0).max())
         learned = DMP.imitate(ink, settings)
         angle = rng.uniform(0, 2 * np.pi)

@@ -70,7 +70,7 @@ class Redrawings(Tabled):
         )
 
 
-def redrawn(
+def redraw_letters(
     recordings: Any = None,
     letters: str = "abem",
     settings: Settings | Mapping[str, Settings] | None = None,
@@ -95,7 +95,7 @@ def redrawn(
     )
 
 
-def four_widths(
+def redraw_at_widths(
     recordings: Any = None,
     letters: str = "a",
     widths: Sequence[float] = FOUR,
@@ -116,7 +116,7 @@ def four_widths(
     """
     base = as_settings(settings, lambda: Settings.star(kernel_sigma=4.0, sharpen=False))
     named = {width_name(width): replace(base, kernel_width=float(width)) for width in widths}
-    return redrawn(recordings, letters, named, executor=executor, progress=progress)
+    return redraw_letters(recordings, letters, named, executor=executor, progress=progress)
 
 
 def width_name(width: float) -> str:

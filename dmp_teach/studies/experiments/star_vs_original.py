@@ -24,7 +24,7 @@ _TIMES: dict[tuple, float] = {}
 
 
 @dataclass(frozen=True, eq=False)
-class Against(Tabled):
+class OriginalComparison(Tabled):
     """Both forms on every stroke that the original form can learn.
 
     Args:
@@ -58,14 +58,14 @@ class Against(Tabled):
         )
 
 
-def against_original(
+def compare_with_original(
     recordings: Any = None,
     settings: Settings | None = None,
     original: Settings | None = None,
     *,
     executor: Executor | None = None,
     progress: Progress | None = None,
-) -> Against:
+) -> OriginalComparison:
     """Error and time of DMP* beside the original form, N = Num/10 for both.
 
     Args:
@@ -87,7 +87,7 @@ def against_original(
         np.array([each for _, each in kept]).reshape(-1, 2),
     )
     kernels = [variants[0].on(stroke.path).n_kernels for stroke, _ in kept]
-    return Against(
+    return OriginalComparison(
         names, kernels, error, _time_ratio([stroke.path for stroke, _ in kept[:TIMED]], variants)
     )
 

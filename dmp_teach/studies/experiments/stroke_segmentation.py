@@ -37,7 +37,7 @@ class Found:
 
 
 @dataclass(frozen=True)
-class Lifts:
+class SegmentationCase:
     """One recording of which somebody lifted the pen.
 
     Args:
@@ -64,7 +64,7 @@ class Lifts:
 class Segmentation(Tabled):
     """The recordings of more than one stroke."""
 
-    items: tuple[Lifts, ...]
+    items: tuple[SegmentationCase, ...]
 
     def rows(self) -> Rows:
         """One for each recording: strokes by each rule, and whether all of its ends are right."""
@@ -87,7 +87,7 @@ class Segmentation(Tabled):
         )
 
 
-def segmentation(
+def compare_segmentation(
     recordings: Any = None, *, executor: Executor | None = None, progress: Progress | None = None
 ) -> Segmentation:
     """The paper's rule for strokes (its equations 12 and 13) on every recording with a lift, beside the local one.
@@ -105,7 +105,7 @@ def segmentation(
     return Segmentation(tuple(item for item in found if item is not None))
 
 
-def _compared(recording: Recording) -> Lifts | None:
+def _compared(recording: Recording) -> SegmentationCase | None:
     """One recording; None where the pen was never lifted."""
     truth = recording.strokes()
     flat = bool(np.ptp(recording.position[:, 2]) < 1e-9)
@@ -114,7 +114,7 @@ def _compared(recording: Recording) -> Lifts | None:
     name = f"{recording.character or '?'} {recording.writer or '?'}"
     plain = recording.with_strokes(None)
     found = {rule: _found(plain, rule, truth) for rule in RULES}
-    return Lifts(
+    return SegmentationCase(
         name,
         len(truth),
         recording.given_strokes is not None,

@@ -9,7 +9,7 @@ from dmp_teach.studies.parallel import Progress, run
 from dmp_teach.studies.verdicts import kernels as on_kernels
 from dmp_teach.studies.verdicts import letters as on_letters
 from dmp_teach.studies.verdicts.claim import Claims
-from dmp_teach.studies.verdicts.evidence import bench_of
+from dmp_teach.studies.verdicts.evidence import evidence_of
 
 ALL = (
     on_kernels.narrow_kernels,
@@ -42,12 +42,12 @@ def claims(
     the docstring of the function that the call names.
 
     Args:
-        recordings: Recordings, files or strokes, or a `Bench`; None takes our own alphabets.
+        recordings: Recordings, files or strokes, or `Evidence`; None takes our own alphabets.
         executor: Any `concurrent.futures.Executor`; the studies send it one stroke at a time.
-        progress: Called as `progress(done, total)` after each claim, such as `teach.ProgressBar("claims")`.
+        progress: Called as `progress(done, total)` after each claim, such as `teach.progress_bar("claims")`.
 
     Raises:
         RecordingError: Something that no letter can be read from.
     """
-    bench = bench_of(recordings, executor)
-    return Claims(tuple(run(lambda claim: claim(bench), ALL, progress=progress)))
+    evidence = evidence_of(recordings, executor)
+    return Claims(tuple(run(lambda claim: claim(evidence), ALL, progress=progress)))

@@ -10,21 +10,24 @@ from typing import Any
 from dmp_teach.dmp import DMP, Settings
 from dmp_teach.errors import RecordingError, SettingError
 from dmp_teach.studies.authorship.answers import Attributions
-from dmp_teach.studies.authorship.made import attribution
-from dmp_teach.studies.authorship.real import told_apart
-from dmp_teach.studies.experiments.d_to_p import MadeLetters, p_from_d
+from dmp_teach.studies.authorship.made import attribute_made_letters
+from dmp_teach.studies.authorship.real import classify_writers
+from dmp_teach.studies.experiments.d_to_p import MadeLetters, make_p_from_d
 from dmp_teach.studies.experiments.error_curves import (
     ErrorCurves,
-    error_against_number,
-    error_against_width,
+    sweep_kernel_number,
+    sweep_kernel_width,
 )
-from dmp_teach.studies.experiments.goal_change import GoalChanges, goal_change_1d, goal_change_2d
-from dmp_teach.studies.experiments.goal_near_start import Closeness, goals_near_start
-from dmp_teach.studies.experiments.initial_acceleration import FirstMoments, first_moments
-from dmp_teach.studies.experiments.random_ink import AnyShape, any_shape
-from dmp_teach.studies.experiments.redraw import Redrawings, redrawn
-from dmp_teach.studies.experiments.star_vs_original import Against, against_original
-from dmp_teach.studies.experiments.stroke_segmentation import Segmentation, segmentation
+from dmp_teach.studies.experiments.goal_change import GoalChanges, change_goals_1d, change_goals_2d
+from dmp_teach.studies.experiments.goal_near_start import GoalsNearStart, change_goals_near_start
+from dmp_teach.studies.experiments.initial_acceleration import (
+    InitialAcceleration,
+    measure_initial_acceleration,
+)
+from dmp_teach.studies.experiments.random_ink import RandomInkErrors, learn_random_ink
+from dmp_teach.studies.experiments.redraw import Redrawings, redraw_letters
+from dmp_teach.studies.experiments.star_vs_original import OriginalComparison, compare_with_original
+from dmp_teach.studies.experiments.stroke_segmentation import Segmentation, compare_segmentation
 from dmp_teach.studies.inputs import Stroke, Written, letters_of, recordings_of, strokes_of
 from dmp_teach.trajectory import Trajectory
 
@@ -32,7 +35,7 @@ FOURTH = 4
 
 
 @dataclass(frozen=True, eq=False)
-class Bench:
+class Evidence:
     """What the verdicts are computed from. Every claim takes recordings, or one of these.
 
     Args:
@@ -101,12 +104,12 @@ class Bench:
     @cached_property
     def widths(self) -> ErrorCurves:
         """Error against kernel width."""
-        return error_against_width(self.letters, executor=self.executor)
+        return sweep_kernel_width(self.letters, executor=self.executor)
 
     @cached_property
     def numbers(self) -> ErrorCurves:
         """Error against the number of kernels."""
-        return error_against_number(self.letters, executor=self.executor)
+        return sweep_kernel_number(self.letters, executor=self.executor)
 
     @cached_property
     def fewer_samples(self) -> ErrorCurves:
@@ -115,73 +118,77 @@ class Bench:
         kept = [
             Trajectory(p.t[::FOURTH], p.position[::FOURTH]) for p in paths if len(p) >= 12 * FOURTH
         ]
-        return error_against_number(kept or paths, executor=self.executor)
+        return sweep_kernel_number(kept or paths, executor=self.executor)
 
     @cached_property
     def small_shifts(self) -> GoalChanges:
         """Goals moved by 0.01 m in one coordinate."""
-        return goal_change_1d(
+        return change_goals_1d(
             self.open_letters, settings=self.star, original=self.original, executor=self.executor
         )
 
     @cached_property
     def large_shifts(self) -> GoalChanges:
         """Goals moved by 0.1 m in two."""
-        return goal_change_2d(
+        return change_goals_2d(
             self.open_letters, settings=self.star, original=self.original, executor=self.executor
         )
 
     @cached_property
-    def closeness(self) -> Closeness:
+    def closeness(self) -> GoalsNearStart:
         """Goals near the start."""
-        return goals_near_start(
+        return change_goals_near_start(
             self.open_letters, settings=self.star, original=self.original, executor=self.executor
         )
 
     @cached_property
-    def first(self) -> FirstMoments:
+    def first(self) -> InitialAcceleration:
         """First accelerations."""
-        return first_moments(self.letters, settings=self.star, executor=self.executor)
+        return measure_initial_acceleration(
+            self.letters, settings=self.star, executor=self.executor
+        )
 
     @cached_property
     def redrawn(self) -> Redrawings:
         """The letters a, b, e and m drawn again."""
-        return redrawn(self.letters, settings=self.star, executor=self.executor)
+        return redraw_letters(self.letters, settings=self.star, executor=self.executor)
 
     @cached_property
     def new_letters(self) -> MadeLetters:
         """Every D made into a P."""
-        return p_from_d(self.letters, executor=self.executor)
+        return make_p_from_d(self.letters, executor=self.executor)
 
     @cached_property
     def lifts(self) -> Segmentation:
         """Strokes as the paper finds them."""
-        return segmentation(recordings_of(self.recordings), executor=self.executor)
+        return compare_segmentation(recordings_of(self.recordings), executor=self.executor)
 
     @cached_property
     def hands(self) -> Attributions:
         """Made letters given to their writers."""
-        return attribution(
+        return attribute_made_letters(
             None if self.recordings is None else self.letters, executor=self.executor
         )
 
     @cached_property
     def real_hands(self) -> Attributions:
         """Real letters given to their writers."""
-        return told_apart(self.letters, executor=self.executor)
+        return classify_writers(self.letters, executor=self.executor)
 
     @cached_property
-    def against(self) -> Against:
+    def against(self) -> OriginalComparison:
         """DMP* against the original form."""
-        return against_original(self.open_letters, self.star, self.original, executor=self.executor)
+        return compare_with_original(
+            self.open_letters, self.star, self.original, executor=self.executor
+        )
 
     @cached_property
-    def shapes(self) -> AnyShape:
+    def shapes(self) -> RandomInkErrors:
         """Random ink."""
-        return any_shape(self.star, executor=self.executor)
+        return learn_random_ink(self.star, executor=self.executor)
 
 
-def bench_of(recordings: Any, executor: Executor | None = None) -> Bench:
-    """A bench for recordings; a bench is one already."""
-    bench = recordings if isinstance(recordings, Bench) else Bench(recordings)
-    return bench if executor is None else replace(bench, executor=executor)
+def evidence_of(recordings: Any, executor: Executor | None = None) -> Evidence:
+    """Return the evidence from recordings; evidence is returned as it is."""
+    evidence = recordings if isinstance(recordings, Evidence) else Evidence(recordings)
+    return evidence if executor is None else replace(evidence, executor=executor)

@@ -1,6 +1,6 @@
 """The paper's claims about kernels, each computed from a study. Thresholds are said in each docstring.
 
-Each takes recordings (or files, or strokes; None for our own alphabets; or a `Bench`) and gives a `Claim`. Errors are
+Each takes recordings (or files, or strokes; None for our own alphabets; or `Evidence`) and gives a `Claim`. Errors are
 medians over strokes unless said otherwise. `TOLERANCE` is how much two medians may differ and still be called equal.
 """
 
@@ -22,7 +22,7 @@ from dmp_teach.studies.verdicts.claim import (
     per_cent,
     times,
 )
-from dmp_teach.studies.verdicts.evidence import bench_of
+from dmp_teach.studies.verdicts.evidence import evidence_of
 
 TOLERANCE = 0.05
 
@@ -49,8 +49,8 @@ def _names(curves: ErrorCurves, chosen: np.ndarray) -> str:
 
 def narrow_kernels(recordings: Any = None) -> Claim:
     """Error is large below width 1/N and falls to it: twice that of 1/N up to 0.8/N, and falling, in every variant."""
-    bench = bench_of(recordings)
-    curves, below = bench.widths, bench.widths.x <= 1
+    evidence = evidence_of(recordings)
+    curves, below = evidence.widths, evidence.widths.x <= 1
     cases, ratios = {}, []
     for variant, error in zip(curves.variants, curves.median, strict=True):
         falling = np.diff(error[below]) <= TOLERANCE * error[below][:-1]
@@ -66,7 +66,7 @@ def narrow_kernels(recordings: Any = None) -> Claim:
     )
     said = "The error is large below kernel width 1/N and falls as the width grows to 1/N."
     return Claim(
-        "narrow kernels", said, verdict, figure, why, _call("narrow_kernels", bench.argument)
+        "narrow kernels", said, verdict, figure, why, _call("narrow_kernels", evidence.argument)
     )
 
 
@@ -75,8 +75,8 @@ def best_width(recordings: Any = None) -> Claim:
 
     HOLDS if both hold in every variant, DOES NOT HOLD if the first holds in none, else it DEPENDS ON the variant.
     """
-    bench = bench_of(recordings)
-    curves = bench.widths
+    evidence = evidence_of(recordings)
+    curves = evidence.widths
     whole, between = np.isin(curves.x, (1, 2, 3, 4)), (curves.x >= 1) & (curves.x <= 4)
     least = np.nanmin(curves.median, axis=1, keepdims=True)
     inside = (curves.median[:, between] <= least).any(axis=1)
@@ -94,13 +94,13 @@ def best_width(recordings: Any = None) -> Claim:
     )
     why = f"least error inside for: {_names(curves, inside)}; all of 1, 2, 3, 4/N near it for: {_names(curves, level)}"
     said = "The error is least for kernel widths between 1/N and 4/N."
-    return Claim("best width", said, verdict, figure, why, _call("best_width", bench.argument))
+    return Claim("best width", said, verdict, figure, why, _call("best_width", evidence.argument))
 
 
 def wide_kernels(recordings: Any = None) -> Claim:
     """Error rises above 4/N (20/N at least 1.1 times 4/N) and is flat from 20/N (28, 40/N and full within a tenth)."""
-    bench = bench_of(recordings)
-    curves = bench.widths
+    evidence = evidence_of(recordings)
+    curves = evidence.widths
     rise = _at(curves, 20) / _at(curves, 4)
     wider = np.stack([_at(curves, x) for x in (28, 40, np.inf)]) / _at(curves, 20)
     flat = np.nanmax(np.abs(wider - 1), axis=0)
@@ -114,7 +114,9 @@ def wide_kernels(recordings: Any = None) -> Claim:
     ]
     figure = f"The error grows so many times from 4/N to 20/N, and from there to 40/N: {', '.join(words)}."
     said = "The error rises above kernel width 4/N and is stable from 20/N on."
-    return Claim("wide kernels", said, verdict, figure, why, _call("wide_kernels", bench.argument))
+    return Claim(
+        "wide kernels", said, verdict, figure, why, _call("wide_kernels", evidence.argument)
+    )
 
 
 def truncation(recordings: Any = None) -> Claim:
@@ -122,8 +124,8 @@ def truncation(recordings: Any = None) -> Claim:
 
     The paper's reason is that kernels learn together; so the fit decides.
     """
-    bench = bench_of(recordings)
-    curves, cut = bench.widths, np.isin(bench.widths.x, (1, 2, 3, 4))
+    evidence = evidence_of(recordings)
+    curves, cut = evidence.widths, np.isin(evidence.widths.x, (1, 2, 3, 4))
     cases, words = {}, []
     for variant, error in zip(curves.variants, curves.median, strict=True):
         if variant in _gaussian(curves):
@@ -137,15 +139,15 @@ def truncation(recordings: Any = None) -> Claim:
     said = (
         "Truncated kernels are more accurate than full Gaussians, since each is fitted by itself."
     )
-    return Claim("truncation", said, verdict, figure, why, _call("truncation", bench.argument))
+    return Claim("truncation", said, verdict, figure, why, _call("truncation", evidence.argument))
 
 
 def gaps_between_kernels(recordings: Any = None) -> Claim:
     """2/3N is the worst of 1/N, 2/3N, 10/N and full Gaussians: in nine of ten strokes, for each fit of Gaussians."""
-    bench = bench_of(recordings)
-    names = _gaussian(bench.widths)
+    evidence = evidence_of(recordings)
+    names = _gaussian(evidence.widths)
     gaps, *others = (
-        np.stack([_of(bench.widths, v, x) for v in names]) for x in (2 / 3, 1, 10, np.inf)
+        np.stack([_of(evidence.widths, v, x) for v in names]) for x in (2 / 3, 1, 10, np.inf)
     )
     worst = (gaps >= np.max(others, axis=0)).mean(axis=1)
     cases = {v: bool(share >= 0.9) for v, share in zip(names, worst, strict=True)}
@@ -159,7 +161,7 @@ def gaps_between_kernels(recordings: Any = None) -> Claim:
         verdict,
         figure,
         why,
-        _call("gaps_between_kernels", bench.argument),
+        _call("gaps_between_kernels", evidence.argument),
     )
 
 
@@ -168,11 +170,11 @@ def number_of_kernels(recordings: Any = None) -> Claim:
 
     A case for each variant on the samples as they are, and on every fourth sample.
     """
-    bench = bench_of(recordings)
+    evidence = evidence_of(recordings)
     cases, words = {}, []
     for curves, samples in (
-        (bench.numbers, "every sample"),
-        (bench.fewer_samples, "every fourth sample"),
+        (evidence.numbers, "every sample"),
+        (evidence.fewer_samples, "every fourth sample"),
     ):
         for variant, error in zip(curves.variants, curves.median, strict=True):
             tenth, half = error[np.argmin(np.abs(curves.x - 0.1))], error[-1]
@@ -183,7 +185,12 @@ def number_of_kernels(recordings: Any = None) -> Claim:
     why += f". What counts is kernels in a second: Num/10 is {KERNELS_PER_SECOND} of them at 120 samples, and 3 at 30"
     said = "The error is stable and low from N = Num/10 kernels on."
     return Claim(
-        "number of kernels", said, verdict, figure, why, _call("number_of_kernels", bench.argument)
+        "number of kernels",
+        said,
+        verdict,
+        figure,
+        why,
+        _call("number_of_kernels", evidence.argument),
     )
 
 
@@ -192,8 +199,8 @@ def four_widths_on_a(recordings: Any = None) -> Claim:
 
     All strokes are taken where no 'a' was recorded.
     """
-    bench = bench_of(recordings)
-    curves = bench.widths
+    evidence = evidence_of(recordings)
+    curves = evidence.widths
     of_a = np.array([letter == "a" for letter in curves.characters])
     of_a = of_a if of_a.any() else np.ones(len(of_a), dtype=bool)
     cases, words = {}, []
@@ -207,7 +214,7 @@ def four_widths_on_a(recordings: Any = None) -> Claim:
     )
     said = "On the letter a, width 1/N is best, 10/N worse but better than full Gaussians, and 2/3N the worst."
     return Claim(
-        "four widths on a", said, verdict, figure, why, _call("four_widths_on_a", bench.argument)
+        "four widths on a", said, verdict, figure, why, _call("four_widths_on_a", evidence.argument)
     )
 
 

@@ -1,6 +1,6 @@
 """The paper's claims about goals and letters, each computed from a study. Thresholds are said in each docstring.
 
-Each takes recordings (or files, or strokes; None for our own alphabets; or a `Bench`) and gives a `Claim`.
+Each takes recordings (or files, or strokes; None for our own alphabets; or `Evidence`) and gives a `Claim`.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from dmp_teach.studies.verdicts.claim import (
     per_cent,
     times,
 )
-from dmp_teach.studies.verdicts.evidence import bench_of
+from dmp_teach.studies.verdicts.evidence import evidence_of
 
 SURE = 0.05  # a guess that hits so often or more is this improbable at most
 
@@ -36,9 +36,9 @@ def goal_changes(recordings: Any = None) -> Claim:
     DMP* keeps it if it turns no coordinate over and stays within the shift of the demonstration (root mean square, and
     a tenth more), everywhere. The original loses it if it turns one over or gets farther than twice the shift.
     """
-    bench = bench_of(recordings)
+    evidence = evidence_of(recordings)
     cases, words = {}, []
-    for changes, what in ((bench.small_shifts, "0.01 m"), (bench.large_shifts, "0.1 m")):
+    for changes, what in ((evidence.small_shifts, "0.01 m"), (evidence.large_shifts, "0.1 m")):
         kept = (
             changes.values("star") <= 1.1 * changes.values("distance")
         ).all() and not changes.turned_over
@@ -58,8 +58,8 @@ def goal_changes(recordings: Any = None) -> Claim:
         said,
         verdict,
         f"{'; '.join(words)}.",
-        why + bench.borrowed,
-        _call("goal_changes", bench),
+        why + evidence.borrowed,
+        _call("goal_changes", evidence),
     )
 
 
@@ -69,8 +69,8 @@ def d_becomes_p(recordings: Any = None) -> Claim:
     HOLDS if the bowl is besides within 5 % of the bar (median) of the D's own bowl turned and scaled; sheared more than
     that, it DEPENDS ON how neat a P must be. Our own D is taken where nobody wrote one in two strokes.
     """
-    bench = bench_of(recordings)
-    made = bench.new_letters
+    evidence = evidence_of(recordings)
+    made = evidence.new_letters
     words = []
     for way in made.ways:
         items = made.by(way)
@@ -103,7 +103,7 @@ def d_becomes_p(recordings: Any = None) -> Claim:
         verdict,
         f"{'; '.join(words)}.",
         why[verdict] + tail,
-        _call("d_becomes_p", bench),
+        _call("d_becomes_p", evidence),
     )
 
 
@@ -113,11 +113,11 @@ def strokes_from_height(recordings: Any = None) -> Claim:
     An end is right within 0.05 s of the given strokes, or of the local rule's where the source gives none. Below half
     it DOES NOT HOLD, between it DEPENDS ON the writer. Where no recording has a lift, our own alphabet is taken.
     """
-    bench = bench_of(recordings)
-    items, borrowed = bench.lifts.items, ""
+    evidence = evidence_of(recordings)
+    items, borrowed = evidence.lifts.items, ""
     if not items:
         items, borrowed = (
-            bench_of(None).lifts.items,
+            evidence_of(None).lifts.items,
             "; our own letters, since no recording has a lift",
         )
     right, count = (
@@ -138,17 +138,17 @@ def strokes_from_height(recordings: Any = None) -> Claim:
     )
     said = "Strokes are told apart by dz/dt > theta and the height over the plane."
     return Claim(
-        "strokes from height", said, verdict, figure, why, _call("strokes_from_height", bench)
+        "strokes from height", said, verdict, figure, why, _call("strokes_from_height", evidence)
     )
 
 
 def goal_on_start(recordings: Any = None) -> Claim:
     """The original form with its goal on its start stays at x_0: no stroke that it can learn gets 0.001 mm away."""
-    bench = bench_of(recordings)
+    evidence = evidence_of(recordings)
     farthest = []
-    for stroke in strokes_of(bench.open_letters):
+    for stroke in strokes_of(evidence.open_letters):
         try:
-            learned = DMP.imitate(stroke.path, bench.original)
+            learned = DMP.imitate(stroke.path, evidence.original)
         except SettingError:
             continue  # it ends where it began in some coordinate, so that there is nothing to divide by
         drawn = learned.rollout(goal=learned.start).position
@@ -169,8 +169,8 @@ def goal_on_start(recordings: Any = None) -> Claim:
         said,
         verdict,
         figure,
-        why + bench.borrowed,
-        _call("goal_on_start", bench),
+        why + evidence.borrowed,
+        _call("goal_on_start", evidence),
     )
 
 
@@ -180,8 +180,8 @@ def huge_accelerations(recordings: Any = None) -> Claim:
     Of the strokes that the Fetch's joints can follow as shown, at least half can no longer once the goal, 5, 2, 1 or
     0.5 mm from the start, moves by 10 mm; with DMP* all still can. A case for each distance.
     """
-    bench = bench_of(recordings)
-    near = bench.closeness
+    evidence = evidence_of(recordings)
+    near = evidence.closeness
     cases = {}
     for way, (original, star) in zip(near.ways, near.broken, strict=True):
         if way < near.shift / 1.5:
@@ -202,8 +202,8 @@ def huge_accelerations(recordings: Any = None) -> Claim:
         said,
         verdict,
         figure,
-        why + bench.borrowed,
-        _call("huge_accelerations", bench),
+        why + evidence.borrowed,
+        _call("huge_accelerations", evidence),
     )
 
 
@@ -213,8 +213,8 @@ def decay_term(recordings: Any = None) -> Claim:
     It leaves at most a tenth of what a moved goal adds to the first acceleration. A case as printed; another with the
     change of the goal fed forward, as our `star` does.
     """
-    bench = bench_of(recordings)
-    first = bench.first
+    evidence = evidence_of(recordings)
+    first = evidence.first
     parts = {
         "as printed": first.with_term / first.without,
         "goal fed forward": first.fed / first.without,
@@ -226,7 +226,7 @@ def decay_term(recordings: Any = None) -> Claim:
         f"most {per_cent(parts['as printed'].max())} and {per_cent(parts['goal fed forward'].max())} of that without)."
     )
     said = "The decay term -K (g - y0) s avoids jumps at the beginning of the movement."
-    return Claim("decay term", said, verdict, figure, why, _call("decay_term", bench))
+    return Claim("decay term", said, verdict, figure, why, _call("decay_term", evidence))
 
 
 def redrawn_letters(recordings: Any = None) -> Claim:
@@ -234,9 +234,9 @@ def redrawn_letters(recordings: Any = None) -> Claim:
 
     A case for each letter; all that were recorded where none of the four was.
     """
-    bench = bench_of(recordings)
+    evidence = evidence_of(recordings)
     cases, words = {}, []
-    items = bench.redrawn.items
+    items = evidence.redrawn.items
     for letter in dict.fromkeys(item.letter.character for item in items):
         own = [item for item in items if item.letter.character == letter]
         mean = max(item.error / item.letter.size for item in own)
@@ -248,7 +248,7 @@ def redrawn_letters(recordings: Any = None) -> Claim:
     verdict, why = judged(cases)
     figure = f"Worst of each letter, rms and in parts of its size: {'; '.join(words)}."
     said = "The letters a, b, e and m are reproduced in nearly identical shapes."
-    return Claim("redrawn letters", said, verdict, figure, why, _call("redrawn_letters", bench))
+    return Claim("redrawn letters", said, verdict, figure, why, _call("redrawn_letters", evidence))
 
 
 def accuracy_and_efficiency(recordings: Any = None) -> Claim:
@@ -256,8 +256,8 @@ def accuracy_and_efficiency(recordings: Any = None) -> Claim:
 
     Both at N = Num/10. Time is measured, once in a process.
     """
-    bench = bench_of(recordings)
-    found = bench.against
+    evidence = evidence_of(recordings)
+    found = evidence.against
     error = (
         float(np.median(found.error[:, 0] / found.error[:, 1])) if len(found.strokes) else np.inf
     )
@@ -275,8 +275,8 @@ def accuracy_and_efficiency(recordings: Any = None) -> Claim:
         said,
         verdict,
         figure,
-        why + bench.borrowed,
-        _call("accuracy_and_efficiency", bench),
+        why + evidence.borrowed,
+        _call("accuracy_and_efficiency", evidence),
     )
 
 
@@ -285,8 +285,8 @@ def any_ink(recordings: Any = None) -> Claim:
 
     Medians; a case for each rate at which the pen turns. The ink is random, so recordings do not matter.
     """
-    bench = bench_of(recordings)
-    ink = bench.shapes
+    evidence = evidence_of(recordings)
+    ink = evidence.shapes
     error, miss = np.median(ink.error, axis=2).max(axis=0), np.median(ink.miss, axis=2).max(axis=0)
     cases = {
         f"{rate:g} turns a second": bool(e <= 0.02 and m <= 0.02)
@@ -298,7 +298,7 @@ def any_ink(recordings: Any = None) -> Claim:
     )
     figure = f"Worst kind of ink by turns a second: {words} of its size; moved goals missed by {per_cent(miss.max())}."
     said = "Trajectories of arbitrary shape, scale, strokes, starting and ending positions are learned."
-    return Claim("any shape", said, verdict, figure, why, _call("any_ink", bench))
+    return Claim("any shape", said, verdict, figure, why, _call("any_ink", evidence))
 
 
 def writing_style(recordings: Any = None) -> Claim:
@@ -308,8 +308,8 @@ def writing_style(recordings: Any = None) -> Claim:
     and less what the recipe does to everybody. DOES NOT HOLD if none hits more often than a guess would, else it
     DEPENDS ON the number of writers and on what is compared.
     """
-    bench = bench_of(recordings)
-    hands, real = bench.hands, bench.real_hands
+    evidence = evidence_of(recordings)
+    hands, real = evidence.hands, evidence.real_hands
     asked = [
         hands[question("DMP*", varied, less)] for less in (True, False) for varied in (False, True)
     ]
@@ -341,7 +341,7 @@ def writing_style(recordings: Any = None) -> Claim:
         + borrowed
     )
     said = "New letters have a writing style similar to that of the demonstrations."
-    return Claim("writing style", said, verdict, figure, why, _call("writing_style", bench))
+    return Claim("writing style", said, verdict, figure, why, _call("writing_style", evidence))
 
 
 def _rate(answers: Answers) -> str:
@@ -350,6 +350,6 @@ def _rate(answers: Answers) -> str:
     return f"{per_cent(answers.rate)} [{100 * low:.0f}, {100 * high:.0f}]"
 
 
-def _call(name: str, bench: Any) -> str:
+def _call(name: str, evidence: Any) -> str:
     """The line that makes a figure again."""
-    return f"teach.studies.{name}({bench.argument}).figure"
+    return f"teach.studies.{name}({evidence.argument}).figure"

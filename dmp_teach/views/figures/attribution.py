@@ -30,7 +30,7 @@ def attribution_bars(*found: Attributions) -> Figure:
     """How many letters were given to their writer: a bar for each question, its 95 % interval, and what a guess gives.
 
     Args:
-        found: From `told_apart` and `attribution`, in the order in which they are drawn.
+        found: From `classify_writers` and `attribute_made_letters`, in the order in which they are drawn.
 
     Raises:
         SettingError: Nothing was asked.
@@ -38,7 +38,7 @@ def attribution_bars(*found: Attributions) -> Figure:
     asked = [each for answers in found for each in answers if each.items]
     if not asked:
         raise SettingError(
-            "Nothing was asked; give what told_apart or attribution found of several writers' letters."
+            "Nothing was asked; give what classify_writers or attribute_made_letters found of several writers' letters."
         )
     figure, ((panel,),) = sheet(1, 1, 8.2, 1.3 + 0.36 * len(asked))
     places = np.arange(len(asked))[::-1]

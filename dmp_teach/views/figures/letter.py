@@ -111,7 +111,7 @@ def written_text(
     """A word or lines as ink on paper.
 
     Args:
-        strokes: From `word` or `lines`.
+        strokes: From `write_word` or `write_lines`.
         width: Of the sheet, whose middle is the origin [m]; None: as wide as the ink.
         height: Of the sheet [m].
     """
