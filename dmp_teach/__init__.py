@@ -1,7 +1,7 @@
 """Teach a robot to write: letters from people's handwriting with dynamic movement primitives.
 
-Names are loaded when they are first used (PEP 562): importing the package loads nothing heavy. `__init__.pyi` lists
-the same names for editors and type checkers.
+Names are loaded when they are first used (PEP 562): importing the package loads nothing heavy.
+`__init__.pyi` lists the same names for editors and type checkers.
 """
 
 import warnings
@@ -10,7 +10,8 @@ from importlib import import_module
 __version__ = "0.1.0"
 
 _NAMES = {
-    "errors": "TeachError SettingError SettingWarning TrajectoryError RecordingError LetterError PageError ReachError ReachWarning JointError MissingPartError SetupError ViewError PathError",
+    "errors": "TeachError SettingError SettingWarning TrajectoryError RecordingError LetterError "
+    "PageError ReachError ReachWarning JointError MissingPartError SetupError ViewError PathError",
     "trajectory": "Trajectory",
     "ink": "Recording recording_of",
     "formats": "read_recording read_recordings write_recording",
@@ -18,7 +19,8 @@ _NAMES = {
     "dmp": "Settings DMP Stepper chain",
     "letters": "Letter Style Shelf Piece make_letter write_word write_lines",
     "robot": "Page Motion Fetch reach_map reach_around simulate Run write_rosbag",
-    "studies": "claims choose_kernels sweep_kernel_width sweep_kernel_number change_goals_1d change_goals_2d progress_bar",
+    "studies": "claims choose_kernels sweep_kernel_width sweep_kernel_number change_goals_1d "
+    "change_goals_2d progress_bar",
     "views": "view",
     "classroom": "explore pad",
 }

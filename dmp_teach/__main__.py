@@ -1,8 +1,8 @@
-"""The launcher: `python3 -m dmp_teach lab` opens the notebooks, `python3 -m dmp_teach test` runs every test.
+"""The launcher: `python3 -m dmp_teach lab` opens the notebooks, `... test` runs every test.
 
-The first start makes an environment of its own in `.venv` from `environment.txt`; later starts install nothing.
-Nothing but the standard library is used here, and only words that Python 3.6 understands: whoever starts us with
-an old Python gets a newer one that is installed beside it, or one sentence that says what to type.
+The first start makes an environment in `.venv` from `environment.txt`; later starts install
+nothing. Standard library only, in the syntax of Python 3.6: started with an old Python, it finds
+a newer one beside it, or prints one sentence that says what to type.
 """
 
 import argparse
@@ -27,13 +27,10 @@ from dmp_teach.launcher.lab import (
 
 VENV = ROOT / ".venv"
 PINS = ROOT / "environment.txt"
-VERSIONS = (
-    "3.11",
-    "3.12",
-    "3.13",
-)  # in order of preference: pybullet has no wheels for newer than 3.11
+# In order of preference: pybullet has no wheels for newer than 3.11.
+VERSIONS = ("3.11", "3.12", "3.13")
 
-# How pip and uv say that they reach nobody.
+# What pip and uv print when they are offline.
 NO_NETWORK = (
     "ConnectionError",
     "NewConnection",
@@ -42,12 +39,19 @@ NO_NETWORK = (
     "Temporary failure",
     "ProxyError",
     "SSLError",
+    "Failed to fetch",
+    "dns error",
+    "error sending request",
+    "Network is unreachable",
 )
-NO_NETWORK += ("Failed to fetch", "dns error", "error sending request", "Network is unreachable")
+LINTERS = [["ruff", "check", "."], ["ruff", "format", "--check", "."]]
+# Processes on all cores, at most eight, for each may need 1 GB; the slowest groups first.
+PARALLEL = ["-n", "logical", "--maxprocesses", "8", "--dist", "loadgroup"]
+PARALLEL += ["--no-loadscope-reorder"]
 
 
 def main(arguments=None):
-    """Read the command line and do what it says; returns the exit code."""
+    """Run the command line and return the exit code."""
     parser = argparse.ArgumentParser(
         prog="python3 -m dmp_teach", description="Teach a robot to write."
     )
@@ -57,7 +61,9 @@ def main(arguments=None):
     lab_parser.add_argument("--no-browser", action="store_true", help="only say where it is")
     lab_parser.add_argument("--port", type=int, help="the port to use, instead of any free one")
     commands.add_parser(
-        "test", help="run every test; whatever follows goes to pytest", add_help=False
+        "test",
+        help="run every test; --quick: in a minute; whatever else follows goes to pytest",
+        add_help=False,
     )
     options, rest = parser.parse_known_args(arguments)
     if rest and options.command == "lab":
@@ -77,12 +83,12 @@ def main(arguments=None):
 
 
 def stop(number, frame):
-    """Any signal that ends us ends us in order."""
+    """Turn any signal that ends us into the exception of Ctrl-C."""
     raise KeyboardInterrupt
 
 
 def prepare():
-    """The environment's Python; makes the environment first, if it is not there or the pins have changed."""
+    """Return the environment's Python; make or update the environment where the pins ask for it."""
     python = VENV / ("Scripts/python.exe" if WINDOWS else "bin/python")
     stamp = VENV / "dmp_teach.stamp"
     if not PINS.exists():
@@ -96,17 +102,14 @@ def prepare():
         return str(python)
     say("Setting up in .venv (once, about 2 minutes and 1.5 GB) ...")
     began = time.time()
-    if (
-        done is None
-    ):  # nothing yet, or an unfinished one: begin it anew, what was downloaded is kept elsewhere
+    if done is None:
+        # There is none, or an unfinished one. What was downloaded is kept in the installer's cache.
         make_venv()
     else:
         stamp.unlink()
     install(str(python))
-    place = subprocess.check_output(
-        [str(python), "-c", "import sysconfig; print(sysconfig.get_path('purelib'))"]
-    )
-    place = Path(place.decode().strip())
+    ask = "import sysconfig; print(sysconfig.get_path('purelib'))"
+    place = Path(subprocess.check_output([str(python), "-c", ask]).decode().strip())
     (place / "dmp_teach.pth").write_text(os.path.relpath(str(ROOT), str(place)) + "\n")
     stamp.write_text(pins)
     say(
@@ -116,7 +119,7 @@ def prepare():
 
 
 def make_venv():
-    """An empty environment, by uv where there is one, by the standard library otherwise."""
+    """Make an empty environment, by uv where it is installed, else by the standard library."""
     python = find_python()
     if VENV.exists():
         shutil.rmtree(str(VENV))
@@ -124,8 +127,8 @@ def make_venv():
         command = ["uv", "venv", "--quiet", "--seed", "--python", python or VERSIONS[0], str(VENV)]
     elif python is None:
         raise SetupError(
-            "Python {} is too old or too new: dmp_teach needs {}. Install one of them, or uv, which "
-            "fetches it by itself (https://docs.astral.sh/uv), and type this again.".format(
+            "Python {} is too old or too new: dmp_teach needs {}. Install one of them, or uv, "
+            "which fetches it by itself (https://docs.astral.sh/uv), and type this again.".format(
                 sys.version.split()[0], ", ".join(VERSIONS)
             )
         )
@@ -134,20 +137,20 @@ def make_venv():
             [python, "-c", "import sys; print('%d.%d' % sys.version_info[:2])"]
         )
         raise SetupError(
-            "This Python cannot make environments. Type  sudo apt install python{}-venv  and then this again.".format(
-                version.decode().strip()
-            )
+            "This Python cannot make environments. Type  sudo apt install python{}-venv  "
+            "and then this again.".format(version.decode().strip())
         )
     else:
         command = [python, "-m", "venv", str(VENV)]
     if subprocess.call(command, env=installer_environment()) != 0:
         raise SetupError(
-            "The environment .venv could not be made; the lines above say why. Is this computer online?"
+            "The environment .venv could not be made; the lines above say why. "
+            "Is this computer online?"
         )
 
 
 def find_python():
-    """The first Python of `VERSIONS` that runs here, or None."""
+    """Return the first Python of `VERSIONS` that runs here, or None."""
     own = getattr(sys, "_base_executable", None) or sys.executable
     for version in VERSIONS:
         if version == "%d.%d" % sys.version_info[:2]:
@@ -164,88 +167,107 @@ def find_python():
 
 
 def answers(command, version):
-    """Whether a command starts a Python of this version: a name on the PATH may be a shim with nothing behind it."""
+    """Return whether a command starts a Python of this version; it may be an empty shim."""
     try:
-        told = subprocess.check_output([*command, "--version"], stderr=subprocess.STDOUT)
+        output = subprocess.check_output([*command, "--version"], stderr=subprocess.STDOUT)
     except (OSError, subprocess.CalledProcessError):
         return False
-    return told.decode("utf-8", "replace").startswith("Python " + version + ".")
+    return output.decode("utf-8", "replace").startswith("Python " + version + ".")
 
 
 def install(python):
-    """Install the pins, and say how far it is."""
+    """Install the pins and show the progress."""
     if shutil.which("uv"):
-        command = ["uv", "pip", "install", "--python", python, "-r", str(PINS)]
+        command = ["uv", "pip", "install", "--python", python]
     else:
-        command = [
-            python,
-            "-m",
-            "pip",
-            "install",
-            "--disable-pip-version-check",
-            "--no-input",
-            "-r",
-            str(PINS),
-        ]
+        command = [python, "-m", "pip", "install", "--disable-pip-version-check", "--no-input"]
     process = subprocess.Popen(
-        command,
+        [*command, "-r", str(PINS)],
         stdin=subprocess.DEVNULL,
         stdout=subprocess.PIPE,
         stderr=subprocess.STDOUT,
         universal_newlines=True,
         env=installer_environment(),
     )
-    heard, collected, total = [], 0, PINS.read_text().count("==")
     try:
-        for line in process.stdout:
-            heard.append(line)
-            if line.startswith("Collecting "):
-                collected += 1
-                if collected % 20 == 0:
-                    say("  {} of about {} packages".format(collected, total))
-            elif line.startswith(("Installing collected", "Resolved", "Prepared", "Installed")):
-                say("  " + line.split(":")[0].strip())
+        output = show_progress(process.stdout or [])
     finally:
         if process.poll() is None and sys.exc_info()[0]:
             process.terminate()
     if process.wait() != 0:
         noise = (" + ", "  ", "Collecting", "Ignoring", "Requirement already", "WARNING: Retrying")
-        told = "".join(
-            line for line in heard[-30:] if not line.startswith(noise) or line.startswith("  cause")
-        )
-        raise SetupError(told + "\n" + advice("".join(heard)))
+        shown = [
+            line
+            for line in output[-30:]
+            if not line.startswith(noise) or line.startswith("  cause")
+        ]
+        raise SetupError("".join(shown) + "\n" + advice("".join(output)))
 
 
-def advice(heard):
-    """What to do about an installation that failed, from what the installer said."""
-    if "No space left" in heard or "not enough space" in heard:
+def show_progress(lines):
+    """Print how far the installer is, and return its lines."""
+    output = []
+    collected = 0
+    total = PINS.read_text().count("==")
+    for line in lines:
+        output.append(line)
+        if line.startswith("Collecting "):
+            collected += 1
+            if collected % 20 == 0:
+                say("  {} of about {} packages".format(collected, total))
+        elif line.startswith(("Installing collected", "Resolved", "Prepared", "Installed")):
+            say("  " + line.split(":")[0].strip())
+    return output
+
+
+def advice(output):
+    """Return what to do about an installation that failed, from the installer's output."""
+    if "No space left" in output or "not enough space" in output:
         return "The disk is full: make room for 2 GB and type the same command again."
-    if any(word in heard for word in NO_NETWORK):
-        return "The packages could not be fetched: is this computer online? Then type the same command again."
-    return "A package could not be installed; the lines above say which. Type the same command again to go on."
+    if any(word in output for word in NO_NETWORK):
+        return (
+            "The packages could not be fetched: is this computer online? "
+            "Then type the same command again."
+        )
+    return (
+        "A package could not be installed; the lines above say which. "
+        "Type the same command again to go on."
+    )
 
 
 def installer_environment():
-    """Our surroundings for pip and uv; uv trusts what this computer trusts, as schools' networks often need."""
+    """Return the environment variables for pip and uv.
+
+    uv trusts the certificates of this computer, as schools' networks often need.
+    """
     trusted = (
         WINDOWS or sys.platform == "darwin" or Path("/etc/ssl/certs/ca-certificates.crt").exists()
     )
     return dict({"UV_SYSTEM_CERTS": "1"} if trusted else {}, **clean_environment())
 
 
+def check_commands(arguments):
+    """Return what `test` runs: linters, types and every test; what follows `test`, by pytest."""
+    rest = [word for word in arguments if word != "--quick"]
+    quick = ["-m", "quick"] if len(rest) < len(arguments) else []
+    if rest:
+        return [["pytest", *quick, *rest]]
+    if quick:
+        return [*LINTERS, ["pytest", *quick]]
+    return [*LINTERS, ["mypy"], ["pytest", *PARALLEL]]
+
+
 def run_tests(python, arguments):
-    """Run ruff, then pytest over tests and notebooks; with arguments, pytest alone and on those."""
-    commands = [] if arguments else [["ruff", "check", "."], ["ruff", "format", "--check", "."]]
+    """Run each command of the tests and return the first exit code that is not 0, or 0."""
     codes = []
-    for command in [*commands, ["pytest", *arguments]]:
+    for command in check_commands(arguments):
         process = subprocess.Popen([python, "-m", *command], cwd=str(ROOT), env=clean_environment())
         try:
             codes.append(process.wait())
         except KeyboardInterrupt:
             try:
-                process.wait(
-                    timeout=10
-                )  # pytest has heard the same Ctrl-C and is putting things away
+                # pytest was interrupted by the same Ctrl-C and is tidying up.
+                process.wait(timeout=10)
             except subprocess.TimeoutExpired:
                 end_family(python, process)
             raise

@@ -1,21 +1,22 @@
-"""One family of errors: what it is, what it must be, what to do next.
+"""The family of errors: each says what is wrong, what must be, and what to do next.
 
-Every error of ours is a `TeachError` and also the built-in error that one would expect, so that
-`except ValueError` works for people who have never heard of us.
+Every one is a `TeachError` and also the built-in error that one would expect, so that
+`except ValueError` works, too.
 """
 
 from typing import Any
 
 
 def kind_of(value: Any, first: bool = False) -> str:
-    """What a value is, with its article: "an int", "a list"; None is itself.
+    """Return the type of a value with its article: "an int", "a list"; None is "None".
 
     Args:
         value: Anything.
-        first: Whether a sentence begins with it: "An int".
+        first: Whether it begins a sentence: "An int".
     """
     name = type(value).__name__
-    an = name[0].lower() in "aeio" or name == "ndarray"  # no "u": it is a ufunc, and a union
+    # Not "u": a ufunc, a union.
+    an = name[0].lower() in "aeio" or name == "ndarray"
     return "None" if value is None else f"{'A' if first else 'a'}{'n' * an} {name}"
 
 
@@ -23,8 +24,8 @@ class TeachError(Exception):
     """The root of the family.
 
     Args:
-        words: What it is, what it must be, what to do next.
-        cure: What would work, where that is known: a `Page`, or the `size` of a letter [m].
+        words: What is wrong, what must be, and what to do next.
+        cure: A value that would work, if one is known: a `Page`, or the `size` of a letter [m].
     """
 
     def __init__(self, *words: str, cure: Any = None):
@@ -32,7 +33,7 @@ class TeachError(Exception):
         self.cure = cure
 
     def _render_traceback_(self) -> "list[str]":
-        """What a notebook shows below the cell, as IPython asks for it: the sentence, without our insides."""
+        """Return what IPython shows below a cell: the sentence, without a traceback."""
         return [f"{type(self).__name__}: {self}"]
 
 
@@ -65,14 +66,14 @@ class ReachError(TeachError, ValueError):
 
 
 class ReachWarning(UserWarning):
-    """The arm gets there, but only just: it is nearly stretched out. Says how far to move the page."""
+    """The arm is nearly stretched out; says how far to move the page."""
 
 
 class JointError(TeachError, KeyError):
     """No joint or frame of that name; names the nearest ones."""
 
     def __str__(self) -> str:
-        """The sentence itself: a KeyError would print it in quotation marks."""
+        """Return the sentence, which a KeyError would print in quotation marks."""
         return " ".join(map(str, self.args))
 
 

@@ -40,7 +40,7 @@ def lowpass(values: Array, cutoff: float, padding: int) -> Array:
 
 
 def extend_oddly(values: Array, padding: int) -> Array:
-    """Return `values` (T, ...) continued on both sides by `padding` samples, turned about the ends."""
+    """Return `values` (T, ...) extended by `padding` samples on both sides, odd about the ends."""
     before = 2 * values[0] - values[padding:0:-1]
     after = 2 * values[-1] - values[-2 : -padding - 2 : -1]
     return np.concatenate([before, values, after])

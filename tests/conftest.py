@@ -1,25 +1,69 @@
-"""Under CI=true nothing may be left out: a skipped test fails there, unless it is recordings that are absent."""
+"""Tiers of tests (CONTRIBUTING.md), and nothing left out under CI=true but absent recordings."""
 
 import os
+from pathlib import Path
 
+import hypothesis
 import pytest
 
+TESTS = Path(__file__).parent
 STRICT = os.environ.get("CI", "").lower() == "true"
+FEW = 5
+NOT_QUICK = {"benchmarks", "browser", "robot", "studies", "notebooks"}
+LONGEST_FIRST = ["browser", "studies", "robot"]
+
+
+class FewExamples(hypothesis.settings):
+    """Settings of a law that are content with few examples, whatever the law says."""
+
+    def __init__(self, *arguments, max_examples=FEW, **more):
+        super().__init__(*arguments, max_examples=min(max_examples, FEW), **more)
+
+
+def is_quick(config):
+    """Whether only the quick tier is run: `pytest -m quick`."""
+    return config.getoption("markexpr") == "quick"
+
+
+def pytest_configure(config):
+    """Name the marks of the quick tier, and try laws on few examples in it."""
+    config.addinivalue_line("markers", "quick: takes no time; run with -m quick")
+    config.addinivalue_line("markers", "slow: not in the quick tier")
+    if is_quick(config):
+        hypothesis.settings.register_profile("quick", max_examples=FEW, deadline=None)
+        hypothesis.settings.load_profile("quick")
+        hypothesis.settings = FewExamples
+
+
+def pytest_ignore_collect(collection_path, config):
+    """Do not even import what the quick tier leaves out."""
+    return True if is_quick(config) and collection_path.name in NOT_QUICK else None
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(config, items):
+    """Mark as quick what is not marked as slow or thorough; on several cores, group by files."""
+    for item in items:
+        if not any(item.iter_markers("slow")) and not any(item.iter_markers("thorough")):
+            item.add_marker("quick")
+    if hasattr(config, "workerinput"):
+        for item in items:
+            item.add_marker(pytest.mark.xdist_group(group_of(item.path)))
+        items.sort(key=lambda item: item.path.parent.name not in LONGEST_FIRST)
+
+
+def group_of(path):
+    """What one process runs: a file, and all of the browser, so that one JupyterLab serves it."""
+    return "browser" if path.parent.name == "browser" else str(path)
 
 
 def hold_to_it(report):
-    """Turn a skip into a failure, where continuous integration promises that everything was tried."""
+    """Turn a skip into a failure, where continuous integration promises that all was tried."""
     reason = report.longrepr[2] if isinstance(report.longrepr, tuple) else str(report.longrepr)
-    if (
-        STRICT
-        and report.skipped
-        and not hasattr(report, "wasxfail")
-        and "no recordings here" not in reason
-    ):
-        report.outcome, report.longrepr = (
-            "failed",
-            f"Nothing may be skipped under CI=true, but this was: {reason}",
-        )
+    excused = hasattr(report, "wasxfail") or "no recordings here" in reason
+    if STRICT and report.skipped and not excused:
+        report.outcome = "failed"
+        report.longrepr = f"Nothing may be skipped under CI=true, but this was: {reason}"
     return report
 
 

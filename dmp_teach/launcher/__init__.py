@@ -1,1 +1,1 @@
-"""What `python3 -m dmp_teach lab` starts, and what its Jupyter server adds."""
+"""JupyterLab as `python3 -m dmp_teach lab` starts it, and what its server adds."""

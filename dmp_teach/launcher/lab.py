@@ -1,6 +1,7 @@
-"""JupyterLab, started so that a class can use it: on this computer alone, quiet, and gone when it is ended.
+"""Start JupyterLab for a class: on this computer alone, quiet, and gone when it is ended.
 
-The launcher runs this before anything is installed: standard library only, in words that Python 3.6 understands.
+The launcher runs this before anything is installed: standard library only, in the syntax of
+Python 3.6.
 """
 
 import json
@@ -18,13 +19,12 @@ from pathlib import Path
 from dmp_teach.errors import SetupError
 
 ROOT = Path(__file__).resolve().parent.parent.parent
-STATE = (
-    ROOT / ".jupyter"
-)  # Jupyter's settings, tabs and log: ours, so that nobody's own are read or changed
+# Jupyter's settings, tabs and log: ours, so that a user's own are neither read nor changed.
+STATE = ROOT / ".jupyter"
 FIRST_NOTEBOOK = "notebooks/00_start_here.ipynb"
 WINDOWS = os.name == "nt"
 
-# Ends a process and all that it has started; psutil lives in the environment, so the environment's Python runs it.
+# Ends a process and its children; run by the environment's Python, which has psutil.
 END_FAMILY = """
 import psutil, sys, time
 
@@ -46,20 +46,21 @@ for straggler in filter(lives, family):
 
 
 def answer_signals(how):
-    """Set what Ctrl-C and its kin do; set, not inherited: a shell's background jobs ignore Ctrl-C."""
+    """Set the handler of Ctrl-C and its kin, which a shell's background jobs ignore by default."""
     for name in ("SIGINT", "SIGTERM", "SIGHUP"):
         if hasattr(signal, name):
             signal.signal(getattr(signal, name), how)
 
 
 def say(line):
-    """One line for the person at the keyboard."""
+    """Print one line at once."""
     print(line, flush=True)
 
 
 def lab(python, port=None, browser=True):
-    """Run JupyterLab until somebody ends it; returns the exit code."""
-    port, token = free_port(port), secrets.token_urlsafe(24)
+    """Run JupyterLab until it is ended, and return the exit code."""
+    port = free_port(port)
+    token = secrets.token_urlsafe(24)
     STATE.mkdir(exist_ok=True)
     say("Starting JupyterLab ...")
     with open(str(STATE / "lab.log"), "w+b") as log:
@@ -78,12 +79,13 @@ def lab(python, port=None, browser=True):
             say("Ending JupyterLab ...")
             return 0
         finally:
-            answer_signals(signal.SIG_IGN)  # impatience does not leave kernels behind
+            # A second Ctrl-C must not leave kernels behind.
+            answer_signals(signal.SIG_IGN)
             end_family(python, process)
 
 
 def lab_command(python, root, port):
-    """What starts the server, as a list of words. The token is not among them: other people can read these."""
+    """Return the command of the server, without the token: other users can read commands."""
     settings = {
         "ServerApp.ip": "127.0.0.1",
         "ServerApp.port": port,
@@ -94,19 +96,21 @@ def lab_command(python, root, port):
         "ServerApp.kernel_websocket_connection_class": "dmp_teach.launcher.server.PromptConnection",
         "FileContentsManager.pre_save_hook": "dmp_teach.launcher.notebook_privacy.without_ink",
         "LabApp.default_url": "/lab/tree/" + FIRST_NOTEBOOK,
-        "LabApp.extension_manager": "readonly",  # the other one asks an index on the network
+        # The default manager queries an index on the network.
+        "LabApp.extension_manager": "readonly",
         "LabApp.check_for_updates_class": "jupyterlab.NeverCheckForUpdate",
         "LabApp.news_url": None,
-        "LanguageServerManager.autodetect": False,  # it would start npm to look for language servers
+        # It would start npm to look for language servers.
+        "LanguageServerManager.autodetect": False,
     }
     return [python, "-m", "jupyterlab"] + ["--{}={}".format(*pair) for pair in settings.items()]
 
 
 def lab_environment(state, token):
-    """The server's surroundings: a settings folder of its own.
+    """Return the environment variables of the server, after writing its settings.
 
-    In it Jupyter's question about news is switched off, and panels stay in a saved notebook: as a sentence that says
-    how to wake them, without their ink (`saving.py`).
+    Jupyter's question about news is switched off, and panels stay in a saved notebook: as a
+    sentence that says how to wake them, without their ink (`notebook_privacy.py`).
     """
     off = {"@jupyterlab/apputils-extension:announcements": True}
     settle(
@@ -132,7 +136,7 @@ def settle(state, name, content):
 
 
 def watch(process, port, token):
-    """Say once where JupyterLab is, show its errors and nothing else, until it ends by itself."""
+    """Print where JupyterLab is and its errors, until it ends by itself."""
     said = False
     with open(str(STATE / "lab.log"), errors="replace") as errors:
         while process.poll() is None:
@@ -151,14 +155,14 @@ def watch(process, port, token):
 
 
 def show_errors(log):
-    """Pass on the log's lines that are errors: they begin with [E or [C."""
+    """Print the log's lines that are errors: they begin with [E or [C."""
     for line in log:
         if line.startswith(("[E ", "[C ")):
             sys.stderr.write(line)
 
 
 def is_up(port):
-    """Whether the server answers, asked past any proxy."""
+    """Return whether the server answers, past any proxy."""
     try:
         opener = urllib.request.build_opener(urllib.request.ProxyHandler({}))
         return opener.open("http://127.0.0.1:{}/api".format(port), timeout=2).getcode() == 200
@@ -167,11 +171,10 @@ def is_up(port):
 
 
 def free_port(wanted=None):
-    """A port of this computer that nobody uses."""
+    """Return a free port of this computer, or the wanted one if it is free."""
     with socket.socket() as door:
-        if (
-            not WINDOWS
-        ):  # there it would allow a port in use; here it allows one that was used a moment ago
+        if not WINDOWS:
+            # Allows a port that was used a moment ago; on Windows it would allow one in use.
             door.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         try:
             door.bind(("127.0.0.1", wanted or 0))
@@ -183,19 +186,19 @@ def free_port(wanted=None):
 
 
 def apart():
-    """Start a process away from our Ctrl-C, so that we can end it in order."""
+    """Return the options of Popen that keep our Ctrl-C from a process."""
     return {"creationflags": 0x200} if WINDOWS else {"start_new_session": True}
 
 
 def end_family(python, process):
-    """End a process and every process that it has started, gently and then firmly."""
+    """Terminate a process and its children, then kill what is left."""
     if process.poll() is None:
         subprocess.call([python, "-c", END_FAMILY, str(process.pid)], **apart())
     process.wait()
 
 
 def clean_environment(**more):
-    """Our surroundings without other people's packages: robots' shells often put theirs on the PYTHONPATH."""
+    """Return our environment variables without foreign packages, which ROS puts on PYTHONPATH."""
     kept = {
         name: value
         for name, value in os.environ.items()

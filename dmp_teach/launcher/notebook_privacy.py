@@ -1,9 +1,8 @@
-"""What a notebook keeps of our panels and of our small pictures of ink when it is saved: nothing that was written.
+"""Remove ink from notebooks that are saved: the state of panels and the small pictures of ink.
 
-Figures that somebody draws of ink, and numbers that are printed, are outputs like any other, and stay.
-
-JupyterLab, as our launcher starts it, keeps the state of widgets in a saved notebook, so that a panel whose kernel has
-ended says how to wake it. `without_ink` runs in the server before a notebook is written, whatever the browser sends.
+JupyterLab, as our launcher starts it, keeps the state of widgets in a saved notebook, so that a
+panel whose kernel has ended says how to wake it. `without_ink` runs in the server before a
+notebook is written, whatever the browser sends. Figures of ink and printed numbers stay.
 """
 
 from __future__ import annotations
@@ -14,16 +13,15 @@ from typing import Any
 from dmp_teach.classroom import RESTING
 from dmp_teach.ink import MARK
 
-_SVG = "image/svg+xml"
-
 
 def without_ink(model: dict[str, Any], **_: Any) -> None:
-    """Take the state of our panels, and our pictures of ink, out of a notebook that is about to be saved.
+    """Remove the state of our panels and our pictures of ink from a notebook, in place.
 
-    Of a panel its name and the sentence of `resting.js` stay; below a cell the text beside a picture stays.
+    The name of a panel and the sentence of `resting.js` stay, and so does the text beside a
+    picture.
 
     Args:
-        model: What Jupyter is about to save; a file that is no notebook stays as it is.
+        model: Jupyter's contents model that is about to be saved; only notebooks are changed.
     """
     if model.get("type") != "notebook":
         return
@@ -33,13 +31,14 @@ def without_ink(model: dict[str, Any], **_: Any) -> None:
             each["state"] = {name: state[name] for name in state if name.startswith("_")}
             each["state"].update(_esm=RESTING, _css="")
             each["buffers"] = []
-        for name in (_SVG, "svg"):  # as notebooks of format 3 have it
+        # Notebooks of format 3 say "svg".
+        for name in ("image/svg+xml", "svg"):
             if MARK in "".join(_words(each.get(name))):
                 del each[name]
 
 
 def _dicts(value: Any) -> Iterator[dict[str, Any]]:
-    """Every dictionary within a value, the outer ones first."""
+    """Yield every dictionary within a value, the outer ones first."""
     if isinstance(value, dict):
         yield value
     if isinstance(value, dict | list):
@@ -48,5 +47,5 @@ def _dicts(value: Any) -> Iterator[dict[str, Any]]:
 
 
 def _words(value: Any) -> list[str]:
-    """A text as Jupyter has it: in one piece, or a line each."""
+    """Return the lines of a text, which Jupyter stores as one string or as several."""
     return [str(each) for each in value] if isinstance(value, list) else [str(value)]

@@ -21,6 +21,8 @@ from dmp_teach.errors import SetupError
 from dmp_teach.launcher import lab
 
 ROOT = Path(__file__).parents[2]
+LINTERS = ["ruff check .", "ruff format --check ."]
+ALL = "pytest -n logical --maxprocesses 8 --dist loadgroup --no-loadscope-reorder"
 
 
 @pytest.fixture(autouse=True)
@@ -311,8 +313,10 @@ def test_an_unknown_word_is_refused(capsys):
 @pytest.mark.parametrize(
     ("arguments", "codes", "commands", "code"),
     [
-        ([], [0, 0, 0], ["ruff check .", "ruff format --check .", "pytest"], 0),
-        ([], [1, 0, 0], ["ruff check .", "ruff format --check .", "pytest"], 1),
+        ([], [0, 0, 0, 0], [*LINTERS, "mypy", ALL], 0),
+        ([], [0, 0, 1, 0], [*LINTERS, "mypy", ALL], 1),
+        (["--quick"], [0, 0, 0], [*LINTERS, "pytest -m quick"], 0),
+        (["--quick", "tests/dmp"], [0], ["pytest -m quick tests/dmp"], 0),
         (["tests/dmp", "-k", "law"], [2], ["pytest tests/dmp -k law"], 2),
     ],
 )
