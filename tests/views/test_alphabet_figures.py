@@ -5,13 +5,14 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
+from IPython.core.formatters import PNGFormatter
 from matplotlib.figure import Figure
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.ink.alphabet import alphabets, characters, recording_of
 from dmp_teach.ink.recording import Recording
-from dmp_teach.views.figures import contact_sheet
-from dmp_teach.views.figures.alphabet import BACK
+from dmp_teach.views.figures import draw_contact_sheet
+from dmp_teach.views.figures.alphabet import NUMBER_OFFSET
 
 FEW = [recording_of(letter) for letter in "xDiEç"]
 SCALE = 1.35 / max(
@@ -22,7 +23,7 @@ STROKES = [SCALE * stroke.position for recording in FEW for stroke in recording.
 
 def panel_of(**about):
     """The one panel of a sheet of a few letters."""
-    (panel,) = contact_sheet(recordings=FEW, **about).axes
+    (panel,) = draw_contact_sheet(recordings=FEW, **about).axes
     return panel
 
 
@@ -33,9 +34,9 @@ def ink_of(panel):
 
 @pytest.mark.parametrize("name", alphabets())
 def test_the_sheet_of_an_alphabet_shows_every_stroke_of_every_letter(name):
-    figure = contact_sheet(name, numbers=False)
+    figure = draw_contact_sheet(name, numbers=False)
     assert isinstance(figure, Figure)
-    assert figure._repr_png_().startswith(b"\x89PNG")
+    assert PNGFormatter()(figure).startswith(b"\x89PNG")
     every = [
         stroke for letter in characters(name) for stroke in recording_of(letter, name).strokes()
     ]
@@ -71,7 +72,7 @@ def test_a_small_hand_is_shown_as_large_as_a_large_one():
         small.append(
             replace(each, position=each.position / 9, given_strokes=tuple(map(tuple, spans)))
         )
-    (panel,) = contact_sheet(recordings=small).axes
+    (panel,) = draw_contact_sheet(recordings=small).axes
     for drawn, stroke in zip(ink_of(panel), ink_of(panel_of()), strict=True):
         np.testing.assert_allclose(drawn, stroke, atol=1e-9)
 
@@ -90,7 +91,9 @@ def test_every_stroke_has_its_number_beside_its_start():
     expected = [str(k + 1) for recording in FEW for k in range(len(recording.strokes()))]
     assert [text.get_text() for text in numbers] == expected
     for text, ink in zip(numbers, ink_of(panel), strict=True):
-        assert np.linalg.norm(np.subtract(text.get_position(), ink[0])) == pytest.approx(BACK)
+        assert np.linalg.norm(np.subtract(text.get_position(), ink[0])) == pytest.approx(
+            NUMBER_OFFSET
+        )
     places = [text.get_position() for text in numbers]
     assert all(
         np.linalg.norm(np.subtract(a, b)) > 0.04 for k, a in enumerate(places) for b in places[:k]
@@ -118,9 +121,9 @@ def test_without_numbers_the_sheet_is_ink_alone():
 
 def test_a_letter_without_a_line_stands_on_its_lowest_point():
     d = recording_of("D")
-    panel = contact_sheet(recordings=Recording(d.t, d.position + np.array([0, 0.3, 0]), "D")).axes[
-        0
-    ]
+    panel = draw_contact_sheet(
+        recordings=Recording(d.t, d.position + np.array([0, 0.3, 0]), "D")
+    ).axes[0]
     assert min(ink[:, 1].min() for ink in ink_of(panel)) == pytest.approx(
         panel.lines[0].get_ydata()[0]
     )
@@ -130,7 +133,7 @@ def test_any_recording_can_be_shown_however_short_its_strokes():
     t = np.linspace(0, 1, 20)
     for path in (0 * t, 1e-4 * t, 0.01 * np.sin(9 * t)):
         point = Recording(t, np.column_stack([path, 0 * t, 0 * t]), given_strokes=((0, 20),))
-        assert len(ink_of(contact_sheet(recordings=[point]).axes[0])) == 1
+        assert len(ink_of(draw_contact_sheet(recordings=[point]).axes[0])) == 1
 
 
 @pytest.mark.parametrize(
@@ -148,4 +151,4 @@ def test_any_recording_can_be_shown_however_short_its_strokes():
 )
 def test_what_cannot_be_shown_is_said(asked, sentence):
     with pytest.raises(RecordingError, match=sentence):
-        contact_sheet(**asked)
+        draw_contact_sheet(**asked)

@@ -5,7 +5,7 @@ import pytest
 
 from dmp_teach.errors import SettingError
 from dmp_teach.studies.authorship.answers import Answers, Attributions
-from dmp_teach.views.figures import attribution_bars, confusion
+from dmp_teach.views.figures import draw_attribution_bars, draw_confusion
 
 ITEMS = (("w1", "w1"), ("w1", "w2"), ("w2", "w2"), ("w3", None))
 ASKED = Answers("DMP*, as drawn", ITEMS, 1 / 3, 0.04)
@@ -18,7 +18,7 @@ def texts(figure):
 
 
 def test_a_bar_is_the_rate_and_a_line_its_interval():
-    figure = attribution_bars(Attributions((NOTHING, ASKED)), Attributions((ASKED,)))
+    figure = draw_attribution_bars(Attributions((NOTHING, ASKED)), Attributions((ASKED,)))
     (panel,) = figure.axes
     assert [bar.get_width() for bar in panel.patches] == pytest.approx(
         [50.0, 50.0]
@@ -33,7 +33,7 @@ def test_a_bar_is_the_rate_and_a_line_its_interval():
 
 
 def test_who_was_taken_for_whom_is_a_row_for_each_writer():
-    figure = confusion(ASKED)
+    figure = draw_confusion(ASKED)
     (panel,) = figure.axes
     np.testing.assert_allclose(panel.images[0].get_array(), ASKED.confusion)
     assert texts(figure) == ["50", "50", "100"]
@@ -42,13 +42,14 @@ def test_who_was_taken_for_whom_is_a_row_for_each_writer():
 
 def test_many_writers_are_shades_only():
     many = Answers("all", tuple((f"w{k:02}", f"w{k:02}") for k in range(30)), 1 / 30, 0.001)
-    assert texts(confusion(many)) == []
+    assert texts(draw_confusion(many)) == []
 
 
 def test_nothing_is_not_drawn():
     with pytest.raises(
-        SettingError, match="Nothing was asked; give what told_apart or attribution found"
+        SettingError,
+        match="Nothing was asked; give what classify_writers or attribute_made_letters",
     ):
-        attribution_bars(Attributions((NOTHING,)))
+        draw_attribution_bars(Attributions((NOTHING,)))
     with pytest.raises(SettingError, match="'other takes' could be asked of no letter"):
-        confusion(NOTHING)
+        draw_confusion(NOTHING)

@@ -2,10 +2,12 @@
 
 from importlib import import_module
 from pathlib import Path
+from types import FunctionType
 from typing import get_type_hints
 
 import numpy as np
 import pytest
+from IPython.core.formatters import PNGFormatter
 from matplotlib.figure import Figure
 
 from dmp_teach.dmp.kernels import Kernels
@@ -27,44 +29,48 @@ def every():
     """Every figure, by its name."""
     widths, numbers = sweep_kernel_width(OURS), sweep_kernel_number(OURS)
     return {
-        "kernel_types": figures.kernel_types(),
-        "error_over_width": figures.error_over_width(widths),
-        "error_over_width, all": figures.error_over_width(widths, "all"),
-        "error_over_number": figures.error_over_number(numbers, "our DMP*"),
-        "four_widths_drawn": figures.four_widths_drawn(redraw_at_widths(OURS)),
-        "letters_redrawn": figures.letters_redrawn(redraw_letters(OURS)),
-        "goal_change_over_time": figures.goal_change_over_time(
+        "draw_kernel_types": figures.draw_kernel_types(),
+        "draw_error_over_width": figures.draw_error_over_width(widths),
+        "draw_error_over_width, all": figures.draw_error_over_width(widths, "all"),
+        "draw_error_over_number": figures.draw_error_over_number(numbers, "our DMP*"),
+        "draw_four_widths": figures.draw_four_widths(redraw_at_widths(OURS)),
+        "draw_redrawn_letters": figures.draw_redrawn_letters(redraw_letters(OURS)),
+        "draw_goal_change_over_time": figures.draw_goal_change_over_time(
             trace_goal_change(STROKE, 0, 0.01, "a")
         ),
-        "goal_change_drawn": figures.goal_change_drawn(draw_goal_change(STROKE, (-0.1, 0.0))),
-        "d_to_p": figures.d_to_p(make_p_from_d(OURS)),
-        "kernel_choice": figures.kernel_choice(choose_kernels(STROKE, candidates=(5, 10, 20, 33))),
-        "width_choice": figures.kernel_choice(choose_width(STROKE, candidates=(1.0, 4.0, np.inf))),
+        "draw_goal_paths": figures.draw_goal_paths(draw_goal_change(STROKE, (-0.1, 0.0))),
+        "draw_d_to_p": figures.draw_d_to_p(make_p_from_d(OURS)),
+        "draw_kernel_choice": figures.draw_kernel_choice(
+            choose_kernels(STROKE, candidates=(5, 10, 20, 33))
+        ),
+        "draw_kernel_choice, width": figures.draw_kernel_choice(
+            choose_width(STROKE, candidates=(1.0, 4.0, np.inf))
+        ),
     }
 
 
 def test_every_figure_of_every_module_is_found_in_one_place():
-    for path in Path(figures.__file__).parent.glob("*_figures.py"):
-        module = import_module(f"dmp_teach.views.{path.stem}")
-        made = [
-            name
-            for name, each in vars(module).items()
-            if getattr(each, "__module__", "") == module.__name__
-        ]
-        returns = {
-            name: get_type_hints(getattr(module, name)).get("return")
-            for name in made
-            if name[0] != "_"
-        }
-        drawn = [name for name, kind in returns.items() if kind is Figure]
-        assert drawn
-        assert set(drawn) <= set(figures.__all__)
+    drawn = set()
+    for path in Path(figures.__file__).parent.glob("*.py"):
+        module = import_module(f"dmp_teach.views.figures.{path.stem}")
+        for name, each in vars(module).items():
+            if isinstance(each, FunctionType) and each.__module__ == module.__name__:
+                shown = get_type_hints(each).get("return") is Figure
+                drawn |= {name} if shown and not name.startswith("_") else set()
+    assert drawn == set(figures.__all__)
+    assert all(name.startswith("draw_") for name in drawn)
+
+
+def test_an_old_name_of_a_figure_gives_the_new_one_with_a_warning():
+    with pytest.warns(DeprecationWarning, match=r"reach_drawn is now .*\.draw_reach\.") as said:
+        assert figures.reach_drawn is figures.draw_reach
+    assert said[0].filename == __file__
 
 
 def test_every_figure_can_be_shown_in_a_notebook_and_saved(every, tmp_path):
     for name, figure in every.items():
         assert isinstance(figure, Figure)
-        assert figure._repr_png_().startswith(b"\x89PNG")
+        assert PNGFormatter()(figure).startswith(b"\x89PNG")
         figure.savefig(tmp_path / f"{name}.svg")
 
 
@@ -82,7 +88,7 @@ def test_every_axis_is_named_with_its_unit(every):
 
 
 def test_curves_differ_by_line_and_marker_not_by_colour_alone(every):
-    for name in ("error_over_width", "error_over_width, all", "error_over_number"):
+    for name in ("draw_error_over_width", "draw_error_over_width, all", "draw_error_over_number"):
         lines = [line for line in every[name].axes[0].lines if line.get_marker() != "None"]
         looks = {
             (line.get_marker(), str(line._dash_pattern), line.get_linestyle()) for line in lines
@@ -92,7 +98,7 @@ def test_curves_differ_by_line_and_marker_not_by_colour_alone(every):
 
 def test_the_curve_of_a_letter_is_the_median_of_its_strokes():
     curves = sweep_kernel_width(OURS, widths=(0.5, 1.0, 2.0, 4.0))
-    (panel,) = figures.error_over_width(curves, "box, LWR").axes
+    (panel,) = figures.draw_error_over_width(curves, "box, LWR").axes
     shown = {line.get_label(): line.get_ydata() for line in panel.lines}
     of_d = curves.of("box, LWR")[np.array(curves.characters) == "D"]
     np.testing.assert_allclose(shown["‘D’"], 1e3 * np.median(of_d, axis=0))
@@ -100,7 +106,7 @@ def test_the_curve_of_a_letter_is_the_median_of_its_strokes():
 
 
 def test_kernels_are_drawn_as_they_are():
-    panels = figures.kernel_types(5).axes
+    panels = figures.draw_kernel_types(5).axes
     assert len(panels) == 4
     for line, height in zip(
         panels[1].lines, Kernels(5, 1.0, 0.5).heights(np.linspace(0, 1, 2001)).T, strict=True
@@ -111,7 +117,7 @@ def test_kernels_are_drawn_as_they_are():
 
 
 def test_letters_are_drawn_in_mm_where_they_are_on_the_page():
-    panel = figures.letters_redrawn(redraw_letters([A])).axes[0]
+    panel = figures.draw_redrawn_letters(redraw_letters([A])).axes[0]
     line = next(line for line in panel.lines if line.get_label() == "as it was drawn")
     drawn = redraw_letters([A]).items[0].drawn[0].position
     np.testing.assert_allclose(np.column_stack(line.get_data()), 1e3 * drawn)
@@ -119,7 +125,7 @@ def test_letters_are_drawn_in_mm_where_they_are_on_the_page():
 
 def test_a_moved_goal_is_drawn_with_both_forms_and_mirrors_are_named():
     paths = draw_goal_change(STROKE, (-0.1, 0.0))
-    star, original = figures.goal_change_drawn(paths).axes
+    star, original = figures.draw_goal_paths(paths).axes
     assert star.get_title(loc="left") == "DMP*"
     assert original.get_title(loc="left") == "original, mirrored in x"
     assert star.get_xlim() == original.get_xlim()
@@ -127,13 +133,13 @@ def test_a_moved_goal_is_drawn_with_both_forms_and_mirrors_are_named():
 
 def test_ink_that_flies_off_is_cut_and_said():
     paths = draw_goal_change(STROKE, (0.9, 0.0))
-    original = figures.goal_change_drawn(paths).axes[1]
+    original = figures.draw_goal_paths(paths).axes[1]
     assert any("leaves the page" in text.get_text() for text in original.texts)
     assert np.ptp(original.get_xlim()) < 2000
 
 
 def test_both_rules_stand_in_the_picture_of_a_choice():
-    panel = figures.kernel_choice(choose_kernels(STROKE, candidates=(5, 10, 20, 33))).axes[0]
+    panel = figures.draw_kernel_choice(choose_kernels(STROKE, candidates=(5, 10, 20, 33))).axes[0]
     labels = [line.get_label() for line in panel.lines]
     assert "Num/10: 33" in labels
     assert any(label.startswith("chosen: ") for label in labels)

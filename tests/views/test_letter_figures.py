@@ -8,11 +8,11 @@ from dmp_teach.ink.alphabet import recording_of
 from dmp_teach.letters.compose.recipes import make_letter
 from dmp_teach.letters.compose.shelf import Shelf
 from dmp_teach.letters.text.words import write_word
-from dmp_teach.views.figures.letter import letters_made, recipes_drawn, written_text
+from dmp_teach.views.figures.letter import draw_made_letters, draw_recipes, draw_text
 
 
 def test_every_writer_has_a_row_with_the_letter_and_what_each_transformation_makes_of_it():
-    figure = letters_made()
+    figure = draw_made_letters()
     titles = [panel.get_title(loc="left") for panel in figure.axes]
     assert titles[:3] == ["D, writer-1, as shown", "P by DMP*", "P by similarity"]
     assert len(titles) == 6
@@ -23,13 +23,13 @@ def test_every_writer_has_a_row_with_the_letter_and_what_each_transformation_mak
 
 
 def test_strokes_of_a_made_letter_differ_by_line_not_by_colour_alone():
-    lines = letters_made().axes[1].lines
+    lines = draw_made_letters().axes[1].lines
     assert len({line.get_linestyle() for line in lines}) == len(lines) == 2
 
 
 def test_every_recipe_of_a_shelf_is_drawn():
     shelf = Shelf.of(recording_of(letter) for letter in "lo")
-    titles = [panel.get_title() for panel in recipes_drawn(shelf).axes]
+    titles = [panel.get_title() for panel in draw_recipes(shelf).axes]
     assert [title for title in titles if title] == [
         "b of l, o",
         "d of o, l",
@@ -40,9 +40,9 @@ def test_every_recipe_of_a_shelf_is_drawn():
 
 def test_a_word_is_drawn_in_mm_where_it_stands():
     ink = write_word("no", x_height=0.01)
-    panel = written_text(ink).axes[0]
+    panel = draw_text(ink).axes[0]
     np.testing.assert_allclose(panel.lines[0].get_xydata(), 1e3 * ink[0].position)
-    whole = written_text(ink, 0.21, 0.297).axes[0]
+    whole = draw_text(ink, 0.21, 0.297).axes[0]
     assert whole.get_xlim()[0] < -105
     assert whole.get_ylim()[1] > 148.5
 
@@ -51,12 +51,12 @@ def test_a_word_is_drawn_in_mm_where_it_stands():
     ("ask", "answer"),
     [
         (
-            lambda: letters_made("P", "D", [recording_of("a")]),
+            lambda: draw_made_letters("P", "D", [recording_of("a")]),
             r"There is no recording of 'D', so there is nothing to draw",
         ),
-        (lambda: letters_made("b", "D"), r"There is no recipe that makes 'b' of 'D' alone"),
+        (lambda: draw_made_letters("b", "D"), r"There is no recipe that makes 'b' of 'D' alone"),
         (
-            lambda: recipes_drawn(Shelf.of([recording_of("e")])),
+            lambda: draw_recipes(Shelf.of([recording_of("e")])),
             r"No recipe can be made of e alone; put more letters",
         ),
     ],

@@ -2,12 +2,13 @@
 
 import numpy as np
 import pytest
+from IPython.core.formatters import PNGFormatter
 from matplotlib.figure import Figure
 
 from dmp_teach.errors import ViewError
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.reach.map import ReachMap
-from dmp_teach.views.figures.robot import reach_drawn
+from dmp_teach.views.figures.robot import draw_reach
 
 INF = np.inf
 
@@ -25,7 +26,7 @@ MAPS = made("y", (-0.3, 0.0, 0.5)), made("tilt", np.radians((0, 90)))
 
 @pytest.fixture(scope="module")
 def figure():
-    return reach_drawn(*MAPS)
+    return draw_reach(*MAPS)
 
 
 def marks(panel):
@@ -49,7 +50,7 @@ def test_without_colour_the_marks_stay_apart(figure):
 
 @pytest.mark.parametrize("maps", [MAPS[:1], MAPS[1:], MAPS], ids=("from above", "by tilt", "both"))
 def test_every_mark_is_explained_within_the_figure_and_every_word_stands_within_it(maps):
-    drawn = reach_drawn(*maps)
+    drawn = draw_reach(*maps)
     drawn.draw_without_rendering()
     (legend,) = drawn.legends
     assert {text.get_text() for text in legend.texts} == set(marks(drawn.axes[0]))
@@ -74,7 +75,7 @@ def test_axes_have_units_and_it_is_shown_in_a_notebook(figure):
     for words, unit in ((above.get_xlabel(), "[m]"), (above.get_ylabel(), "[m]"), (by_tilt.get_xlabel(), "[m]"),
                         (by_tilt.get_ylabel(), "[degrees]")):  # fmt: skip
         assert unit in words
-    assert figure._repr_png_().startswith(b"\x89PNG")
+    assert PNGFormatter()(figure).startswith(b"\x89PNG")
 
 
 @pytest.mark.parametrize("maps", [(), (None,), (MAPS[0], 3)])
@@ -82,4 +83,4 @@ def test_what_is_no_map_is_refused(maps):
     with pytest.raises(
         ViewError, match=r"takes maps, as reach_map\(\) and reach_around\(\) give them"
     ):
-        reach_drawn(*maps)
+        draw_reach(*maps)

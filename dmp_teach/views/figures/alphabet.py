@@ -1,4 +1,4 @@
-"""A sheet of letters as a teacher hangs it up: each on its writing line, with the order and way of its strokes."""
+"""A sheet of letters to hang up: each on its writing line, with the order of its strokes."""
 
 from __future__ import annotations
 
@@ -12,22 +12,28 @@ from matplotlib.figure import Figure
 from dmp_teach.errors import RecordingError, kind_of
 from dmp_teach.ink import Recording, characters, recording_of
 from dmp_teach.trajectory import Array, ways
-from dmp_teach.views.figures.figure_style import COLOURS, GRID, INK, QUIET, sheet
+from dmp_teach.views.figures.figure_style import Look, new_figure
+from dmp_teach.views.palette import GRID_COLOR, MUTED_COLOR, STROKE_COLORS, TEXT_COLOR
 
-COLUMNS = 13  # half of a to z
-HIGH = 1.35  # how large the largest letter is on the sheet, all else in one scale with it [inch]
-GAP = 0.22  # between letters [inch]
-BACK = 0.062  # the number of a stroke stands so far from its start [inch]
-ROOM = 0.05  # as free of ink as a number needs it [inch]
-EVERY = 0.7  # so much ink to an arrow [inch]
-DOT = 0.12  # a shorter stroke is a dot, and has no arrow [inch]
-HEAD = "-|>,head_width=0.22,head_length=0.45"
+# Half of a to z.
+LETTERS_PER_LINE = 13
+# All lengths are on the sheet [inch]; the largest letter sets the scale of all.
+LARGEST_LETTER = 1.35
+LETTER_GAP = 0.22
+NUMBER_OFFSET = 0.062
+NUMBER_ROOM = 0.05
+ARROW_SPACING = 0.7
+# A shorter stroke is a dot, and has no arrow.
+LONGEST_DOT = 0.12
+ARROW_STYLE = "-|>,head_width=0.22,head_length=0.45"
 
 
-def contact_sheet(
+def draw_contact_sheet(
     alphabet: str | None = None, recordings: Iterable[Recording] | None = None, numbers: bool = True
 ) -> Figure:
-    """Letters in rows on their writing lines, all in one scale; strokes are told apart by number, colour and arrows.
+    """Draw letters in rows on their writing lines, all in one scale.
+
+    Strokes are told apart by number, colour and arrows.
 
     Args:
         alphabet: One of `alphabets()`; None is the first.
@@ -37,36 +43,34 @@ def contact_sheet(
     Raises:
         RecordingError: No such alphabet, both an alphabet and recordings, or no recording.
     """
-    asked = _asked(alphabet, recordings)
-    letters = _in_inches([_on_its_line(recording) for recording in asked])
+    chosen = _choose_recordings(alphabet, recordings)
+    letters = _scale_to_sheet([_place_on_line(recording) for recording in chosen])
     boxes = np.array([[ink.min(axis=0), ink.max(axis=0)] for ink in map(np.concatenate, letters)])
-    wide, top = np.ptp(boxes[:, :, 0], axis=1).max() + GAP, boxes[:, 1, 1].max() + GAP / 2
-    tall = top - min(0.0, boxes[:, 0, 1].min()) + GAP / 2
-    columns = min(COLUMNS, len(letters))
+    width = np.ptp(boxes[:, :, 0], axis=1).max() + LETTER_GAP
+    top = boxes[:, 1, 1].max() + LETTER_GAP / 2
+    height = top - min(0.0, boxes[:, 0, 1].min()) + LETTER_GAP / 2
+    columns = min(LETTERS_PER_LINE, len(letters))
     rows = -(-len(letters) // columns)
-    figure, ((panel,),) = sheet(1, 1, wide * columns, tall * rows)
-    panel.set(xlim=(0, wide * columns), ylim=(-tall * rows, 0), aspect="equal")
+    figure, ((panel,),) = new_figure(1, 1, width * columns, height * rows)
+    panel.set(xlim=(0, width * columns), ylim=(-height * rows, 0), aspect="equal")
     panel.set_axis_off()
-    heights = [
-        0.0,
-        *(box[1, 1] for box, each in zip(boxes, asked, strict=True) if each.character == "x"),
+    x_heights = [
+        box[1, 1] for box, each in zip(boxes, chosen, strict=True) if each.character == "x"
     ]
     for row in range(rows):
-        for height, colour in zip(heights, (QUIET, GRID), strict=False):
-            panel.axhline(height - row * tall - top, color=colour, linewidth=0.8, zorder=0)
+        for level, color in zip([0.0, *x_heights], (MUTED_COLOR, GRID_COLOR), strict=False):
+            panel.axhline(level - row * height - top, color=color, linewidth=0.8, zorder=0)
     for place, (letter, box) in enumerate(zip(letters, boxes, strict=True)):
         row, column = divmod(place, columns)
-        _draw(
-            panel,
-            letter,
-            np.array([(column + 0.5) * wide - box[:, 0].mean(), -row * tall - top]),
-            numbers,
-        )
+        origin = np.array([(column + 0.5) * width - box[:, 0].mean(), -row * height - top])
+        _plot_letter(panel, [stroke + origin for stroke in letter], numbers)
     return figure
 
 
-def _asked(alphabet: str | None, recordings: Iterable[Recording] | None) -> tuple[Recording, ...]:
-    """The letters that are to be drawn, or a sentence."""
+def _choose_recordings(
+    alphabet: str | None, recordings: Iterable[Recording] | None
+) -> tuple[Recording, ...]:
+    """Return the recordings to be drawn, or raise a RecordingError."""
     if recordings is None:
         return tuple(recording_of(character, alphabet) for character in characters(alphabet))
     if alphabet is not None:
@@ -82,80 +86,64 @@ def _asked(alphabet: str | None, recordings: Iterable[Recording] | None) -> tupl
     return given
 
 
-def _on_its_line(recording: Recording) -> list[Array]:
-    """The strokes of a letter over its writing line, (T, 2) each [m]; without a line it stands on its lowest point."""
+def _place_on_line(recording: Recording) -> list[Array]:
+    """Return strokes over their writing line, (T, 2) each [m]; without one the lowest point."""
     strokes = [stroke.position for stroke in recording.strokes()]
-    lowest = min(stroke[:, 1].min() for stroke in strokes)
-    line = lowest if recording.baseline is None else recording.baseline
+    line = recording.baseline
+    if line is None:
+        line = min(stroke[:, 1].min() for stroke in strokes)
     return [stroke - (0.0, line) for stroke in strokes]
 
 
-def _in_inches(letters: list[list[Array]]) -> list[list[Array]]:
-    """Letters in one scale, in which the largest is as large as the sheet has room for, (T, 2) each [inch]."""
+def _scale_to_sheet(letters: list[list[Array]]) -> list[list[Array]]:
+    """Return letters in one scale, the largest as large as the sheet has room for [inch]."""
     largest = max(np.ptp(np.concatenate(letter), axis=0).max() for letter in letters)
-    return [[HIGH / max(largest, 1e-9) * stroke for stroke in letter] for letter in letters]
+    scale = LARGEST_LETTER / max(largest, 1e-9)
+    return [[scale * stroke for stroke in letter] for letter in letters]
 
 
-def _draw(panel: Axes, letter: list[Array], at: Array, numbers: bool) -> None:
-    """A letter's strokes, (T, 2) each [inch], moved by `at`; what is written first lies below."""
-    ink = np.concatenate(letter) + at
+def _plot_letter(panel: Axes, strokes: list[Array], numbers: bool) -> None:
+    """Plot strokes, (T, 2) each [inch]; what is written first lies below."""
+    ink = np.concatenate(strokes)
     taken = ink[:: max(1, len(ink) // 300)]
-    for number, (stroke, colour) in enumerate(zip(letter, cycle(COLOURS), strict=False), start=1):
-        path, hue = stroke + at, colour if numbers else INK
-        panel.plot(
-            *path.T,
-            color=hue,
-            linewidth=2.2,
-            solid_capstyle="round",
-            solid_joinstyle="round",
-            zorder=number,
-        )
+    round_ends: Look = {"solid_capstyle": "round", "solid_joinstyle": "round"}
+    for number, (path, color) in enumerate(zip(strokes, cycle(STROKE_COLORS), strict=False), 1):
+        hue = color if numbers else TEXT_COLOR
+        panel.plot(*path.T, color=hue, linewidth=2.2, zorder=number, **round_ends)
         if numbers:
-            place = _beside(path, taken)
+            place = _find_number_place(path, taken)
             taken = np.vstack([taken, place])
-            panel.plot(*path[0], marker="o", markersize=4.2, color=colour, zorder=29)
-            panel.text(
-                *place,
-                str(number),
-                color=colour,
-                fontsize=8,
-                weight="bold",
-                ha="center",
-                va="center",
-            )
-            _arrows(panel, path, colour)
+            panel.plot(*path[0], marker="o", markersize=4.2, color=color, zorder=29)
+            look: Look = {"fontsize": 8, "weight": "bold", "ha": "center", "va": "center"}
+            panel.text(place[0], place[1], str(number), color=color, **look)
+            _plot_arrows(panel, path, color)
 
 
-def _beside(path: Array, taken: Array) -> Array:
-    """Where the number of a stroke (T, 2) stands: before its start, or where there is more room (2,) [inch]."""
-    ahead = path[np.argmax(np.linalg.norm(path - path[0], axis=1) > DOT / 3)] - path[0]
-    back = np.arctan2(-ahead[1], -ahead[0])
-    turns = np.radians([0, 45, -45, 90, -90, 135, -135])
-    places = path[0] + BACK * np.column_stack([np.cos(back + turns), np.sin(back + turns)])
+def _find_number_place(path: Array, taken: Array) -> Array:
+    """Return where the number of a stroke has room, before its start if it can (2,) [inch]."""
+    apart = np.linalg.norm(path - path[0], axis=1)
+    ahead = path[np.argmax(apart > LONGEST_DOT / 3)] - path[0]
+    turns = np.arctan2(-ahead[1], -ahead[0]) + np.radians([0, 45, -45, 90, -90, 135, -135])
+    places = path[0] + NUMBER_OFFSET * np.column_stack([np.cos(turns), np.sin(turns)])
     room = np.linalg.norm(places[:, None] - taken, axis=2).min(axis=1)
-    return places[np.argmax(np.minimum(room, ROOM))]
+    return places[np.argmax(np.minimum(room, NUMBER_ROOM))]
 
 
-def _arrows(panel: Axes, path: Array, colour: str) -> None:
-    """Heads of arrows along a stroke (T, 2) [inch], where it runs straight."""
+def _plot_arrows(panel: Axes, path: Array, color: str) -> None:
+    """Plot heads of arrows along a stroke (T, 2) [inch], where it runs straight."""
     way = ways(path)
-    if way[-1] < DOT:
+    length = way[-1]
+    if length < LONGEST_DOT:
         return
-    even = np.column_stack([np.interp(np.linspace(0, way[-1], 201), way, axis) for axis in path.T])
+    even = np.column_stack([np.interp(np.linspace(0, length, 201), way, axis) for axis in path.T])
     chords = even[12:] - even[:-12]
-    bend = np.linalg.norm(chords[12:] - chords[:-12], axis=1) / (0.06 * way[-1])  # at even[12:-12]
-    arrows = max(1, round(way[-1] / EVERY))
-    size = 10 * min(1.0, max(0.7, way[-1] / EVERY))
-    for middle in 200 * (np.arange(arrows) + 0.5) / arrows:
-        near = np.clip(
-            np.arange(round(middle - 45 / arrows), round(middle + 45 / arrows) + 1), 12, 188
-        )
+    # The bend at even[12:-12].
+    bend = np.linalg.norm(chords[12:] - chords[:-12], axis=1) / (0.06 * length)
+    count = max(1, round(length / ARROW_SPACING))
+    look = {"arrowstyle": ARROW_STYLE, "color": color, "shrinkA": 0, "shrinkB": 0}
+    look["mutation_scale"] = 10 * min(1.0, max(0.7, length / ARROW_SPACING))
+    for middle in 200 * (np.arange(count) + 0.5) / count:
+        around = np.arange(round(middle - 45 / count), round(middle + 45 / count) + 1)
+        near = np.clip(around, 12, 188)
         k = near[np.argmin(np.round(bend[near - 12], 1) + 1e-3 * np.abs(near - middle))]
-        style = {
-            "arrowstyle": HEAD,
-            "mutation_scale": size,
-            "color": colour,
-            "shrinkA": 0,
-            "shrinkB": 0,
-        }
-        panel.annotate("", xy=even[k + 2], xytext=even[k - 2], arrowprops=style, zorder=28)
+        panel.annotate("", xy=even[k + 2], xytext=even[k - 2], arrowprops=look, zorder=28)

@@ -1,4 +1,4 @@
-"""Whose letter is it: how often that was found, beside a guess, and who was taken for whom."""
+"""Figures of authorship: how often a letter's writer was found, and who was taken for whom."""
 
 from __future__ import annotations
 
@@ -9,87 +9,67 @@ from matplotlib.figure import Figure
 
 from dmp_teach.errors import SettingError
 from dmp_teach.studies import Answers, Attributions
-from dmp_teach.views.figures.figure_style import (
-    CHILD,
-    INK,
-    OTHER,
-    QUIET,
-    ROBOT,
-    dressed,
-    explained_below,
-    sheet,
+from dmp_teach.views.figures.figure_style import Look, add_legend_below, new_figure, style_axes
+from dmp_teach.views.palette import (
+    COMPARED_COLOR,
+    GRID_COLOR,
+    MUTED_COLOR,
+    PERSON_COLOR,
+    ROBOT_COLOR,
+    TEXT_COLOR,
 )
 
-COLOURS = {"DMP*": ROBOT, "similarity": "#009E73", "original": OTHER}
-SHADES = LinearSegmentedColormap.from_list("answers", ["white", ROBOT])
-DARK = 0.55  # a cell with more than this is written on in white
-NAMED = 18  # of more writers than this the cells have no numbers
+FORM_COLORS = {"DMP*": ROBOT_COLOR, "similarity": "#009E73", "original": COMPARED_COLOR}
+SHARE_COLORS = LinearSegmentedColormap.from_list("answers", ["white", ROBOT_COLOR])
+# A cell with a larger share is written on in white.
+DARK_SHARE = 0.55
+MAX_NUMBERED_WRITERS = 18
 
 
-def attribution_bars(*found: Attributions) -> Figure:
-    """How many letters were given to their writer: a bar for each question, its 95 % interval, and what a guess gives.
+def draw_attribution_bars(*found: Attributions) -> Figure:
+    """Draw a bar for each question: letters given to their writer, the interval, and chance.
 
     Args:
-        found: From `classify_writers` and `attribute_made_letters`, in the order in which they are drawn.
+        found: From `classify_writers` and `attribute_made_letters`, in the order of the bars.
 
     Raises:
         SettingError: Nothing was asked.
     """
-    asked = [each for answers in found for each in answers if each.items]
-    if not asked:
+    questions = [each for answers in found for each in answers if each.items]
+    if not questions:
         raise SettingError(
-            "Nothing was asked; give what classify_writers or attribute_made_letters found of several writers' letters."
+            "Nothing was asked; give what classify_writers or attribute_made_letters found of "
+            "several writers' letters."
         )
-    figure, ((panel,),) = sheet(1, 1, 8.2, 1.3 + 0.36 * len(asked))
-    places = np.arange(len(asked))[::-1]
-    rates = 100 * np.array([each.rate for each in asked])
-    ends = 100 * np.array([each.interval for each in asked])
-    panel.barh(places, rates, 0.62, color=[_colour(each) for each in asked], alpha=0.85)
-    panel.hlines(
-        places,
-        *ends.T,
-        color=INK,
-        linewidth=1.4,
-        label="95 % interval, a writer counting as one answer",
-    )
-    guesses = 100 * np.array([each.chance for each in asked])
-    panel.vlines(
-        guesses,
-        places - 0.42,
-        places + 0.42,
-        color=INK,
-        linestyle=(0, (2, 1.5)),
-        linewidth=1.6,
-        label="a guess",
-    )
-    for place, each in zip(places, asked, strict=True):
-        hits, of = each.right
-        about = {
-            "transform": panel.get_yaxis_transform(),
-            "va": "center",
-            "color": QUIET,
-            "fontsize": 9,
-        }
-        panel.text(1.02, place, f"{hits} of {of}, by luck {_luck(each.luck)}", **about)
-    panel.set_yticks(places, [each.question for each in asked])
+    figure, ((panel,),) = new_figure(1, 1, 8.2, 1.3 + 0.36 * len(questions))
+    places = np.arange(len(questions))[::-1]
+    _plot_bars(panel, places, questions)
+    for place, each in zip(places, questions, strict=True):
+        hits, count = each.right
+        panel.text(
+            1.02,
+            place,
+            f"{hits} of {count}, by luck {_format_probability(each.luck)}",
+            transform=panel.get_yaxis_transform(),
+            va="center",
+            color=MUTED_COLOR,
+            fontsize=9,
+        )
+    panel.set_yticks(places, [each.question for each in questions])
     panel.set_xlim(0, 100)
-    panel.set_ylim(-0.6, len(asked) - 0.4)
-    dressed(
-        panel,
-        "given to their writer [%]",
-        "",
-        f"Whose letter is it? {len(asked[-1].writers)} writers",
-    )
+    panel.set_ylim(-0.6, len(questions) - 0.4)
+    title = f"Whose letter is it? {len(questions[-1].writers)} writers"
+    style_axes(panel, "given to their writer [%]", "", title)
     panel.grid(False, axis="y")
-    explained_below(figure, panel)
+    add_legend_below(figure, panel)
     return figure
 
 
-def confusion(answers: Answers) -> Figure:
-    """Who wrote, and who was named: a row for each writer, shaded by the part of his letters [%].
+def draw_confusion(answers: Answers) -> Figure:
+    """Draw a row for each writer, shaded by the share of his letters given to each writer [%].
 
     Args:
-        answers: One question of `told_apart` or `attribution`.
+        answers: One question of `classify_writers` or `attribute_made_letters`.
 
     Raises:
         SettingError: Nothing was asked.
@@ -98,48 +78,54 @@ def confusion(answers: Answers) -> Figure:
         raise SettingError(
             f"{answers.question!r} could be asked of no letter, so there is nothing to draw."
         )
-    names, parts = answers.writers, answers.confusion
-    size = 1.8 + 0.44 * min(len(names), NAMED)
-    figure, ((panel,),) = sheet(1, 1, size + 0.6, size)
-    panel.imshow(parts, cmap=SHADES, vmin=0, vmax=1)
-    for row, line in enumerate(parts if len(names) <= NAMED else ()):
-        for column, part in enumerate(line):
-            if part:
-                colour = "white" if part > DARK else INK
-                panel.text(
-                    column,
-                    row,
-                    f"{100 * part:.0f}",
-                    ha="center",
-                    va="center",
-                    color=colour,
-                    fontsize=9,
-                )
+    names = answers.writers
+    size = 1.8 + 0.44 * min(len(names), MAX_NUMBERED_WRITERS)
+    figure, ((panel,),) = new_figure(1, 1, size + 0.6, size)
+    panel.imshow(answers.confusion, cmap=SHARE_COLORS, vmin=0, vmax=1)
+    if len(names) <= MAX_NUMBERED_WRITERS:
+        for (row, column), share in np.ndenumerate(answers.confusion):
+            if share:
+                color = "white" if share > DARK_SHARE else TEXT_COLOR
+                place = {"ha": "center", "va": "center"}
+                panel.text(column, row, f"{100 * share:.0f}", color=color, fontsize=9, **place)
     panel.set_xticks(range(len(names)), names, rotation=90)
     panel.set_yticks(range(len(names)), names)
-    dressed(panel, "taken for", "written by", answers.question)
-    _boxed(panel, len(names))
+    style_axes(panel, "taken for", "written by", answers.question)
+    _frame_cells(panel, len(names))
     return figure
 
 
-def _boxed(panel: Axes, count: int) -> None:
-    """Thin lines between the cells, and the cells of right answers in a frame."""
+def _plot_bars(panel: Axes, places: np.ndarray, questions: list[Answers]) -> None:
+    """Plot the rates [%], their intervals and chance at these heights."""
+    rates = 100 * np.array([each.rate for each in questions])
+    intervals = 100 * np.array([each.interval for each in questions])
+    chances = 100 * np.array([each.chance for each in questions])
+    panel.barh(places, rates, 0.62, color=[_find_color(each) for each in questions], alpha=0.85)
+    label = "95 % interval, a writer counting as one answer"
+    panel.hlines(places, *intervals.T, color=TEXT_COLOR, linewidth=1.4, label=label)
+    dashes: Look = {"linestyle": (0, (2, 1.5)), "linewidth": 1.6}
+    ends = (places - 0.42, places + 0.42)
+    panel.vlines(chances, *ends, color=TEXT_COLOR, label="a guess", **dashes)
+
+
+def _frame_cells(panel: Axes, count: int) -> None:
+    """Draw thin lines between the cells, and frames round those of right answers."""
     panel.grid(False)
     for edge in np.arange(count + 1) - 0.5:
-        panel.axhline(edge, color="#E6E6E6", linewidth=0.6)
-        panel.axvline(edge, color="#E6E6E6", linewidth=0.6)
+        panel.axhline(edge, color=GRID_COLOR, linewidth=0.6)
+        panel.axvline(edge, color=GRID_COLOR, linewidth=0.6)
+    square = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1], [-1, -1]]) / 2
     for k in range(count):
-        corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1], [-1, -1]]) / 2 + k
-        panel.plot(*corners.T, color=INK, linewidth=1)
+        panel.plot(*(square + k).T, color=TEXT_COLOR, linewidth=1)
     panel.set_xlim(-0.5, count - 0.5)
     panel.set_ylim(count - 0.5, -0.5)
 
 
-def _colour(answers: Answers) -> str:
-    """By the way in which letters were made; real ones in the colour of children's ink."""
-    return COLOURS.get(answers.question.split(",")[0], CHILD)
+def _find_color(answers: Answers) -> str:
+    """Return the colour of the way in which letters were made, or of people's letters."""
+    return FORM_COLORS.get(answers.question.split(",")[0], PERSON_COLOR)
 
 
-def _luck(luck: float) -> str:
-    """A probability in plain numbers."""
-    return f"{luck:.3f}" if luck < 0.1 else f"{luck:.2f}"
+def _format_probability(value: float) -> str:
+    """Return a probability in plain numbers."""
+    return f"{value:.3f}" if value < 0.1 else f"{value:.2f}"

@@ -1,36 +1,34 @@
-"""Figures of letters that were made: of one writer's strokes, by every transformation, and the words they write."""
+"""Figures of letters that were made of one writer's strokes, and of the words they write."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from dmp_teach.errors import LetterError
-from dmp_teach.ink import alphabets, recording_of
+from dmp_teach.ink import Recording, alphabets, recording_of
 from dmp_teach.letters import Shelf, make_letter, needed, recipes
-from dmp_teach.trajectory import Trajectory
+from dmp_teach.trajectory import Array, Trajectory
 from dmp_teach.views.figures.figure_style import (
-    CHILD,
-    COLOURS,
-    LINES,
-    QUIET,
-    ROBOT,
-    paper,
-    same_view,
-    sheet,
+    CURVE_LINES,
+    label_millimetres,
+    new_figure,
+    plot_path,
+    set_same_view,
+    style_paper,
 )
+from dmp_teach.views.palette import MUTED_COLOR, PERSON_COLOR, ROBOT_COLOR, STROKE_COLORS
 
-FORMS = (("star", "DMP*"), ("similarity", "similarity"))
+TRANSFORM_NAMES = {"star": "DMP*", "similarity": "similarity"}
 
 
-def letters_made(
-    character: str = "P", source: str = "D", recordings: Iterable[Any] | None = None
+def draw_made_letters(
+    character: str = "P", source: str = "D", recordings: Iterable[Recording] | None = None
 ) -> Figure:
-    """What each writer's letter becomes: a row a writer, the letter as shown and what is made of it, in one scale.
+    """Draw each writer's letter in a row with what is made of it, in one scale.
 
     Args:
         character: The letter that is made.
@@ -40,44 +38,39 @@ def letters_made(
     Raises:
         LetterError: No recording of `source`, or no recipe that needs nothing else.
     """
-    given = (
-        [recording_of(source, name) for name in alphabets()]
-        if recordings is None
-        else list(recordings)
-    )
-    shown = [recording for recording in given if recording.character == source]
+    if recordings is None:
+        recordings = [recording_of(source, name) for name in alphabets()]
+    shown = [recording for recording in recordings if recording.character == source]
     how = next((how for _, how in recipes(character) if needed(how) == (source,)), None)
     if not shown or how is None:
-        what = (
-            f"recipe that makes {character!r} of {source!r} alone"
-            if shown
-            else f"recording of {source!r}"
-        )
+        missing = f"recording of {source!r}"
+        if shown:
+            missing = f"recipe that makes {character!r} of {source!r} alone"
         raise LetterError(
-            f"There is no {what}, so there is nothing to draw; the recipes are in letters/recipes.py."
+            f"There is no {missing}, so there is nothing to draw; "
+            "the recipes are in letters/compose/recipes.py."
         )
-    figure, panels = sheet(
-        len(shown), 1 + len(FORMS), 2.5 * (1 + len(FORMS)), 2.8 * len(shown) + 0.3
-    )
+    columns = 1 + len(TRANSFORM_NAMES)
+    figure, panels = new_figure(len(shown), columns, 2.5 * columns, 2.8 * len(shown) + 0.3)
     for row, recording in zip(panels, shown, strict=True):
         shelf = Shelf.of([recording])
-        strokes = recording.strokes()
-        drawn = [make_letter(character, shelf, form, how).write() for form, _ in FORMS]
+        strokes = list(recording.strokes())
         for stroke in strokes:
-            row[0].plot(*(1e3 * stroke.position).T, color=CHILD, linestyle=":", linewidth=2.2)
-        paper(row[0], f"{source}, {recording.writer or 'somebody'}, as shown")
-        for panel, made, (_, name) in zip(row[1:], drawn, FORMS, strict=True):
-            _ink(panel, made)
-            paper(panel, f"{character} by {name}")
-        same_view(
-            row, 1e3 * np.concatenate([s.position for each in (strokes, *drawn) for s in each])
-        )
-    _millimetres(panels)
+            look = {"color": PERSON_COLOR, "linestyle": ":", "linewidth": 2.2}
+            plot_path(row[0], stroke.position, **look)
+        style_paper(row[0], f"{source}, {recording.writer or 'somebody'}, as shown")
+        for panel, (transform, name) in zip(row[1:], TRANSFORM_NAMES.items(), strict=True):
+            made = make_letter(character, shelf, transform, how).write()
+            _plot_strokes(panel, made)
+            style_paper(panel, f"{character} by {name}")
+            strokes += made
+        set_same_view(row, _points_in_mm(strokes))
+    label_millimetres(panels, fontsize=9)
     return figure
 
 
-def recipes_drawn(shelf: Shelf, transform: str = "star") -> Figure:
-    """Every letter that a writer's strokes make, each with the letters that they come from.
+def draw_recipes(shelf: Shelf, transform: str = "star") -> Figure:
+    """Draw every letter that a writer's strokes make, and name the letters that they come from.
 
     Args:
         shelf: Strokes of one writer.
@@ -86,58 +79,58 @@ def recipes_drawn(shelf: Shelf, transform: str = "star") -> Figure:
     Raises:
         LetterError: No recipe whose letters are all on the shelf.
     """
-    lines = [(made, how) for made, how in recipes() if set(needed(how)) <= set(shelf.letters)]
-    if not lines:
+    makeable = [(made, how) for made, how in recipes() if set(needed(how)) <= set(shelf.letters)]
+    if not makeable:
         raise LetterError(
-            f"No recipe can be made of {', '.join(shelf.letters)} alone; put more letters on the shelf."
+            f"No recipe can be made of {', '.join(shelf.letters)} alone; "
+            "put more letters on the shelf."
         )
-    columns = min(8, len(lines))
-    rows = -(-len(lines) // columns)
-    figure, panels = sheet(rows, columns, 1.45 * columns, 1.9 * rows)
+    columns = min(8, len(makeable))
+    rows = -(-len(makeable) // columns)
+    figure, panels = new_figure(rows, columns, 1.45 * columns, 1.9 * rows)
     for panel in panels.flat:
         panel.axis("off")
-    for panel, (character, how) in zip(panels.flat, lines, strict=False):
+    for panel, (character, how) in zip(panels.flat, makeable, strict=False):
         strokes = make_letter(character, shelf, transform, how).write()
-        _ink(panel, strokes)
+        _plot_strokes(panel, strokes)
         panel.set_aspect("equal")
-        panel.set_title(f"{character} of {', '.join(needed(how))}", fontsize=9, color=QUIET)
-        same_view([panel], 1e3 * np.concatenate([stroke.position for stroke in strokes]))
+        panel.set_title(f"{character} of {', '.join(needed(how))}", fontsize=9, color=MUTED_COLOR)
+        set_same_view([panel], _points_in_mm(strokes))
     return figure
 
 
-def written_text(
+def draw_text(
     strokes: Sequence[Trajectory], width: float | None = None, height: float | None = None
 ) -> Figure:
-    """A word or lines as ink on paper.
+    """Draw a word or lines as ink on paper.
 
     Args:
         strokes: From `write_word` or `write_lines`.
         width: Of the sheet, whose middle is the origin [m]; None: as wide as the ink.
         height: Of the sheet [m].
     """
-    ink = 1e3 * np.concatenate([stroke.position for stroke in strokes])
+    ink = _points_in_mm(strokes)
     corners = np.stack([ink.min(axis=0), ink.max(axis=0)])
     if width is not None and height is not None:
         corners = 500 * np.array([[-width, -height], [width, height]])
-    wide, tall = np.ptp(corners, axis=0)
-    figure, panels = sheet(1, 1, 9.0, min(12.0, 9.0 * tall / wide + 0.6))
-    panel = paper(panels[0, 0])
+    across, tall = np.ptp(corners, axis=0)
+    figure, panels = new_figure(1, 1, 9.0, min(12.0, 9.0 * tall / across + 0.6))
+    panel = style_paper(panels[0, 0])
     for stroke in strokes:
-        panel.plot(*(1e3 * stroke.position).T, color=ROBOT, linewidth=1.8, solid_capstyle="round")
-    same_view([panel], corners)
-    _millimetres(panels)
+        look = {"color": ROBOT_COLOR, "linewidth": 1.8, "solid_capstyle": "round"}
+        plot_path(panel, stroke.position, **look)
+    set_same_view([panel], corners)
+    label_millimetres(panels, fontsize=9)
     return figure
 
 
-def _ink(panel: Axes, strokes: Iterable[Trajectory]) -> None:
-    """Strokes [mm], each in a colour and line of its own."""
-    for stroke, colour, line in zip(strokes, COLOURS * 3, LINES * 3, strict=False):
-        panel.plot(*(1e3 * stroke.position).T, color=colour, linestyle=line, linewidth=2.0)
+def _plot_strokes(panel: Axes, strokes: Iterable[Trajectory]) -> None:
+    """Plot strokes [mm], each in a colour and line of its own."""
+    looks = zip(STROKE_COLORS * 3, CURVE_LINES * 3, strict=True)
+    for stroke, (color, line) in zip(strokes, looks, strict=False):
+        plot_path(panel, stroke.position, color=color, linestyle=line, linewidth=2.0)
 
 
-def _millimetres(panels: np.ndarray) -> None:
-    """Axes in mm, named once: at the left and at the bottom."""
-    for panel in panels[:, 0]:
-        panel.set_ylabel("y, up the page [mm]", fontsize=9)
-    for panel in panels[-1]:
-        panel.set_xlabel("x, to the right [mm]", fontsize=9)
+def _points_in_mm(strokes: Sequence[Trajectory]) -> Array:
+    """Return all points of strokes, shape (T, 2) [mm]."""
+    return 1e3 * np.concatenate([stroke.position for stroke in strokes])

@@ -1,4 +1,4 @@
-"""The paper's figures, drawn from the data of a study."""
+"""The paper's figures of kernels, errors and moved goals, drawn from the data of a study."""
 
 from __future__ import annotations
 
@@ -10,22 +10,26 @@ from dmp_teach.dmp import Kernels
 from dmp_teach.studies import Choice, ErrorCurves, Traces
 from dmp_teach.trajectory import Array
 from dmp_teach.views.figures.figure_style import (
-    CHILD,
-    COLOURS,
-    INK,
-    OTHER,
-    QUIET,
-    ROBOT,
-    SHADE,
-    decades,
-    dressed,
-    explained,
-    looks,
-    plain_log,
-    sheet,
+    Look,
+    add_legend,
+    cycle_looks,
+    new_figure,
+    set_log_ticks,
+    set_log_y_axis,
+    style_axes,
+)
+from dmp_teach.views.palette import (
+    COMPARED_COLOR,
+    MUTED_COLOR,
+    PERSON_COLOR,
+    ROBOT_COLOR,
+    SHADE_COLOR,
+    STROKE_COLORS,
+    TEXT_COLOR,
 )
 
-FULL = 80.0  # where "no ends" stands on an axis of widths that ends at 40
+# An infinite width ("no ends") stands here on an axis of widths that ends at 40.
+INFINITE_WIDTH_PLACE = 80.0
 WIDTH_TICKS = {
     0.2: "0.2",
     round(2 / 3, 6): "⅔",
@@ -36,215 +40,168 @@ WIDTH_TICKS = {
     20.0: "20",
     40.0: "40",
 }
-KINDS = (
+KERNEL_TYPES = (
     ("(a) full Gaussian", np.inf, 0.65),
     ("(b) truncated, touching: width 1/N", 1.0, 0.5),
     ("(c) truncated, with gaps: width 2/3N", 2 / 3, 0.5),
     ("(d) truncated, overlapping: width 2/N", 2.0, 0.65),
 )
+TRACE_LOOKS: dict[str, Look] = {
+    "demonstration": {"color": PERSON_COLOR, "linestyle": (0, (5, 2)), "linewidth": 2.2},
+    "DMP*": {"color": ROBOT_COLOR, "linestyle": "-", "linewidth": 1.8},
+    "original": {"color": COMPARED_COLOR, "linestyle": "-.", "linewidth": 1.8},
+}
 
 
-def kernel_types(number: int = 8) -> Figure:
-    """The paper's figure 2: four kinds of kernel over the phase.
+def draw_kernel_types(number: int = 8) -> Figure:
+    """Draw the paper's figure 2: four kinds of kernel over the phase.
 
     Args:
         number: N.
     """
-    figure, panels = sheet(1, 4, 13, 2.9, sharey=True)
+    figure, panels = new_figure(1, 4, 13, 2.9, sharey=True)
     s = np.linspace(0, 1, 2001)
-    for panel, (title, width, sigma) in zip(panels[0], KINDS, strict=True):
+    for panel, (title, width, sigma) in zip(panels[0], KERNEL_TYPES, strict=True):
         heights = Kernels(number, width, sigma).heights(s)
-        for k, look in zip(range(number), looks(), strict=False):
-            awake = (
-                np.convolve(heights[:, k] > 0, [1, 1, 1], mode="same") > 0
-            )  # and one sample more: the cut is seen
-            bump = np.where(awake, heights[:, k], np.nan)
+        for height, look in zip(heights.T, cycle_looks(), strict=False):
+            # One sample more on each side: the cut of a truncated kernel is seen.
+            active = np.convolve(height > 0, [1, 1, 1], mode="same") > 0
+            bump = np.where(active, height, np.nan)
             panel.plot(s, bump, color=look["color"], linestyle="-", linewidth=1.6)
             panel.fill_between(s, np.nan_to_num(bump), color=look["color"], alpha=0.12, linewidth=0)
-        asleep = heights.max(axis=1) == 0
-        panel.fill_between(s, 0, 1.08, where=asleep, color="#DDDDDD", linewidth=0, step="mid")
-        dressed(panel, "phase s", "height ψ(s)" if panel is panels[0][0] else "", title)
+        inactive = heights.max(axis=1) == 0
+        panel.fill_between(s, 0, 1.08, where=inactive, color="#DDDDDD", linewidth=0, step="mid")
+        style_axes(panel, "phase s", "height ψ(s)" if panel is panels[0][0] else "", title)
         panel.set_ylim(0, 1.08)
         panel.set_xlim(0, 1)
     return figure
 
 
-def error_over_width(curves: ErrorCurves, variant: str | None = None) -> Figure:
-    """The paper's figure 3: error against kernel width, a line for each letter.
+def draw_error_over_width(curves: ErrorCurves, variant: str | None = None) -> Figure:
+    """Draw the paper's figure 3: error against kernel width, a line for each letter.
 
     Args:
-        curves: From `error_against_width`.
-        variant: Which of `curves.variants`; the first unless given; "all" draws a line for each variant instead.
+        curves: From `sweep_kernel_width`.
+        variant: Which of `curves.variants`; the first unless given; "all" draws a line for each
+            variant instead.
     """
-    x = np.where(np.isinf(curves.x), FULL, curves.x)
-    figure, panel = _errors(curves, variant, x, "kernel width [1/N]")
-    panel.axvspan(1, 4, color=SHADE, linewidth=0, zorder=0)
-    words = WIDTH_TICKS | ({FULL: "no ends"} if np.isinf(curves.x).any() else {})
-    plain_log(panel.xaxis, list(words), words)
-    panel.text(
-        2,
-        0.985,
-        "1/N to 4/N",
-        transform=panel.get_xaxis_transform(),
-        ha="center",
-        va="top",
-        color=QUIET,
-    )
+    figure, panel = _draw_errors(curves, variant, _place_widths(curves.x), "kernel width [1/N]")
+    panel.axvspan(1, 4, color=SHADE_COLOR, linewidth=0, zorder=0)
+    names = dict(WIDTH_TICKS)
+    if np.isinf(curves.x).any():
+        names[INFINITE_WIDTH_PLACE] = "no ends"
+    set_log_ticks(panel.xaxis, list(names), names)
+    look: Look = {"transform": panel.get_xaxis_transform(), "va": "top", "color": MUTED_COLOR}
+    panel.text(2, 0.985, "1/N to 4/N", ha="center", **look)
     return figure
 
 
-def error_over_number(curves: ErrorCurves, variant: str | None = None) -> Figure:
-    """The paper's figure 5: error against the number of kernels, a line for each letter.
+def draw_error_over_number(curves: ErrorCurves, variant: str | None = None) -> Figure:
+    """Draw the paper's figure 5: error against the number of kernels, a line for each letter.
 
     Args:
-        curves: From `error_against_number`.
-        variant: Which of `curves.variants`; the first unless given; "all" draws a line for each variant instead.
+        curves: From `sweep_kernel_number`.
+        variant: Which of `curves.variants`; the first unless given; "all" draws a line for each
+            variant instead.
     """
-    figure, panel = _errors(curves, variant, curves.x, "kernels per sample, N / Num")
-    panel.axvline(0.1, color=INK, linewidth=1, linestyle=(0, (2, 2)))
-    panel.text(
-        0.104,
-        0.985,
-        "N = Num/10",
-        transform=panel.get_xaxis_transform(),
-        va="top",
-        color=INK,
-        fontsize=9,
-    )
-    ticks = [
-        t
-        for t in (0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5)
-        if curves.x[0] * 0.9 <= t <= curves.x[-1] * 1.1
-    ]
-    plain_log(panel.xaxis, ticks)
+    figure, panel = _draw_errors(curves, variant, curves.x, "kernels per sample, N / Num")
+    panel.axvline(0.1, color=TEXT_COLOR, linewidth=1, linestyle=(0, (2, 2)))
+    look: Look = {"transform": panel.get_xaxis_transform(), "va": "top", "color": TEXT_COLOR}
+    panel.text(0.104, 0.985, "N = Num/10", fontsize=9, **look)
+    ticks = (0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5)
+    low = curves.x[0] * 0.9
+    high = curves.x[-1] * 1.1
+    set_log_ticks(panel.xaxis, [tick for tick in ticks if low <= tick <= high])
     return figure
 
 
-def _errors(curves: ErrorCurves, variant: str | None, x: Array, name: str) -> tuple[Figure, Axes]:
-    """A figure with the error over x (K,), whose name it is, a line for each letter or variant; and its panel."""
-    figure, panels = sheet(1, 1, 7.2, 4.6)
-    panel = panels[0][0]
-    lines = _lines(curves, variant)
-    for (label, error), look in zip(lines.items(), looks(), strict=False):
-        panel.plot(x, 1e3 * error, label=label, **look)
-    dressed(panel, name, "error, root mean square [mm]", _title(curves, variant))
-    panel.set_xscale("log")
-    decades(panel, 1e3 * np.concatenate(list(lines.values())))
-    explained(panel, loc="center left", bbox_to_anchor=(1.01, 0.5))
-    return figure, panel
-
-
-def goal_change_over_time(traces: Traces) -> Figure:
-    """The paper's figure 6: position and velocity of one coordinate whose goal moved.
+def draw_goal_change_over_time(traces: Traces) -> Figure:
+    """Draw the paper's figure 6: position and velocity of one coordinate whose goal moved.
 
     Args:
-        traces: From `goal_traces`.
+        traces: From `trace_goal_change`.
     """
-    figure, panels = sheet(2, 1, 6.4, 5.6, sharex=True)
-    parts = ((traces.position, "position [mm]"), (traces.velocity, "velocity [mm/s]"))
-    styles = {
-        "demonstration": (CHILD, (0, (5, 2)), 2.2),
-        "DMP*": (ROBOT, "-", 1.8),
-        "original": (OTHER, "-.", 1.8),
-    }
-    for panel, (values, label) in zip(panels[:, 0], parts, strict=True):
-        for name, (colour, line, wide) in styles.items():
-            panel.plot(
-                traces.t,
-                1e3 * values[name],
-                color=colour,
-                linestyle=line,
-                linewidth=wide,
-                label=name,
-            )
-        dressed(panel, "", label)
+    figure, panels = new_figure(2, 1, 6.4, 5.6, sharex=True)
+    position, velocity = panels[:, 0]
+    for panel, values in ((position, traces.position), (velocity, traces.velocity)):
+        for name, look in TRACE_LOOKS.items():
+            panel.plot(traces.t, 1e3 * values[name], label=name, **look)
     goal = 1e3 * (traces.position["demonstration"][-1] + traces.shift)
-    panels[0, 0].plot(
-        traces.t[-1],
-        goal,
-        marker="o",
-        markerfacecolor="white",
-        color=INK,
-        linestyle="",
-        label="new goal",
-    )
+    ring = {"marker": "o", "markerfacecolor": "white", "linestyle": ""}
+    position.plot(traces.t[-1], goal, color=TEXT_COLOR, label="new goal", **ring)
     shift = f"{1e3 * traces.shift:+.0f} mm".replace("-", "−")
-    dressed(
-        panels[0, 0], "", "position [mm]", f"{traces.stroke}: the goal moves by {shift}".strip(": ")
-    )
-    panels[1, 0].set_xlabel("time [s]", color=INK)
-    explained(panels[0, 0], loc="best", ncols=2)
+    title = f"{traces.stroke}: the goal moves by {shift}".strip(": ")
+    style_axes(position, "", "position [mm]", title)
+    style_axes(velocity, "time [s]", "velocity [mm/s]")
+    add_legend(position, loc="best", ncols=2)
     return figure
 
 
-def kernel_choice(choice: Choice) -> Figure:
-    """The curve of a validation, with the choice and both rules of thumb.
+def draw_kernel_choice(choice: Choice) -> Figure:
+    """Draw the curve of a validation, with the choice and both rules of thumb.
 
     Args:
         choice: From `choose_kernels` or `choose_width`.
     """
-    figure, panels = sheet(1, 1, 6.8, 4.2)
-    panel = panels[0][0]
-    x = np.where(np.isinf(choice.candidates), FULL, choice.candidates)
-    panel.plot(
-        x,
-        1e3 * choice.taught,
-        color=QUIET,
-        linestyle="--",
-        linewidth=1.4,
-        label="samples that were shown",
-    )
-    panel.plot(
-        x,
-        1e3 * choice.error,
-        color=ROBOT,
-        marker="o",
-        markersize=4.5,
-        label="samples that were not shown",
-    )
-    chosen = int(np.argmax(choice.candidates == choice.chosen))
-    about = {"markersize": 13, "markerfacecolor": "none", "markeredgewidth": 2, "linestyle": ""}
-    panel.plot(
-        x[chosen],
-        1e3 * choice.error[chosen],
-        marker="o",
-        color=INK,
-        label=f"chosen: {choice.chosen:g}",
-        **about,
-    )
+    figure, ((panel,),) = new_figure(1, 1, 6.8, 4.2)
+    x = _place_widths(choice.candidates)
+    shown = {"linestyle": "--", "linewidth": 1.4, "label": "samples that were shown"}
+    panel.plot(x, 1e3 * choice.taught, color=MUTED_COLOR, **shown)
+    held_out = {"marker": "o", "markersize": 4.5, "label": "samples that were not shown"}
+    panel.plot(x, 1e3 * choice.error, color=ROBOT_COLOR, **held_out)
+    chosen = choice.candidates == choice.chosen
+    ring = {"marker": "o", "markersize": 13, "markerfacecolor": "none", "markeredgewidth": 2}
+    ring |= {"linestyle": "", "label": f"chosen: {choice.chosen:g}"}
+    panel.plot(x[chosen], 1e3 * choice.error[chosen], color=TEXT_COLOR, **ring)
+    label = "kernel width [1/N]"
     if choice.name == "n_kernels":
-        panel.axvline(
-            choice.tenth, color=COLOURS[1], linestyle=":", label=f"Num/10: {choice.tenth}"
-        )
-        panel.axvline(
-            choice.twelve_a_second,
-            color=COLOURS[2],
-            linestyle="-.",
-            label=f"12 a second: {choice.twelve_a_second}",
-        )
-    label = "number of kernels N" if choice.name == "n_kernels" else "kernel width [1/N]"
-    dressed(panel, label, "error, root mean square [mm]")
+        label = "number of kernels N"
+        _plot_rules_of_thumb(panel, choice)
+    style_axes(panel, label, "error, root mean square [mm]")
     panel.set_xscale("log")
     ticks = [t for t in (0.5, 1, 2, 5, 10, 20, 50, 100, 200, 500) if x[0] <= t <= x[-1]]
-    ends = {FULL: "no ends"} if np.isinf(choice.candidates).any() else {}
-    plain_log(panel.xaxis, [*ticks, *ends], ends)
-    decades(panel, 1e3 * np.concatenate([choice.error, choice.taught]))
-    explained(panel, loc="best")
+    ends = {INFINITE_WIDTH_PLACE: "no ends"} if np.isinf(choice.candidates).any() else {}
+    set_log_ticks(panel.xaxis, [*ticks, *ends], ends)
+    set_log_y_axis(panel, 1e3 * np.concatenate([choice.error, choice.taught]))
+    add_legend(panel, loc="best")
     return figure
 
 
-def _lines(curves: ErrorCurves, variant: str | None) -> dict[str, Array]:
-    """What is drawn: the median of each letter's strokes in one variant, or of all strokes in each."""
+def _draw_errors(
+    curves: ErrorCurves, variant: str | None, x: Array, name: str
+) -> tuple[Figure, Axes]:
+    """Draw the error over x (K,), a line for each letter or variant; return figure and panel."""
+    figure, ((panel,),) = new_figure(1, 1, 7.2, 4.6)
+    lines = _find_medians(curves, variant)
+    for (label, error), look in zip(lines.items(), cycle_looks(), strict=False):
+        panel.plot(x, 1e3 * error, label=label, **look)
+    shown = "medians" if variant == "all" else (variant or curves.variants[0])
+    title = f"{shown}, over {len(curves.strokes)} strokes"
+    style_axes(panel, name, "error, root mean square [mm]", title)
+    panel.set_xscale("log")
+    set_log_y_axis(panel, 1e3 * np.concatenate(list(lines.values())))
+    add_legend(panel, loc="center left", bbox_to_anchor=(1.01, 0.5))
+    return figure, panel
+
+
+def _find_medians(curves: ErrorCurves, variant: str | None) -> dict[str, Array]:
+    """Return the median of each letter's strokes in one variant, or of all strokes in each."""
     if variant == "all":
         return dict(zip(curves.variants, curves.median, strict=True))
-    error, letters = curves.of(variant or curves.variants[0]), np.array(curves.characters)
-    return {
-        f"‘{name}’": np.median(error[letters == name], axis=0)
-        for name in dict.fromkeys(curves.characters)
-    }
+    error = curves.of(variant or curves.variants[0])
+    letters = np.array(curves.characters)
+    names = dict.fromkeys(curves.characters)
+    return {f"‘{name}’": np.median(error[letters == name], axis=0) for name in names}
 
 
-def _title(curves: ErrorCurves, variant: str | None) -> str:
-    """Which variant, and of how many strokes."""
-    name = "medians" if variant == "all" else (variant or curves.variants[0])
-    return f"{name}, over {len(curves.strokes)} strokes"
+def _plot_rules_of_thumb(panel: Axes, choice: Choice) -> None:
+    """Plot the numbers of kernels that the two rules of thumb give."""
+    tenth: Look = {"linestyle": ":", "label": f"Num/10: {choice.tenth}"}
+    panel.axvline(choice.tenth, color=STROKE_COLORS[1], **tenth)
+    twelve: Look = {"linestyle": "-.", "label": f"12 a second: {choice.twelve_a_second}"}
+    panel.axvline(choice.twelve_a_second, color=STROKE_COLORS[2], **twelve)
+
+
+def _place_widths(widths: Array) -> Array:
+    """Return where widths stand on an axis; infinite ones have a place of their own."""
+    return np.where(np.isinf(widths), INFINITE_WIDTH_PLACE, widths)

@@ -1,4 +1,4 @@
-"""Figures of the robot from its data: where a page can lie."""
+"""Figures of the robot: where a page can lie."""
 
 from __future__ import annotations
 
@@ -10,145 +10,122 @@ from scipy.spatial import ConvexHull
 from dmp_teach.errors import ViewError
 from dmp_teach.robot import TIP, Model, Page, ReachMap, solids_of
 from dmp_teach.trajectory import Array
-from dmp_teach.views.figures.figure_style import (
-    COLOURS,
-    INK,
-    QUIET,
-    SHADE,
-    dressed,
-    explained_below,
-    sheet,
-)
+from dmp_teach.views.figures.figure_style import Look, add_legend_below, new_figure, style_axes
+from dmp_teach.views.palette import MUTED_COLOR, SHADE_COLOR, STROKE_COLORS, TEXT_COLOR
 
-_BLUE, _VERMILION, _PINK = COLOURS[0], COLOURS[1], COLOURS[3]
-_LOOKS = {  # each a form of its own, so that they stay apart in grey
-    "reached": {"marker": "o", "markersize": 6.5, "color": _BLUE},
+# Each a form of its own, so that they stay apart in grey.
+REACH_LOOKS: dict[str, Look] = {
+    "reached": {"marker": "o", "markersize": 6.5, "color": STROKE_COLORS[0]},
     "reached, but a joint must hurry": {
         "marker": "s",
         "markersize": 6,
-        "color": _VERMILION,
+        "color": STROKE_COLORS[1],
         "markerfacecolor": "white",
         "markeredgewidth": 1.6,
     },
     "near enough, but robot or paper is in the way": {
         "marker": "x",
         "markersize": 5.5,
-        "color": _PINK,
+        "color": STROKE_COLORS[3],
         "markeredgewidth": 1.8,
     },
-    "too far": {"marker": ".", "markersize": 2.5, "color": QUIET},
+    "too far": {"marker": ".", "markersize": 2.5, "color": MUTED_COLOR},
 }
-_PARTS = (
+DRAWN_PARTS = (
     ("base_link",),
     ("torso_fixed_link", "torso_lift_link"),
     ("head_pan_link", "head_tilt_link"),
 )
 
 
-def reach_drawn(*maps: ReachMap) -> Figure:
-    """Where a page can lie: a panel for each map, the robot from above in those that are seen from above.
+def draw_reach(*maps: ReachMap) -> Figure:
+    """Draw where a page can lie, a panel for each map.
+
+    Maps that are seen from above show the robot, too.
 
     Args:
-        maps: From `reach_around`, seen from above, and `reach_map`, page distance against pen angle.
+        maps: From `reach_around`, seen from above, and `reach_map`, page distance against pen
+            angle.
 
     Raises:
         ViewError: No map, or something else.
     """
     if not maps or not all(isinstance(each, ReachMap) for each in maps):
-        raise ViewError("reach_drawn takes maps, as reach_map() and reach_around() give them.")
-    figure, panels = sheet(1, len(maps), 6.0 * len(maps), 5.9)
+        raise ViewError("draw_reach takes maps, as reach_map() and reach_around() give them.")
+    figure, panels = new_figure(1, len(maps), 6.0 * len(maps), 5.9)
     for panel, each in zip(panels[0], maps, strict=True):
-        (_from_above if each.across_name == "y" else _by_tilt)(panel, each)
-    explained_below(figure, panels[0, 0], columns=2 if len(maps) == 1 else 4)
+        (_plot_from_above if each.across_name == "y" else _plot_by_tilt)(panel, each)
+    add_legend_below(figure, panels[0, 0], columns=2 if len(maps) == 1 else 4)
     return figure
 
 
-def _from_above(panel: Axes, each: ReachMap) -> None:
-    """The robot from above, looking up the panel; a mark where a page's centre may be."""
-    page = each.pages[0][0]
-    dressed(
-        panel,
-        "page's centre to the robot's right [m]",
-        "page's centre ahead of the robot [m]",
-        "Seen from above",
-    )
+def _plot_from_above(panel: Axes, reach: ReachMap) -> None:
+    """Plot the robot from above, looking up the panel, and a mark at each page's centre."""
+    right = "page's centre to the robot's right [m]"
+    style_axes(panel, right, "page's centre ahead of the robot [m]", "Seen from above")
     panel.set_aspect("equal", adjustable="box")
-    for links in _PARTS:
-        outline = _outline(links)
-        panel.fill(-outline[:, 1], outline[:, 0], facecolor=SHADE, edgecolor=QUIET, linewidth=1.1)
-    shoulder = Model.load().frame("shoulder_pan_link", np.empty((1, 0)), ())[0, :2, 3]
-    panel.plot(
-        -shoulder[1],
-        shoulder[0],
-        marker="o",
-        markersize=8,
-        color=INK,
-        markerfacecolor="white",
-        zorder=4,
-    )
-    _named(panel, "where the arm begins", (-shoulder[1], shoulder[0]), (0.36, -0.12))
-    _marks(panel, each, *np.meshgrid(-each.across, each.x, indexing="ij"))
-    corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1], [-1, -1]]) / 2
+    for links in DRAWN_PARTS:
+        outline = _find_outline(links)
+        look: Look = {"facecolor": SHADE_COLOR, "edgecolor": MUTED_COLOR, "linewidth": 1.1}
+        panel.fill(-outline[:, 1], outline[:, 0], **look)
+    x, y = Model.load().frame("shoulder_pan_link", np.empty((1, 0)), ())[0, :2, 3]
+    look = {"marker": "o", "markersize": 8, "markerfacecolor": "white", "zorder": 4}
+    panel.plot(-y, x, color=TEXT_COLOR, **look)
+    _name_place(panel, "where the arm begins", (-y, x), (0.36, -0.12))
+    _plot_marks(panel, reach, *np.meshgrid(-reach.across, reach.x, indexing="ij"))
+    page = reach.pages[0][0]
     usual = page.moved(getattr(Page, page.kind)().X_world_page[:3, 3] - page.X_world_page[:3, 3])
+    corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1], [-1, -1]]) / 2
     outline = usual.to_world(corners * page.size)
-    panel.plot(-outline[:, 1], outline[:, 0], color=INK, linewidth=1.3, zorder=5)
+    panel.plot(-outline[:, 1], outline[:, 0], color=TEXT_COLOR, linewidth=1.3, zorder=5)
     size = " x ".join(f"{1000 * side:.0f}" for side in page.size)
-    _named(
-        panel,
-        f"a sheet of {size} mm\nwhere it usually lies",
-        (-outline[:, 1].min(), outline[:, 0].max()),
-        (0.36, 1.17),
-    )
+    name = f"a sheet of {size} mm\nwhere it usually lies"
+    _name_place(panel, name, (-outline[:, 1].min(), outline[:, 0].max()), (0.36, 1.17))
 
 
-def _by_tilt(panel: Axes, each: ReachMap) -> None:
-    """Page distance against pen angle; beside each row a line that leans as its pages do, seen from the side."""
-    degrees = np.degrees(each.across)
-    angle = "pen's angle from the vertical = page's tilt [degrees]"
-    dressed(
+def _plot_by_tilt(panel: Axes, reach: ReachMap) -> None:
+    """Plot page distance against pen angle, and beside each row a line that leans as its pages."""
+    degrees = np.degrees(reach.across)
+    style_axes(
         panel,
         "page's centre ahead of the robot [m]",
-        angle,
+        "pen's angle from the vertical = page's tilt [degrees]",
         "From a table (0) to a whiteboard (90), straight ahead",
     )
-    _marks(panel, each, *np.meshgrid(each.x, degrees))
+    _plot_marks(panel, reach, *np.meshgrid(reach.x, degrees))
     panel.set_yticks(degrees if len(degrees) <= 12 else np.arange(0, 91, 10))
     for lean in degrees:
-        panel.plot(
-            each.x.max() + 0.08,
-            lean,
-            marker=(2, 2, lean - 90),
-            markersize=17,
-            markeredgewidth=1.6,
-            color=INK,
-        )
+        look: Look = {"marker": (2, 2, lean - 90), "markersize": 17, "markeredgewidth": 1.6}
+        panel.plot(reach.x.max() + 0.08, lean, color=TEXT_COLOR, **look)
 
 
-def _marks(panel: Axes, each: ReachMap, right: Array, up: Array) -> None:
-    """A mark for every page at (R, C) places of the panel."""
-    near = ~each.reached & (each.residual <= TIP)
-    kinds = (each.at_ease, each.reached & ~each.at_ease, near, ~each.reached & ~near)
-    for (name, look), where in zip(_LOOKS.items(), kinds, strict=True):
+def _plot_marks(panel: Axes, reach: ReachMap, right: Array, up: Array) -> None:
+    """Plot a mark for every page at (R, C) places of the panel."""
+    near = ~reach.reached & (reach.residual <= TIP)
+    at_ease = reach.at_ease
+    kinds = (at_ease, reach.reached & ~at_ease, near, ~reach.reached & ~near)
+    for (name, look), where in zip(REACH_LOOKS.items(), kinds, strict=True):
         panel.plot(right[where], up[where], linestyle="", label=name, zorder=3, **look)
 
 
-def _named(panel: Axes, words: str, place: tuple[float, float], at: tuple[float, float]) -> None:
-    """A word beside a thing, and a thin line to it."""
-    line = {"arrowstyle": "-", "color": QUIET, "linewidth": 0.8}
-    white = {"facecolor": "white", "edgecolor": "none", "pad": 1.5}
-    panel.annotate(
-        words, place, at, color=INK, fontsize=9, va="center", arrowprops=line, bbox=white, zorder=6
-    )
+def _name_place(
+    panel: Axes, name: str, place: tuple[float, float], at: tuple[float, float]
+) -> None:
+    """Write a name beside a thing, with a thin line to it."""
+    look: Look = {
+        "arrowprops": {"arrowstyle": "-", "color": MUTED_COLOR, "linewidth": 0.8},
+        "bbox": {"facecolor": "white", "edgecolor": "none", "pad": 1.5},
+    }
+    panel.annotate(name, place, at, color=TEXT_COLOR, fontsize=9, va="center", zorder=6, **look)
 
 
-def _outline(links: tuple[str, ...]) -> Array:
-    """What some links of the robot look like from above: the hull of their solids, shape (n, 2) [m]."""
+def _find_outline(links: tuple[str, ...]) -> Array:
+    """Return the hull of some links' solids, seen from above, shape (n, 2) [m]."""
     poses = Model.load().link_poses(np.empty((1, 0)), ())
-    points = np.concatenate(
-        [
-            s.surface() @ poses[s.link][0, :3, :3].T + poses[s.link][0, :3, 3]
-            for s in solids_of()
-            if s.link in links
-        ]
-    )[:, :2]
+    surfaces = []
+    for solid in solids_of():
+        if solid.link in links:
+            X = poses[solid.link][0]
+            surfaces.append(solid.surface() @ X[:3, :3].T + X[:3, 3])
+    points = np.concatenate(surfaces)[:, :2]
     return points[ConvexHull(points).vertices]
