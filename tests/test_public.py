@@ -1,0 +1,75 @@
+"""What an editor, a type checker, Tab and help() see of the package."""
+
+import inspect
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import dmp_teach as teach
+
+ROOT = Path(__file__).parents[1]
+PLACES = {"teach": teach, "teach.studies": teach.studies, "teach.figures": teach.figures}
+USED = {
+    "teach": {"Letter", "Score", "Piece", "SettingError", "TeachError", "figures", "studies"},
+    "teach.studies": {"claims", "choose_kernels", "classify_writers"},
+    "teach.figures": {"contact_sheet"},
+}
+
+
+def functions():
+    """Every public function and method of ours, by its name."""
+    for place, module in PLACES.items():
+        for name in dir(module):
+            thing = getattr(module, name)
+            if inspect.isfunction(thing):
+                yield f"{place}.{name}", thing
+            elif inspect.isclass(thing):
+                for method, value in inspect.getmembers(thing, inspect.isroutine):
+                    ours = str(getattr(value, "__module__", "")).startswith("dmp_teach")
+                    if ours and not method.startswith("_"):
+                        yield f"{place}.{name}.{method}", value
+
+
+@pytest.mark.parametrize("place", PLACES)
+def test_tab_finds_what_is_used(place):
+    assert USED[place] <= set(dir(PLACES[place]))
+
+
+def test_help_opens_with_a_signature_of_four_lines_at_most():
+    found = dict(functions())
+    assert len(found) > 100
+    signatures = {name: str(inspect.signature(each)) for name, each in found.items()}
+    assert {name: said for name, said in signatures.items() if len(said) > 4 * 80} == {}
+
+
+def check_types(code, folder):
+    """What mypy says of a file, with our settings."""
+    (folder / "used.py").write_text(code, encoding="utf-8")
+    answer = subprocess.run(
+        [sys.executable, "-m", "mypy", "used.py", "--ignore-missing-imports"],
+        cwd=folder,
+        env={"MYPYPATH": str(ROOT), "MYPY_CACHE_DIR": str(ROOT / ".mypy_cache")},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    return answer.stdout
+
+
+@pytest.mark.slow
+def test_a_type_checker_accepts_our_names_and_refuses_others(tmp_path):
+    code = """
+import dmp_teach as teach
+
+letter = teach.Letter.learn(teach.recording_of("a"))
+reveal_type(letter)
+teach.Leter
+teach.Letter.lern
+"""
+    said = check_types(code, tmp_path)
+    assert 'Revealed type is "dmp_teach.letters.letter.Letter"' in said
+    assert 'used.py:6: error: Module has no attribute "Leter"' in said
+    assert 'used.py:7: error: "type[Letter]" has no attribute "lern"' in said
+    assert said.count("used.py:") == said.count("used.py:5") + 2
