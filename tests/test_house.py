@@ -39,7 +39,6 @@ EVERYWHERE = {"numpy", "scipy", "dmp_teach", "lazy_loader", "tqdm"}
 ROOMS = {  # where a library from elsewhere may be imported
     "csv": ["formats/"],
     "pandas": ["formats/"],
-    "dtaidistance": ["scoring/"],
     "svgelements": ["formats/"],
     "defusedxml": ["formats/"],
     "placo": ["robot/arm.py"],

@@ -21,7 +21,7 @@ from dmp_teach.ink import svg_of
 from dmp_teach.letters.compose.piece import Piece
 from dmp_teach.letters.kernel_choice import imitated
 from dmp_teach.letters.letter_json import parts_of, to_json
-from dmp_teach.scoring import listed
+from dmp_teach.scoring import list_strokes
 from dmp_teach.trajectory import Array, Trajectory, locked
 
 LIFT = 0.36  # a pen that goes to a stroke of another letter is in the air for this long [s] ...
@@ -290,7 +290,7 @@ def _clock(pieces: tuple[Piece, ...]) -> list[float]:
 
 def _strokes_of(recording: Any) -> tuple[Trajectory, ...]:
     """The strokes of whatever was given."""
-    strokes = listed(recording)
+    strokes = list_strokes(recording)
     wrong = [each for each in strokes if not isinstance(each, Trajectory)]
     if wrong or not strokes:
         what = kind_of(wrong[0]) if wrong else "nothing"

@@ -13,7 +13,7 @@ from scipy.interpolate import PchipInterpolator
 from dmp_teach.dmp import DMP, Settings, as_settings
 from dmp_teach.errors import LetterError, SettingError
 from dmp_teach.letters.letter import Letter
-from dmp_teach.scoring import matched
+from dmp_teach.scoring import match_strokes
 from dmp_teach.trajectory import Array, Trajectory
 
 _SHORTEST_LIFT = 1e-3  # [s]
@@ -131,7 +131,7 @@ def _taken(row: Array, like: Sequence[Array]) -> tuple[list[Array], Array]:
 
 def _ordered(letter: Letter, first: Letter, number: int) -> tuple[Trajectory, ...]:
     """The strokes of a letter in the order and direction of the first letter's; its own clock is given to them."""
-    match = matched(letter.strokes, first.strokes)
+    match = match_strokes(letter.strokes, first.strokes)
     pairs = match.pairs
     if (
         match.extra
@@ -147,8 +147,8 @@ def _ordered(letter: Letter, first: Letter, number: int) -> tuple[Trajectory, ..
     pauses = [b.t[0] - a.t[-1] for a, b in pairwise(letter.strokes)]
     for pair, pause in zip(pairs, [*pauses, 0.0], strict=True):
         stroke = letter.strokes[pair.strokes[0]]
-        path = stroke.position[::-1] if pair.laid.backwards else stroke.position
-        t = stroke.t[-1] - stroke.t[::-1] if pair.laid.backwards else stroke.t - stroke.t[0]
+        path = stroke.position[::-1] if pair.alignment.backwards else stroke.position
+        t = stroke.t[-1] - stroke.t[::-1] if pair.alignment.backwards else stroke.t - stroke.t[0]
         found.append(Trajectory(begin + t, path))
         begin += stroke.duration + max(pause, _SHORTEST_LIFT)
     return tuple(found)

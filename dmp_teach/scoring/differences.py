@@ -1,10 +1,11 @@
-"""What differs between two writings, each in steps of what an eye begins to see, and in plain words."""
+"""Find what differs between two writings, each in steps of what an eye begins to see."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
@@ -12,30 +13,37 @@ from dmp_teach.scoring.fit import Fit
 from dmp_teach.scoring.kinematics import Movement
 from dmp_teach.scoring.matching import Matching
 from dmp_teach.scoring.resampling import size_of
+from dmp_teach.scoring.wording import Position, word_difference
 from dmp_teach.trajectory import Array, Trajectory
 
-STEPS = {
-    "shape": 0.0125,  # of the letter's size: the line of a pen, in a letter as large as a hand
-    "place": 0.05,  # of the letter's size: a finger's breadth there; a smaller gap reads as touching
-    "piece": 0.05,  # the same
-    "open": 0.05,  # the same
-    "shaky": 0.0025,  # of the letter's size, see `movement.shake`: waves as high as the line of a pen is wide
-    "size": math.log(1.15),  # a seventh: letters in one word differ by as much, and nobody minds
-    "width": math.log(1.15),  # the same
-    "lean": 5.0,  # degrees: less than one minute on the face of a clock
-    "turn": 6.0,  # degrees: one minute on the face of a clock
-    "rise": 10.0,  # degrees: lines are seen to be level less sharply, for they are short and round
-    "smooth": 1.5,  # in the logarithm: 4.5 times the jerk; the same hand, slower by half, loses as much
-    "tempo": math.log(
-        3.0
-    ),  # people write one letter three times as fast as another day's, and it looks the same
+DIFFERENCE_STEPS = {
+    # Parts of the letter's size: the line of a pen, in a letter as large as a hand.
+    "shape": 0.0125,
+    # A finger's breadth there; a smaller gap reads as touching.
+    "place": 0.05,
+    "piece": 0.05,
+    "open": 0.05,
+    # Waves as high as the line of a pen is wide, see `kinematics.shake`.
+    "shaky": 0.0025,
+    # A seventh: letters in one word differ by as much, and nobody minds.
+    "size": math.log(1.15),
+    "width": math.log(1.15),
+    # Degrees: less than one minute on the face of a clock, and one minute.
+    "lean": 5.0,
+    "turn": 6.0,
+    # Lines are seen to be level less sharply, for they are short and round.
+    "rise": 10.0,
+    # In the logarithm: 4.5 times the jerk; the same hand, slower by half, loses as much.
+    "smooth": 1.5,
+    # People write one letter three times as fast as another day's, and it looks the same.
+    "tempo": math.log(3.0),
 }
 """How much of each is one step. Below one step two letters are taken for the same."""
 
-UNSEEN = ("smooth", "tempo")
+MOVEMENT_FAULTS = ("smooth", "tempo")
 """Faults of the movement that leave no trace in the ink."""
 
-PLAIN = {
+FAULT_STEPS = {
     "mirrored": 14.0,
     "turned": 14.0,
     "missing": 12.0,
@@ -46,29 +54,10 @@ PLAIN = {
 }
 """How many steps are what is or is not: what another reader would stumble over counts most."""
 
-NUMBERS = ("no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten")
-ORDINALS = (
-    "first",
-    "second",
-    "third",
-    "fourth",
-    "fifth",
-    "sixth",
-    "seventh",
-    "eighth",
-    "ninth",
-    "tenth",
-)
-TIMES = {
-    1 / 4: "a quarter as",
-    1 / 3: "a third as",
-    1 / 2: "half as",
-    2 / 3: "two thirds as",
-    3 / 4: "three quarters as",
-}
-TIMES |= {3 / 2: "one and a half times as", 2: "twice as", 3: "three times as", 4: "four times as"}
-DOT = 0.1  # of the letter's size: what is smaller, and lacks a stroke, is a dot of it
-LITTLE = 2.5  # up to so many steps a fault is "a little"
+# What is smaller than this, and lacks a stroke, is a dot of its model [parts of the size].
+LARGEST_LONE_DOT = 0.1
+# Another beginning of a loop counts from an eighth of it on.
+LEAST_LOOP_SHIFT = 0.125
 
 
 @dataclass(frozen=True)
@@ -77,7 +66,7 @@ class Fault:
 
     Args:
         name: What it is, such as "lean".
-        steps: How many steps of what an eye begins to see; see `STEPS`.
+        steps: How many steps of what an eye begins to see; see `DIFFERENCE_STEPS`.
         sentence: In plain words.
         reason: The same in a few words, to stand beside a row.
     """
@@ -88,260 +77,153 @@ class Fault:
     reason: str
 
 
-def faults(
+def find_faults(
     matching: Matching, fit: Fit, written: Movement, model: Movement, strokes: Sequence[Trajectory]
-):
-    """All faults, the largest first; `strokes` are the model's."""
-    sizes = [max(each.width, each.height) for each in (written, model)]
-    nothing = (
-        bool(matching.missing) and sizes[0] < DOT * sizes[1]
-    )  # a dot has no size, width or lean
+) -> tuple[Fault, ...]:
+    """Find all faults, the largest first.
+
+    Args:
+        matching: Which strokes belong together.
+        fit: Of the model to the writing.
+        written: The writing in numbers.
+        model: The model in numbers.
+        strokes: The model's.
+    """
+    of_whole = [*_orientation_faults(matching), *_fit_faults(fit)]
+    # A dot has no size, width or lean.
+    if matching.missing and written.size < LARGEST_LONE_DOT * model.size:
+        of_whole = [replace(fault, steps=0.0) for fault in of_whole]
     found = [
-        *(replace(each, steps=0.0) if nothing else each for each in _of_the_whole(matching, fit)),
-        *_of_strokes(matching, model),
-        *_of_order(matching, written, model),
-        *_of_shape(matching, fit, strokes),
-        *_of_loops(matching, fit, strokes),
-        *_of_movement(written, model),
+        *of_whole,
+        *_stroke_faults(matching, model),
+        *_writing_faults(matching, written, model),
+        *_shape_faults(matching, fit, strokes),
+        *_loop_faults(matching, fit, strokes),
+        *_movement_faults(written, model),
     ]
     return tuple(sorted(found, key=lambda fault: -fault.steps))
 
 
-def _of_the_whole(matching: Matching, fit: Fit) -> Iterator[Fault]:
-    """Mirrored, turned, size, width, lean."""
-    if matching.mirrored and matching.turn == 0:
-        yield Fault(
-            "mirrored", PLAIN["mirrored"], "It is the mirror image of the model.", "mirrored"
-        )
-    elif matching.mirrored and matching.turn == 2:
-        yield Fault(
-            "mirrored", PLAIN["mirrored"], "It is upside down, as in a lake.", "upside down"
-        )
-    elif matching.mirrored:
-        yield Fault(
-            "mirrored",
-            PLAIN["mirrored"],
-            "It is mirrored, and lies on its side.",
-            "mirrored, on its side",
-        )
-    elif matching.turn == 2:
-        yield Fault("turned", PLAIN["turned"], "It stands on its head.", "on its head")
-    elif matching.turn:
-        yield Fault("turned", PLAIN["turned"], "It lies on its side.", "on its side")
-    steps = abs(fit.turn) / STEPS["turn"]
-    words = f"{_little(steps)}turned to the {'left' if fit.turn > 0 else 'right'}"
-    yield Fault("turn", steps, f"It is {words}, by {abs(fit.turn):.0f} degrees.", words)
-    steps = abs(fit.rise) / STEPS["rise"]
-    words = f"lines {'rise' if fit.rise > 0 else 'fall'} {abs(fit.rise):.0f} degrees"
-    yield Fault("rise", steps, f"Its {words} to the right.", words)
-    steps = abs(fit.lean) / STEPS["lean"]
-    side, degrees = "right" if fit.lean > 0 else "left", f"{abs(fit.lean):.0f} degrees"
-    yield Fault("lean", steps, f"It leans {degrees} to the {side}.", f"{degrees} to the {side}")
-    steps = abs(math.log(fit.size)) / STEPS["size"]
-    words = _times(fit.size, steps, "large", "larger", "smaller")
-    yield Fault("size", steps, f"It is {words[0]} the model.", words[1])
-    steps = abs(math.log(fit.width)) / STEPS["width"]
-    words = f"{_little(steps) or 'much '}{'wider' if fit.width > 1 else 'narrower'}"
-    yield Fault("width", steps, f"It is {words} than the model, for its height.", words)
+# Any: what the wording of the fault takes.
+def _fault(name: str, steps: float, **facts: Any) -> Fault:
+    """Return a fault in words."""
+    return Fault(name, steps, *word_difference(name, steps, facts))
 
 
-def _of_strokes(matching: Matching, model: Movement) -> Iterator[Fault]:
-    """Strokes that are not there, or too many."""
-    if len(matching.missing) == 1:
-        words = f"{_the(matching.missing[0], model.strokes)} is missing"
-        yield Fault("missing", PLAIN["missing"], f"{_sentence(words)}", words)
-    elif matching.missing:
-        words = f"{_count(len(matching.missing), True)} are missing"
-        yield Fault("missing", PLAIN["missing"] + 1, _sentence(words), words)
+def _orientation_faults(matching: Matching) -> Iterator[Fault]:
+    """Yield mirrored or turned."""
+    if matching.mirrored or matching.turn:
+        name = "mirrored" if matching.mirrored else "turned"
+        yield _fault(name, FAULT_STEPS[name], turn=matching.turn)
+
+
+def _fit_faults(fit: Fit) -> Iterator[Fault]:
+    """Yield turn, rise, lean, size and width."""
+    for name, degrees in (("turn", fit.turn), ("rise", fit.rise), ("lean", fit.lean)):
+        yield _fault(name, abs(degrees) / DIFFERENCE_STEPS[name], degrees=degrees)
+    for name, ratio in (("size", fit.size), ("width", fit.width)):
+        yield _fault(name, abs(math.log(ratio)) / DIFFERENCE_STEPS[name], ratio=ratio)
+
+
+def _stroke_faults(matching: Matching, model: Movement) -> Iterator[Fault]:
+    """Yield strokes that are missing, or too many."""
+    if matching.missing:
+        count = len(matching.missing)
+        steps = FAULT_STEPS["missing"] + (count > 1)
+        stroke = matching.missing[0]
+        yield _fault("missing", steps, count=count, stroke=stroke, of=model.strokes)
     if matching.extra:
-        count = len(matching.extra)
-        words = f"there {'is' if count == 1 else 'are'} {_count(count, True)} too many"
-        yield Fault("extra", PLAIN["extra"], _sentence(words), words.split(" ", 2)[2])
+        yield _fault("extra", FAULT_STEPS["extra"], count=len(matching.extra))
 
 
-def _of_order(matching: Matching, written: Movement, model: Movement) -> Iterator[Fault]:
-    """Strokes that are joined, split, divided or begun elsewhere, or in another order."""
-    for pairs, name in ((matching.joined, "joined"), (matching.split, "split")):
+def _writing_faults(matching: Matching, written: Movement, model: Movement) -> Iterator[Fault]:
+    """Yield strokes that are joined, split, divided or begun elsewhere, or in another order."""
+    of = model.strokes
+    for pairs, name in ((matching.merged, "joined"), (matching.split, "split")):
         if pairs:
-            takes = f"the model takes {_count(model.strokes)}"
-            yield Fault(
-                name,
-                PLAIN["pieces"],
-                f"It is written in {_count(written.strokes, True)}; {takes}.",
-                name,
-            )
+            yield _fault(name, FAULT_STEPS["pieces"], written=written.strokes, model=of)
     if matching.divided:
-        words = "its strokes begin and end at other places than the model's"
-        yield Fault("divided", PLAIN["pieces"], _sentence(words), "other strokes")
-    for number in matching.reversed[:1]:
-        loop = next(pair.laid.loop for pair in matching.pairs if pair.others[0] == number)
-        words = f"{_the(number, model.strokes)} {'goes round the other way' if loop else 'starts at the wrong end'}"
-        extra = 0.1 * len(matching.reversed)
-        yield Fault("reversed", PLAIN["reversed"] + extra, _sentence(words), words)
+        yield _fault("divided", FAULT_STEPS["pieces"])
+    if matching.reversed:
+        stroke = matching.reversed[0]
+        loop = next(pair.alignment.loop for pair in matching.pairs if pair.others[0] == stroke)
+        steps = FAULT_STEPS["reversed"] + 0.1 * len(matching.reversed)
+        yield _fault("reversed", steps, stroke=stroke, of=of, loop=loop)
     for pair in matching.pairs:
-        away = min(pair.laid.begins, 1 - pair.laid.begins)
-        if not pair.laid.backwards and away > 0.125:
-            words = f"{_the(pair.others[0], model.strokes)} starts at another place of the loop"
-            yield Fault("begins", 2 * PLAIN["reversed"] * away, _sentence(words), words)
-    order = matching.order
-    if order != tuple(sorted(order)):
-        late = next(k for k, number in enumerate(order) if number != sorted(order)[k])
-        words = f"the {_nth(order[late])} stroke was written before the {_nth(sorted(order)[late])}"
-        yield Fault("order", PLAIN["order"], _sentence(words), "another order")
+        away = min(pair.alignment.begins, 1 - pair.alignment.begins)
+        if not pair.alignment.backwards and away > LEAST_LOOP_SHIFT:
+            steps = 2 * FAULT_STEPS["reversed"] * away
+            yield _fault("begins", steps, stroke=pair.others[0], of=of)
+    for early, late in zip(matching.order, sorted(matching.order), strict=True):
+        if early != late:
+            yield _fault("order", FAULT_STEPS["order"], early=early, late=late)
+            break
 
 
-def _of_shape(matching: Matching, fit: Fit, strokes: Sequence[Trajectory]) -> Iterator[Fault]:
-    """Shapes of strokes, and their places."""
-    point, worst = fit.worst
-    steps = fit.shape / STEPS["shape"]
-    where = _where(point, strokes)
-    which = (
-        ""
-        if len(matching.pairs) == 1
-        else f" of {_the(matching.pairs[worst].others[0], len(strokes))}"
-    )
-    much = (
-        "a little different"
-        if steps <= LITTLE
-        else "different"
-        if steps <= 2 * LITTLE
-        else "quite different"
-    )
-    yield Fault(
-        "shape", steps, f"The shape{which} is {much}, most of all {where}.", f"{much} {where}"
+def _shape_faults(matching: Matching, fit: Fit, strokes: Sequence[Trajectory]) -> Iterator[Fault]:
+    """Yield the shape, a piece at an end, and the place that is farthest off."""
+    point, pair = fit.worst
+    yield _fault(
+        "shape",
+        fit.shape / DIFFERENCE_STEPS["shape"],
+        **_named_stroke(matching, pair, strokes),
+        alone=len(matching.pairs) == 1,
+        position=_position(point, strokes),
     )
     if fit.trim is not None:
-        yield _piece(matching, fit, strokes)
-    far = np.linalg.norm(fit.places, axis=1)
-    k = int(np.argmax(far))
-    steps, (right, up) = float(far[k]) / STEPS["place"], fit.places[k]
-    side = (
-        ("right" if right > 0 else "left")
-        if abs(right) > abs(up)
-        else ("high" if up > 0 else "low")
-    )
-    much = "a little too" if steps <= LITTLE else "too"
-    words = f"{much} far to the {side}" if side in ("left", "right") else f"{much} {side}"
-    stroke = _the(matching.pairs[k].others[0], len(strokes))
-    yield Fault("place", steps, _sentence(f"{stroke} is {words}"), f"{stroke} is {words}")
-
-
-def _piece(matching: Matching, fit: Fit, strokes: Sequence[Trajectory]) -> Fault:
-    """A piece at the end of a stroke, missing or too much."""
-    steps, number = fit.gap / STEPS["piece"], matching.pairs[fit.trim.pair].others[0]
-    where = _where(strokes[number].position[0 if fit.trim.first else -1], strokes)
-    if fit.trim.missing:
-        of = f" of {_the(number, len(strokes))}" if len(strokes) > 1 else ""
-        piece = f"a {'small ' if steps <= LITTLE else ''}piece"
-        return Fault(
+        stroke = _named_stroke(matching, fit.trim.pair, strokes)
+        end = strokes[stroke["stroke"]].position[0 if fit.trim.first else -1]
+        yield _fault(
             "piece",
-            steps,
-            _sentence(f"{piece}{of} is missing {where}"),
-            f"{piece} is missing {where}",
+            fit.gap / DIFFERENCE_STEPS["piece"],
+            **stroke,
+            missing=fit.trim.missing,
+            position=_position(end, strokes),
         )
-    words = f"{_little(steps)}too long {where}"
-    return Fault("piece", steps, _sentence(f"{_the(number, len(strokes))} is {words}"), words)
+    far = np.linalg.norm(fit.places, axis=1)
+    pair = int(np.argmax(far))
+    right, up = fit.places[pair].tolist()
+    steps = float(far[pair]) / DIFFERENCE_STEPS["place"]
+    yield _fault("place", steps, **_named_stroke(matching, pair, strokes), right=right, up=up)
 
 
-def _of_loops(matching: Matching, fit: Fit, strokes: Sequence[Trajectory]) -> Iterator[Fault]:
-    """Rings that are not closed: two points one after the other are farther apart where their ends are."""
+def _loop_faults(matching: Matching, fit: Fit, strokes: Sequence[Trajectory]) -> Iterator[Fault]:
+    """Yield rings that are not closed: two points in a row are farther apart at their ends."""
     size = size_of(strokes)
-    for pair in matching.pairs:
-        if pair.laid.loop:
+    for number, pair in enumerate(matching.pairs):
+        if pair.alignment.loop:
             mine, yours = (
-                np.linalg.norm(line - np.roll(line, 1, axis=0), axis=1) for line in pair.laid.lines
+                np.linalg.norm(line - np.roll(line, 1, axis=0), axis=1)
+                for line in pair.alignment.lines
             )
-            steps = max(0.0, float(mine.max() / fit.size - yours.max()) / size / STEPS["open"])
-            closed = "not quite closed" if steps <= LITTLE else "not closed"
-            where = _where(pair.laid.others[int(np.argmax(mine))], strokes)
-            words = f"{closed} {where}"
-            yield Fault(
-                "open", steps, _sentence(f"{_the(pair.others[0], len(strokes))} is {words}"), words
+            gap = max(0.0, float(mine.max() / fit.size - yours.max()) / size)
+            point = pair.alignment.others[int(np.argmax(mine))]
+            yield _fault(
+                "open",
+                gap / DIFFERENCE_STEPS["open"],
+                **_named_stroke(matching, number, strokes),
+                position=_position(point, strokes),
             )
 
 
-def _of_movement(written: Movement, model: Movement) -> Iterator[Fault]:
-    """Smoothness, of the line and of the movement, and tempo."""
-    steps = max(0.0, written.shake - model.shake) / STEPS["shaky"]
-    yield Fault("shaky", steps, "The line is shakier than the model's.", f"{_little(steps)}shaky")
-    steps = max(0.0, model.smoothness - written.smoothness) / STEPS["smooth"]
-    words = (
-        f"the pen speeds up and slows down {written.peaks} times; the model's {model.peaks} times"
-    )
-    if written.peaks <= model.peaks:
-        words = "the pen moves less smoothly than the model's"
-    yield Fault("smooth", steps, _sentence(words), "not smooth")
-    ratio = (
-        written.pace
-        / model.pace
-        * max(model.width, model.height)
-        / max(written.width, written.height)
-    )
-    steps = abs(math.log(ratio)) / STEPS["tempo"]
-    words = _times(ratio, steps, "fast", "faster", "slower")
-    yield Fault("tempo", steps, f"It is written {words[0]} the model.", words[1])
+def _movement_faults(written: Movement, model: Movement) -> Iterator[Fault]:
+    """Yield smoothness, of the line and of the movement, and tempo."""
+    yield _fault("shaky", max(0.0, written.shake - model.shake) / DIFFERENCE_STEPS["shaky"])
+    rougher = max(0.0, model.smoothness - written.smoothness)
+    steps = rougher / DIFFERENCE_STEPS["smooth"]
+    yield _fault("smooth", steps, written=written.peaks, model=model.peaks)
+    ratio = written.pace / model.pace * model.size / written.size
+    yield _fault("tempo", abs(math.log(ratio)) / DIFFERENCE_STEPS["tempo"], ratio=ratio)
 
 
-def _times(ratio: float, steps: float, much: str, more: str, less: str) -> tuple[str, str]:
-    """A ratio in words, to go on with a noun, and without one."""
-    near = min(TIMES, key=lambda known: abs(math.log(known / ratio)))
-    if abs(math.log(near / ratio)) < math.log(1.08):
-        return f"{TIMES[near]} {much} as", f"{TIMES[near]} {much}"
-    percent = abs(ratio - 1)
-    if ratio > 4:
-        return f"{ratio:.0f} times as {much} as", f"{ratio:.0f} times as {much}"
-    if not 0.5 < ratio < 2:
-        known = (
-            max(n for n in TIMES if n <= ratio)
-            if ratio > 2
-            else min(n for n in TIMES if n >= ratio)
-        )
-        words = f"{'more' if ratio > 2 else 'less'} than {TIMES[known]} {much}"
-        return f"{words} as", words
-    word = more if ratio > 1 else less
-    if steps <= LITTLE:
-        return f"a little {word} than", f"a little {word}"
-    return f"{100 * percent:.0f} percent {word} than", f"{100 * percent:.0f} percent {word}"
+def _named_stroke(matching: Matching, pair: int, strokes: Sequence[Trajectory]) -> dict[str, int]:
+    """Return which of how many strokes of the model a pair is."""
+    return {"stroke": matching.pairs[pair].others[0], "of": len(strokes)}
 
 
-def _where(point: Array, strokes: Sequence[Trajectory]) -> str:
-    """A point of the letter in words."""
+def _position(point: Array, strokes: Sequence[Trajectory]) -> Position:
+    """Return where a point lies in the box of strokes; the middle of a side that is very short."""
     ink = np.concatenate([stroke.position for stroke in strokes])
     low, size = ink.min(axis=0), np.ptp(ink, axis=0)
     x, y = np.divide(point - low, size, out=np.full(2, 0.5), where=size > 0.25 * size.max())
-    height = "at the top" if y > 0.67 else "at the bottom" if y < 0.33 else "in the middle"
-    side = "left" if x < 0.33 else "right" if x > 0.67 else ""
-    if height == "in the middle":
-        return f"on the {side}" if side else height
-    return f"{height} {side}".strip()
-
-
-def _little(steps: float) -> str:
-    """How much, before an adjective."""
-    return "a little " if steps <= LITTLE else ""
-
-
-def _the(number: int, of: int) -> str:
-    """A stroke by its number, from 0."""
-    return f"the {_nth(number)} stroke" if of > 1 else "it"
-
-
-def _nth(number: int) -> str:
-    """Which stroke, from 0, in words."""
-    if number < len(ORDINALS):
-        return ORDINALS[number]
-    teen = (number + 1) % 100 // 10 == 1
-    return (
-        f"{number + 1}{'th' if teen else {1: 'st', 2: 'nd', 3: 'rd'}.get((number + 1) % 10, 'th')}"
-    )
-
-
-def _count(strokes: int, noun: bool = False) -> str:
-    """How many strokes, in words."""
-    words = NUMBERS[strokes] if strokes < len(NUMBERS) else str(strokes)
-    return f"{words} stroke{'s' * (strokes > 1)}" if noun else words
-
-
-def _sentence(words: str) -> str:
-    """Words with a capital and a full stop."""
-    return f"{words[0].upper()}{words[1:]}."
+    return float(x), float(y)

@@ -1,65 +1,33 @@
-"""How far apart two shapes are: letters whatever their strokes, and lines that were laid along each other."""
+"""Measure how different two letters look, whatever their strokes."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any
 
 import numpy as np
 
-from dmp_teach.scoring.resampling import features, ink_of, strokes_of
+from dmp_teach.scoring.arguments import LetterLike, to_strokes
+from dmp_teach.scoring.resampling import POINTS_TO_COMPARE, features, resample
 from dmp_teach.trajectory import Array
 
-POINTS = 48  # of a letter
-LEANS = np.linspace(
-    -0.45, 0.45, 5
-)  # of one letter against the other, as shears: up to 24 degrees to either side
-BAND = 0.2  # how far, in parts of their length, two lines may be out of step
+# Of one letter against the other, as shears: up to 24 degrees to either side.
+COMPARED_SHEARS = np.linspace(-0.45, 0.45, 5)
 
 
-def warped(line: Array, other: Array) -> float:
-    """Dynamic time warping: how far apart two lines are if each may wait for the other, in their unit.
+def letter_distance(letter: LetterLike, other: LetterLike, upright: bool = True) -> float:
+    """Measure how different two letters look: 0 is the same, two hands' a about 0.2, a and D 0.35.
 
-    Root mean square distance of (P, 2) and (P, 2) along the cheapest way through all pairs of their points that goes
-    on in both and leaves out none, at most a fifth of the line out of step (Sakoe and Chiba 1978), divided by P. Give
-    it points at equal ways along, or at equal times to ask the tempo, too.
-    """
-    from dtaidistance import dtw, dtw_ndim  # noqa: PLC0415 (it takes a while to load)
-
-    window = max(2, round(BAND * len(line)))
-    a, b = np.ascontiguousarray(line), np.ascontiguousarray(other)
-    # its C library is quick where it could be built; the Python beside it does the same sums
-    sums = dtw_ndim.distance(a, b, window=window, use_c=dtw.dtw_cc is not None)
-    return float(sums / np.sqrt(len(line)))
-
-
-def procrustes(points: Array, others: Array) -> float:
-    """Full Procrustes distance of points (P, 2) that belong together: 0 is the same shape, 1 the most, no unit.
-
-    sqrt(1 - rho^2), where rho is the correlation of the centred points, scaled to size 1, in the turn that suits them
-    best (Gower 1975; Kendall 1984). Place, size and turn do not count; a mirror image is another shape, other than in
-    `scipy.spatial.procrustes`.
-    """
-    a, b = (each - each.mean(axis=0) for each in (points, others))
-    # turns of the plane are complex numbers of length 1: the best one makes this sum real
-    together = abs(np.vdot(a[:, 0] + 1j * a[:, 1], b[:, 0] + 1j * b[:, 1])) ** 2
-    sizes = (a**2).sum() * (b**2).sum()
-    return float(np.sqrt(max(0.0, 1 - together / sizes))) if sizes > 0 else 0.0
-
-
-def letter_distance(letter: Any, other: Any, upright: bool = True) -> float:
-    """How different two letters look, whatever their strokes: 0 is the same, two hands' a about 0.2, a and D 0.35.
-
-    Both become 48 points evenly along their ink, with its direction as a third coordinate, moved to their middles and
-    scaled to an rms radius of 1: root mean square distance of every point from the nearest of the other letter, both
-    ways (modified Hausdorff distance, Dubuisson and Jain 1994, with squares). Size, place, tempo, sampling rate and
-    the number, order and direction of strokes do not count.
+    Both become 48 points at equal arc length, with the direction of the ink as a third coordinate,
+    moved to their centroids and scaled to an rms radius of 1: root mean square distance of every
+    point from the nearest of the other letter, both ways (modified Hausdorff distance, Dubuisson
+    and Jain 1994, with squares). Size, place, tempo, sampling rate and the number, order and
+    direction of strokes do not count.
 
     Args:
         letter: A `Recording`, a `Letter` or strokes.
         other: The same.
-        upright: Whether a lean or small turn does not count either: the best of shears up to 24 degrees is taken.
-            Whose hand it is shows in the lean, too: False there.
+        upright: Whether a lean or small turn does not count either: the best of shears up to
+            24 degrees is taken. Whose hand it is shows in the lean, too: False there.
 
     Raises:
         LetterError: One is nothing, something else, or all in one place.
@@ -67,8 +35,12 @@ def letter_distance(letter: Any, other: Any, upright: bool = True) -> float:
     return float(letter_distances([letter], [other], upright)[0, 0])
 
 
-def letter_distances(letters: Iterable[Any], others: Iterable[Any], upright: bool = True) -> Array:
-    """`letter_distance` of every letter from every other, shape (L, M); a class of 30 in seconds.
+def letter_distances(
+    letters: Iterable[LetterLike], others: Iterable[LetterLike], upright: bool = True
+) -> Array:
+    """Compute `letter_distance` of every letter from every other, shape (L, M).
+
+    A class of 30 takes seconds.
 
     Args:
         letters: `Recording`s, `Letter`s or strokes, L of them.
@@ -78,30 +50,29 @@ def letter_distances(letters: Iterable[Any], others: Iterable[Any], upright: boo
     Raises:
         LetterError: One is nothing, something else, or all in one place.
     """
-    leans = LEANS if upright else np.zeros(1)
-    there = np.stack([_clouds(each, -leans / 2) for each in others], axis=1)
+    shears = COMPARED_SHEARS if upright else np.zeros(1)
+    there = np.stack([_sheared_features(each, -shears / 2) for each in others], axis=1)
     squares = (there**2).sum(axis=3, keepdims=True)
     there = np.concatenate([-2 * there, squares, np.ones_like(squares)], axis=3)
-    return np.array([_nearest(_clouds(each, leans / 2), there) for each in letters])
+    return np.array([_least_distances(_sheared_features(e, shears / 2), there) for e in letters])
 
 
-def _clouds(letter: Any, leans: Array) -> Array:
-    """A letter as points in four dimensions, once for each lean, shape (len(leans), POINTS, 4)."""
-    ink = ink_of(strokes_of(letter), POINTS)
-    evenly = (
-        np.linspace(0, len(ink.place) - 1, POINTS).round().astype(int)
-    )  # all, but for letters of very many strokes
-    sheared = np.stack([[[1.0, lean], [0.0, 1.0]] for lean in leans])
-    place, along = (
-        np.einsum("pd,led->lpe", each[evenly], sheared) for each in (ink.place, ink.along)
+def _sheared_features(letter: LetterLike, shears: Array) -> Array:
+    """Return the features of a letter under each shear, shape (len(shears), 48, 4)."""
+    ink = resample(to_strokes(letter), POINTS_TO_COMPARE).normalized()
+    # A letter of very many strokes has more points than asked for.
+    kept = np.linspace(0, len(ink.points) - 1, POINTS_TO_COMPARE).round().astype(int)
+    matrices = np.stack([[[1.0, shear], [0.0, 1.0]] for shear in shears])
+    points, directions = (
+        np.einsum("pd,led->lpe", each[kept], matrices) for each in (ink.points, ink.directions)
     )
-    place /= np.sqrt((place**2).sum(axis=2).mean(axis=1))[:, None, None]
-    along /= np.maximum(np.linalg.norm(along, axis=2, keepdims=True), 1e-12)
-    return features(place, along).astype(np.float32)
+    points /= np.sqrt((points**2).sum(axis=2).mean(axis=1))[:, None, None]
+    directions /= np.maximum(np.linalg.norm(directions, axis=2, keepdims=True), 1e-12)
+    return features(points, directions).astype(np.float32)
 
 
-def _nearest(clouds: Array, others: Array) -> Array:
-    """The least distance of clouds (K, P, 4) from the others (K, M, P, 6), each with its own lean, shape (M,).
+def _least_distances(clouds: Array, others: Array) -> Array:
+    """Return the least distance of clouds (K, P, 4) from others (K, M, P, 6), shape (M,).
 
     The others bring their squares: one product of matrices gives |a|^2 + |b|^2 - 2 a b at once.
     """

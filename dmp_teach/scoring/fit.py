@@ -1,28 +1,39 @@
-"""How one writing lies over another: one size, width, lean and turn for all, a place for each stroke."""
+"""Fit a model to a writing: one size, width, lean and turn for all, a place for each stroke."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
-from dmp_teach.scoring.linear_map import centred, linear_map, ratio
-from dmp_teach.scoring.matching import Matching, squared, undone
-from dmp_teach.scoring.resampling import features, rms_radius, size_of, spread
-from dmp_teach.scoring.trimming import PLAIN, Line, Trim, ink_without, likely, line_without
-from dmp_teach.trajectory import Array, Trajectory
-
-POINTS = 96  # over all the ink of a letter
-ROUNDS = 6  # of asking which point is the nearest
-FLAT = 0.01  # ink that is flattened more than this is a line, and no number says how flat
-CRUSHED = 0.2  # a letter of which less is left across its length is not narrow, and does not lean: it is another shape
-CLEARLY = 0.6  # a piece is missing or too much if the rest is nearer by this factor than the whole [of the squares] ...
-SEEN = (
-    2e-5  # ... and by this much, a third of a pen's line [squared parts of the letter's size] ...
+from dmp_teach.scoring.linear_map import centre, fit_linear_map, size_ratio
+from dmp_teach.scoring.matching import Matching
+from dmp_teach.scoring.resampling import Resampled, features, rms_radius, squared_distances
+from dmp_teach.scoring.trimming import (
+    CHANGE_PENALTY,
+    Line,
+    Trim,
+    find_likely_trims,
+    kept_points,
+    trim_line,
 )
-ALIKE = 0.04**2  # ... and this near: of another shape no piece is missing [the same]
+from dmp_teach.trajectory import Array
+
+# Rounds of finding the nearest points.
+CLOSEST_POINT_ROUNDS = 6
+# Ink that is flattened more than this is a line, and no number says how flat.
+FLATTEST = 0.01
+# A letter of which less is left across is not narrow and does not lean: it is another shape.
+CRUSHED_ASPECT = 0.2
+# A piece is missing or too much if the rest is nearer by this factor than the whole [of squares] ...
+LARGEST_TRIMMED_SHARE = 0.6
+# ... by this much, a third of a pen's line [squared parts of the letter's size] ...
+LEAST_TRIM_GAIN = 2e-5
+# ... and is this near: of another shape no piece is missing [the same].
+LARGEST_TRIMMED_COST = 0.04**2
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,12 +46,12 @@ class Fit:
         lean: How far it leans more to the right, its lines staying level [degrees].
         turn: How far it is turned to the left, lines and all [degrees].
         rise: How far its lines rise more to the right, what is upright staying so [degrees].
-        places: How far each pair's ink is from its place, after all that, shape (N, 2) [parts of the letter's size].
-        shapes: How far its ink then is from the nearest of the model (rms, both ways), shape (N,) [the same].
-        shape: The same over all ink.
+        places: How far each pair's ink then is from its place, shape (N, 2) [parts of the size].
+        shape: How far all ink then is from the nearest of the model (rms, both ways) [the same].
         worst: Where that is most, a point of the model, and the number of its pair.
-        trim: A piece at an end of one stroke that only one side has, left out of all the other measures; or None.
-        gap: How far the end of that stroke is from where it should be, for it [parts of the letter's size].
+        trim: A piece at an end of one stroke that only one side has, left out of all the other
+            measures; or None.
+        gap: How far the end of that stroke is from where it should be [parts of the size].
     """
 
     size: float
@@ -49,7 +60,6 @@ class Fit:
     turn: float
     rise: float
     places: Array
-    shapes: Array
     shape: float
     worst: tuple[Array, int]
     trim: Trim | None = None
@@ -57,193 +67,202 @@ class Fit:
 
 
 @dataclass(frozen=True, eq=False)
-class _Ink:
-    """The ink of one pair: points (P, 2) and their directions (P, 2) on either side."""
+class _Problem:
+    """What is fitted: ink and aligned lines of every pair, the model's size [m], what is left out."""
 
-    mine: Array
-    my_way: Array
-    yours: Array
-    your_way: Array
+    inks: Sequence[tuple[Resampled, Resampled]]
+    lines: Sequence[Line]
+    size: float
+    trim: Trim | None = None
+
+    def without(self, trim: Trim, backwards: bool) -> _Problem:
+        """Return the same without a piece; `backwards`: the writing's stroke runs that way."""
+        inks, lines = list(self.inks), list(self.lines)
+        (mine, yours), (line, other) = inks[trim.pair], lines[trim.pair]
+        if trim.missing:
+            yours = yours.only(kept_points(len(yours.points), trim, False))
+            other = trim_line(other, trim)
+        else:
+            mine = mine.only(kept_points(len(mine.points), trim, backwards))
+            line = trim_line(line, trim)
+        inks[trim.pair], lines[trim.pair] = (mine, yours), (line, other)
+        return _Problem(inks, lines, self.size, trim)
 
 
 @dataclass(frozen=True, eq=False)
-class _Found:
-    """A fit: the linear part (2, 2), each pair's shift (N, 2), and the squared distances both ways [m^2]."""
+class _Solution:
+    """A fit: linear part (2, 2), shift of each pair (N, 2), squared distances both ways [m^2]."""
 
-    inks: Sequence[_Ink]
-    lines: Sequence[Line]
+    problem: _Problem
     linear: Array
     shifts: Array
     far: Sequence[tuple[Array, Array]]
     scale: float
-    trim: Trim | None = None
 
-    def cost(self, size: float) -> float:
-        """How far it is from the writing, and a little of how much it changes the model."""
-        unit = self.scale * size
-        changed = ((self.linear / self.scale - np.eye(2)) ** 2).sum() + (
-            self.places**2
-        ).sum() / unit**2
-        changed += 0.0 if self.trim is None else self.trim.part**2
-        return (_rms(self.far) / unit) ** 2 + PLAIN * float(changed)
+    @property
+    def unit(self) -> float:
+        """The size that the model then has [m]."""
+        return self.scale * self.problem.size
+
+    @property
+    def rms(self) -> float:
+        """Root mean square distance of the inks, both ways, over all pairs [m]."""
+        there, back = (np.concatenate([each[side] for each in self.far]) for side in (0, 1))
+        return float(np.sqrt((there.mean() + back.mean()) / 2))
+
+    @cached_property
+    def cost(self) -> float:
+        """How far the model then is from the writing, and a little of how much it is changed."""
+        changed = ((self.linear / self.scale - np.eye(2)) ** 2).sum()
+        changed += (self.places**2).sum() / self.unit**2
+        changed += 0.0 if self.problem.trim is None else self.problem.trim.part**2
+        return (self.rms / self.unit) ** 2 + CHANGE_PENALTY * float(changed)
 
     @cached_property
     def places(self) -> Array:
         """How far each pair's ink is from its place, shape (N, 2) [m].
 
-        A stroke lies where it should if its middle, its beginning or its end does: one that is too short or too large
-        is not misplaced. Where it should is where most of the ink lies.
+        A stroke lies where it should if its middle, its beginning or its end does: one that is too
+        short or too large is not misplaced. Where it should is where most of the ink lies.
         """
-        ends = [[a[e] - self.linear @ b[e] for e in (0, -1)] for a, b in self.lines]
-        some = np.concatenate([self.shifts[:, None], np.array(ends)], axis=1)
-        there = some.reshape(-1, 2)
-        far = np.linalg.norm(some[:, :, None] - there, axis=3).min(axis=1)
-        away = some - there[int(np.argmin(np.array([len(ink.yours) for ink in self.inks]) @ far))]
+        ends = [[a[e] - self.linear @ b[e] for e in (0, -1)] for a, b in self.problem.lines]
+        shifts = np.concatenate([self.shifts[:, None], np.array(ends)], axis=1)
+        tried = shifts.reshape(-1, 2)
+        far = np.linalg.norm(shifts[:, :, None] - tried, axis=3).min(axis=1)
+        weights = np.array([len(yours.points) for _, yours in self.problem.inks])
+        away = shifts - tried[int(np.argmin(weights @ far))]
         return np.array([each[int(np.argmin(np.linalg.norm(each, axis=1)))] for each in away])
 
 
-def fitted(matching: Matching, written: Sequence[Trajectory], model: Sequence[Trajectory]) -> Fit:
+def fit_model(matching: Matching, written: Resampled, model: Resampled, size: float) -> Fit:
     """Fit the model's strokes to those of the writing that belong to them, by least squares.
 
-    The linear part is one for all strokes, the shift is each stroke's own, so that a stroke in a wrong place is no
-    lean, and a lean no wrong place. Points belong to the nearest ones, and are asked again after each fit (iterative
-    closest point: Besl and McKay 1992), from the order along the lines and from an unchanged model, whichever ends
-    nearer: so it is the ink that is compared, and not how it was drawn.
+    The linear part is one for all strokes, the shift is each stroke's own, so that a stroke in a
+    wrong place is no lean, and a lean no wrong place. Points belong to the nearest ones, which are
+    found again after each fit (iterative closest point: Besl and McKay 1992), from the order along
+    the lines and from an unchanged model, whichever ends nearer: so it is the ink that is
+    compared, and not how it was drawn.
+
+    Args:
+        matching: Which strokes belong together.
+        written: The ink of the writing.
+        model: The ink of the model.
+        size: Of the model [m].
     """
-    inks = _inks(matching, written, model)
-    size = size_of(model)
-    lines = [pair.laid.lines for pair in matching.pairs]
-    whole = _laid_over(inks, lines, size, (0, ROUNDS))
-    found = _trimmed(matching, inks, lines, size, whole)
-    linear, far, scale, trim = found.linear, found.far, found.scale, found.trim
-    unit = scale * size
-    shapes = [float(np.sqrt((a.mean() + b.mean()) / 2)) / unit for a, b in far]
-    worst = max(range(len(inks)), key=lambda k: far[k][1].max())
-    point = found.inks[worst].yours[int(np.argmax(far[worst][1]))]
-    gap = (
-        0.0
-        if trim is None
-        else _gap(lines[trim.pair], trim, size * (1 if trim.missing else whole.scale))
-    )
+    inks = _pair_inks(matching, written, model)
+    lines = [pair.alignment.lines for pair in matching.pairs]
+    whole = _solve(_Problem(inks, lines, size))
+    best = _trimmed(matching, whole)
+    trim = best.problem.trim
+    worst = max(range(len(inks)), key=lambda k: best.far[k][1].max())
+    point = best.problem.inks[worst][1].points[int(np.argmax(best.far[worst][1]))]
+    gap = 0.0 if trim is None else _gap(lines[trim.pair], trim, size, whole.scale)
     return Fit(
-        *_read(linear, scale),
-        found.places / unit,
-        np.array(shapes),
-        _rms(far) / unit,
-        (point, worst),
-        trim,
-        gap,
+        *_decompose(best.linear, best.scale),
+        places=best.places / best.unit,
+        shape=best.rms / best.unit,
+        worst=(point, worst),
+        trim=trim,
+        gap=gap,
     )
 
 
-def _laid_over(
-    inks: Sequence[_Ink], lines: Sequence[Line], size: float, rounds: Sequence[int]
-) -> _Found:
-    """The best of the fits that begin with the order along the lines (P, 2) or an unchanged model."""
-    mine, yours = (np.stack([centred(line[side]) for line in lines]) for side in (0, 1))
-    scale = ratio(mine, yours)
-    along, plain = linear_map(mine.reshape(-1, 2), yours.reshape(-1, 2), scale), scale * np.eye(2)
-    starts = [
-        (start, count) for count in rounds for start in ((along, plain) if count else (along,))
-    ]
-    tried = [_refined(inks, lines, start, scale, count) for start, count in starts]
-    best = min(tried, key=lambda found: found.cost(size))
-    return _refined(inks, lines, plain, scale, 0) if _is_crushed(best.linear) else best
-
-
-def _trimmed(
-    matching: Matching, inks: Sequence[_Ink], lines: Sequence[Line], size: float, whole: _Found
-) -> _Found:
-    """The fit without a piece that one side lacks, if that is clearly nearer than the fit of the `whole`."""
-
-    def nearest(tried: Iterable[Trim]) -> _Found | None:
-        found = [_without(matching, inks, lines, size, trim) for trim in tried]
-        return min(found, key=lambda each: each.cost(size), default=None)
-
-    if whole.cost(size) < SEEN:
-        return whole
-    best = nearest(likely(matching, lines, size))
-    if best is None:
-        return whole
-    best = min(best, nearest(best.trim.beside()), key=lambda each: each.cost(size))
-    near, far = best.cost(size), whole.cost(size)
-    return best if near < min(CLEARLY * far, far - SEEN, ALIKE) else whole
-
-
-def _without(
-    matching: Matching, inks: Sequence[_Ink], lines: Sequence[Line], size: float, trim: Trim
-) -> _Found:
-    """The fit of what is left without a piece."""
-    inks, lines = list(inks), list(lines)
-    ink, (mine, yours) = inks[trim.pair], lines[trim.pair]
-    if trim.missing:
-        left = ink_without(len(ink.yours), trim, False)
-        inks[trim.pair] = replace(ink, yours=ink.yours[left], your_way=ink.your_way[left])
-        lines[trim.pair] = mine, line_without(yours, trim)
-    else:
-        left = ink_without(len(ink.mine), trim, matching.pairs[trim.pair].laid.backwards)
-        inks[trim.pair] = replace(ink, mine=ink.mine[left], my_way=ink.my_way[left])
-        lines[trim.pair] = line_without(mine, trim), yours
-    return replace(_laid_over(inks, lines, size, (0,)), trim=trim)
-
-
-def _gap(line: Line, trim: Trim, size: float) -> float:
-    """How far the end without the piece is from the end with it [parts of the letter's size]."""
-    longer = line[1] if trim.missing else line[0]
-    end = 0 if trim.first else -1
-    return float(np.linalg.norm(longer[end] - line_without(longer, trim)[end])) / size
-
-
-def _inks(
-    matching: Matching, written: Sequence[Trajectory], model: Sequence[Trajectory]
-) -> list[_Ink]:
-    """Points evenly over all the ink of every pair."""
-    back = undone(matching.mirrored, matching.turn)
-    (mine, my_way, my_stroke, _), (yours, your_way, your_stroke, _) = (
-        spread(written, POINTS),
-        spread(model, POINTS),
-    )
-    masks = [
-        (np.isin(my_stroke, pair.strokes), np.isin(your_stroke, pair.others))
+def _pair_inks(
+    matching: Matching, written: Resampled, model: Resampled
+) -> list[tuple[Resampled, Resampled]]:
+    """Return the ink of every pair, the writing's mirrored and turned back."""
+    back = matching.orientation.undo().T
+    upright = replace(written, points=written.points @ back, directions=written.directions @ back)
+    return [
+        (upright.only(upright.is_of(pair.strokes)), model.only(model.is_of(pair.others)))
         for pair in matching.pairs
     ]
-    return [_Ink(mine[a] @ back.T, my_way[a] @ back.T, yours[b], your_way[b]) for a, b in masks]
 
 
-def _refined(
-    inks: Sequence[_Ink], lines: Sequence[Line], linear: Array, scale: float, rounds: int
-) -> _Found:
-    """The fit from a linear part (2, 2) on, after so many rounds of asking which points belong together."""
-    shifts = np.array([ink.mine.mean(axis=0) - linear @ ink.yours.mean(axis=0) for ink in inks])
-    unit = scale * rms_radius(centred(np.concatenate([ink.yours for ink in inks]))) or 1.0
+def _solve(problem: _Problem, refine: bool = True) -> _Solution:
+    """Return the best fit that begins with the order along the lines or an unchanged model."""
+    mine, yours = (np.stack([centre(line[side]) for line in problem.lines]) for side in (0, 1))
+    scale = size_ratio(mine, yours)
+    along = fit_linear_map(mine.reshape(-1, 2), yours.reshape(-1, 2), scale)
+    unchanged = scale * np.eye(2)
+    tried = [_follow_closest_points(problem, along, scale, 0)]
+    if refine:
+        tried += [
+            _follow_closest_points(problem, start, scale, CLOSEST_POINT_ROUNDS)
+            for start in (along, unchanged)
+        ]
+    best = min(tried, key=lambda solution: solution.cost)
+    long, short = np.linalg.svd(best.linear, compute_uv=False)
+    if short < CRUSHED_ASPECT * long:
+        return _follow_closest_points(problem, unchanged, scale, 0)
+    return best
+
+
+def _trimmed(matching: Matching, whole: _Solution) -> _Solution:
+    """Return the fit without a piece that one side lacks, if that is clearly nearer."""
+    problem = whole.problem
+    if whole.cost < LEAST_TRIM_GAIN:
+        return whole
+    likely = find_likely_trims(matching, problem.lines, problem.size)
+    if not likely:
+        return whole
+
+    def solve_without(trim: Trim) -> _Solution:
+        backwards = matching.pairs[trim.pair].alignment.backwards
+        return _solve(problem.without(trim, backwards), refine=False)
+
+    solutions = {trim: solve_without(trim) for trim in likely}
+    nearest = min(solutions, key=lambda trim: solutions[trim].cost)
+    solutions |= {trim: solve_without(trim) for trim in nearest.refine()}
+    best = min(solutions.values(), key=lambda solution: solution.cost)
+    most = min(
+        LARGEST_TRIMMED_SHARE * whole.cost, whole.cost - LEAST_TRIM_GAIN, LARGEST_TRIMMED_COST
+    )
+    return best if best.cost < most else whole
+
+
+def _gap(line: Line, trim: Trim, size: float, scale: float) -> float:
+    """Return how far the trimmed end is from the end as it is [parts of the letter's size]."""
+    longer = line[1] if trim.missing else line[0]
+    end = 0 if trim.first else -1
+    unit = size if trim.missing else size * scale
+    return float(np.linalg.norm(longer[end] - trim_line(longer, trim)[end])) / unit
+
+
+def _follow_closest_points(
+    problem: _Problem, linear: Array, scale: float, rounds: int
+) -> _Solution:
+    """Return the fit from a linear part (2, 2) on, after so many rounds of closest points."""
+    inks = [(mine.points, yours.points) for mine, yours in problem.inks]
+    shifts = np.array([a.mean(axis=0) - linear @ b.mean(axis=0) for a, b in inks])
+    unit = scale * rms_radius(centre(np.concatenate([yours for _, yours in inks]))) or 1.0
     for _ in range(rounds):
-        nearest = [
-            _nearest(ink, linear, shift, unit) for ink, shift in zip(inks, shifts, strict=True)
-        ]
-        pairs = [
-            (
-                np.concatenate([ink.mine, ink.mine[back]]),
-                np.concatenate([ink.yours[there], ink.yours]),
-            )
-            for ink, (there, back) in zip(inks, nearest, strict=True)
-        ]
-        linear = linear_map(
-            *(np.concatenate([centred(pair[side]) for pair in pairs]) for side in (0, 1)), scale
+        pairs = []
+        for ink, (a, b), shift in zip(problem.inks, inks, shifts, strict=True):
+            there, back = _closest_points(*ink, linear, shift, unit)
+            pairs.append((np.concatenate([a, a[back]]), np.concatenate([b[there], b])))
+        linear = fit_linear_map(
+            np.concatenate([centre(a) for a, _ in pairs]),
+            np.concatenate([centre(b) for _, b in pairs]),
+            scale,
         )
         shifts = np.array([a.mean(axis=0) - linear @ b.mean(axis=0) for a, b in pairs])
-    there = [ink.yours @ linear.T + shift for ink, shift in zip(inks, shifts, strict=True)]
-    far = [_off_each_other(ink.mine, line) for ink, line in zip(inks, there, strict=True)]
-    return _Found(inks, lines, linear, shifts, far, scale)
+    far = [
+        _distances_both_ways(a, b @ linear.T + shift)
+        for (a, b), shift in zip(inks, shifts, strict=True)
+    ]
+    return _Solution(problem, linear, shifts, far, scale)
 
 
-def _off_each_other(mine: Array, yours: Array) -> tuple[Array, Array]:
-    """Squared distances of points (P, 2) from the line through others (Q, 2), and the reverse."""
-    apart = squared(mine, yours)
-    return _off(mine, yours, apart.argmin(axis=1)), _off(yours, mine, apart.argmin(axis=0))
+def _distances_both_ways(mine: Array, yours: Array) -> tuple[Array, Array]:
+    """Return squared distances of points (P, 2) from the line through (Q, 2), and the reverse."""
+    apart = squared_distances(mine, yours)
+    there = _distances_to_line(mine, yours, apart.argmin(axis=1))
+    return there, _distances_to_line(yours, mine, apart.argmin(axis=0))
 
 
-def _off(points: Array, line: Array, vertex: np.ndarray) -> Array:
-    """Squared distance of points (P, 2) from a line through points (Q, 2), given which of these is nearest, (P,)."""
+def _distances_to_line(points: Array, line: Array, vertex: NDArray[np.intp]) -> Array:
+    """Return squared distances of points (P, 2) from a line (Q, 2), given its nearest vertex (P,)."""
     pieces = np.clip(vertex + np.array([[-1], [0]]), 0, len(line) - 2)
     begin, along = line[pieces], line[pieces + 1] - line[pieces]
     away, long = points - begin, (along**2).sum(axis=2)
@@ -251,39 +270,26 @@ def _off(points: Array, line: Array, vertex: np.ndarray) -> Array:
     return ((away - at[..., None] * along) ** 2).sum(axis=2).min(axis=0)
 
 
-def _nearest(ink: _Ink, linear: Array, shift: Array, unit: float) -> tuple[np.ndarray, np.ndarray]:
-    """Which point of the model each point of the writing is nearest to, in place and direction, and the reverse."""
-    way = ink.your_way @ linear.T
-    way /= np.maximum(np.sqrt((way**2).sum(axis=1, keepdims=True)), 1e-12)
-    apart = squared(
-        features(ink.mine / unit, ink.my_way), features((ink.yours @ linear.T + shift) / unit, way)
+def _closest_points(
+    mine: Resampled, yours: Resampled, linear: Array, shift: Array, unit: float
+) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+    """Return the closest point of the model for each of the writing, and the reverse."""
+    directions = yours.directions @ linear.T
+    directions /= np.maximum(np.sqrt((directions**2).sum(axis=1, keepdims=True)), 1e-12)
+    apart = squared_distances(
+        features(mine.points / unit, mine.directions),
+        features((yours.points @ linear.T + shift) / unit, directions),
     )
     return apart.argmin(axis=1), apart.argmin(axis=0)
 
 
-def _is_crushed(linear: Array) -> bool:
-    """Whether it makes a line of a letter, as for a line where a round letter should be."""
-    long, short = np.linalg.svd(linear, compute_uv=False)
-    return bool(short < CRUSHED * long)
-
-
-def _read(linear: Array, scale: float) -> tuple[float, float, float, float, float]:
-    """Size, width, lean, turn and rise of a linear map: a turn is what upright and level lines have in common."""
+def _decompose(linear: Array, scale: float) -> tuple[float, float, float, float, float]:
+    """Return size, width, lean, turn and rise; the turn is what upright and level lines share."""
     across, up = np.hypot(*linear[:, 0]), np.hypot(*linear[:, 1])
     right = float(np.degrees(np.arctan2(linear[0, 1], linear[1, 1])))
     left = float(np.degrees(np.arctan2(linear[1, 0], linear[0, 0])))
     turn = float(np.sign(left)) * min(abs(left), abs(right)) if left * right < 0 else 0.0
     size = float(np.sqrt(abs(np.linalg.det(linear))))
-    return (
-        max(size, FLAT * scale),
-        float(max(across, FLAT * scale) / max(up, FLAT * scale)),
-        right + turn,
-        turn,
-        left - turn,
-    )
-
-
-def _rms(far: Sequence[tuple[Array, Array]]) -> float:
-    """Root mean square of squared distances both ways, over all pairs [m]."""
-    there, back = (np.concatenate([each[side] for each in far]) for side in (0, 1))
-    return float(np.sqrt((there.mean() + back.mean()) / 2))
+    flattest = FLATTEST * scale
+    width = float(max(across, flattest) / max(up, flattest))
+    return max(size, flattest), width, right + turn, turn, left - turn

@@ -1,4 +1,4 @@
-"""How a letter was moved and how it stands: smoothness, pace, size and slant, each with its definition."""
+"""Measure how a letter was moved and how it stands: smoothness, pace, size and slant."""
 
 from __future__ import annotations
 
@@ -9,17 +9,22 @@ from functools import cache
 import numpy as np
 from scipy.signal import butter, find_peaks, savgol_filter, sosfiltfilt
 
-from dmp_teach.scoring.resampling import evenly, length
-from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.scoring.resampling import POINTS_FOR_SLANT, resample_path
+from dmp_teach.trajectory import Array, Trajectory, length
 
-RATE = 100.0  # of the clock on which every movement is looked at [Hz]
-CUTOFF = 8.0  # a hand trembles at 4 to 8 Hz and writes slower; what is faster is the camera's or the pad's noise [Hz]
-PEAK = 0.1  # a peak of speed stands this much of the highest one over the valleys beside it
-MOST = 360_000  # samples of a stroke: an hour
-SHORT = 5  # samples of even the quickest tap
-SAMPLES = 64  # along a stroke, for its slant
-FINE = 0.01  # of the letter's size: between points on which a line is seen to be shaky ...
-WINDOW = 35  # ... so many of them make a piece that a hand draws in one sweep
+# The clock on which every movement is looked at [Hz].
+MOVEMENT_RATE = 100.0
+# A hand trembles at 4 to 8 Hz and writes slower; what is faster is noise of the camera or pad [Hz].
+MOVEMENT_CUTOFF = 8.0
+# A peak of speed stands this much of the highest one over the valleys beside it.
+PEAK_PROMINENCE = 0.1
+# Samples of the longest stroke (an hour), and of the quickest tap.
+MOST_MOVEMENT_SAMPLES = 360_000
+FEWEST_MOVEMENT_SAMPLES = 5
+# Between points on which a line is seen to be shaky [parts of the letter's size] ...
+SHAKE_SPACING = 0.01
+# ... of which so many make a piece that a hand draws in one sweep.
+SWEEP_POINTS = 35
 
 
 @dataclass(frozen=True)
@@ -27,14 +32,14 @@ class Movement:
     """One writing in numbers.
 
     Args:
-        strokes: How many.
+        strokes: The number of strokes.
         width: Of the ink [m].
         height: Of the ink [m].
         slant: See `slant` [degrees].
         duration: From the first touch to the last lift, lifts between strokes included [s].
         pace: Length of the ink over the time that the pen was down [m/s].
         smoothness: See `log_dimensionless_jerk`, no unit.
-        peaks: See `velocity_peaks`.
+        peaks: See `count_velocity_peaks`.
         shake: See `shake`.
     """
 
@@ -48,33 +53,39 @@ class Movement:
     peaks: int
     shake: float
 
+    @property
+    def size(self) -> float:
+        """The larger side of the ink [m]."""
+        return max(self.width, self.height)
 
-def measured(strokes: Sequence[Trajectory]) -> Movement:
-    """A writing in numbers; its strokes are 2-D, and one at least has a length."""
+
+def measure_movement(strokes: Sequence[Trajectory]) -> Movement:
+    """Measure a writing; its strokes are 2-D, and at least one has a length."""
     moving = [stroke for stroke in strokes if length(stroke.position) > 0]
     velocities = [_velocity(stroke) for stroke in moving]
     width, height = np.ptp(np.concatenate([stroke.position for stroke in strokes]), axis=0)
-    down = [stroke.duration for stroke in moving]
+    durations = [stroke.duration for stroke in moving]
     jerks = [log_dimensionless_jerk(*each) for each in velocities]
     return Movement(
-        len(strokes),
-        float(width),
-        float(height),
-        slant(strokes),
-        float(strokes[-1].t[-1] - strokes[0].t[0]),
-        sum(length(stroke.position) for stroke in moving) / sum(down),
-        float(np.average(jerks, weights=down)),
-        sum(velocity_peaks(velocity) for velocity, _ in velocities),
-        shake([stroke.position for stroke in moving]),
+        strokes=len(strokes),
+        width=float(width),
+        height=float(height),
+        slant=slant(strokes),
+        duration=float(strokes[-1].t[-1] - strokes[0].t[0]),
+        pace=sum(length(stroke.position) for stroke in moving) / sum(durations),
+        smoothness=float(np.average(jerks, weights=durations)),
+        peaks=sum(count_velocity_peaks(velocity) for velocity, _ in velocities),
+        shake=shake([stroke.position for stroke in moving]),
     )
 
 
 def log_dimensionless_jerk(velocity: Array, dt: float) -> float:
-    """How smooth one stroke is, from its velocity (K, 2) [m/s]: the larger the smoother, no unit.
+    """Compute the smoothness of one stroke from its velocity (K, 2) [m/s]; no unit.
 
-    -ln(T^3 / v_peak^2 * integral of |jerk|^2 dt): Balasubramanian, Melendez-Calderon, Roby-Brami and Burdet 2015, On
-    the analysis of movement smoothness (LDLJ), with the jerk of the movement over the page in place of the second
-    derivative of its speed, so that sharp bends count. A straight stroke of least jerk has -ln(720 / 1.875^2) = -5.3.
+    -ln(T^3 / v_peak^2 * integral of |jerk|^2 dt), the larger the smoother: Balasubramanian,
+    Melendez-Calderon, Roby-Brami and Burdet 2015, On the analysis of movement smoothness (LDLJ),
+    with the jerk of the movement over the page in place of the second derivative of its speed, so
+    that sharp bends count. A straight stroke of least jerk has -ln(720 / 1.875^2) = -5.3.
     """
     jerk = np.gradient(np.gradient(velocity, dt, axis=0), dt, axis=0)
     speed = np.linalg.norm(velocity, axis=1)
@@ -82,55 +93,55 @@ def log_dimensionless_jerk(velocity: Array, dt: float) -> float:
     return float(-np.log(whole)) if whole > 0 else 0.0
 
 
-def velocity_peaks(velocity: Array) -> int:
-    """How many peaks the pen's speed has in one stroke, from its velocity (K, 2) [m/s].
+def count_velocity_peaks(velocity: Array) -> int:
+    """Count the peaks of speed in one stroke, from its velocity (K, 2) [m/s].
 
-    Fluent writing has about one for each stroke-like piece between two sharp bends (Plamondon 1995). One counts if it
-    stands a tenth of the highest speed above the valleys beside it.
+    Fluent writing has about one for each piece between two sharp bends (Plamondon 1995). One
+    counts if it stands a tenth of the highest speed above the valleys beside it.
     """
     speed = np.concatenate([[0.0], np.linalg.norm(velocity, axis=1), [0.0]])
-    return len(find_peaks(speed, prominence=PEAK * speed.max())[0])
+    return len(find_peaks(speed, prominence=PEAK_PROMINENCE * speed.max())[0])
 
 
 def shake(lines: Sequence[Array]) -> float:
-    """How far lines (T, 2) tremble about themselves [parts of the letter's size].
+    """Measure how far lines (T, 2) tremble about themselves [parts of the letter's size].
 
-    The median distance of points evenly along the ink from cubics through a third of the letter's size around each
-    (Savitzky and Golay 1964): a bend is followed, a tremble is not, and a few corners do not count.
+    The median distance of points evenly along the ink from cubics through a third of the letter's
+    size around each (Savitzky and Golay 1964): a bend is followed, a tremble is not, and a few
+    corners do not count.
     """
     size = float(np.ptp(np.concatenate(lines), axis=0).max())
     off = []
     for line in lines:
-        points = evenly(line, int(length(line) / (FINE * size)) + 1)[0]
-        if len(points) >= WINDOW:
-            off.append(np.linalg.norm(points - savgol_filter(points, WINDOW, 3, axis=0), axis=1))
+        points = resample_path(line, int(length(line) / (SHAKE_SPACING * size)) + 1)[0]
+        if len(points) >= SWEEP_POINTS:
+            sweep = savgol_filter(points, SWEEP_POINTS, 3, axis=0)
+            off.append(np.linalg.norm(points - sweep, axis=1))
     return float(np.median(np.concatenate(off))) / size if off else 0.0
 
 
 def slant(strokes: Sequence[Trajectory]) -> float:
-    """How far a letter leans to the right of upright, as its steep parts tell [degrees].
+    """Measure how far a letter leans to the right of upright, as its steep parts tell [degrees].
 
-    The mean direction of the ink that is steeper than 45 degrees, up and down being one, each piece weighed by the
-    square of its rise (after Bozinovic and Srihari 1989, who average near-vertical pieces). A letter without
-    verticals, as z, leans by itself: compare it with the same letter only, or take `Score.lean`, which is the
-    difference of two writings and asks their whole shapes.
+    The mean direction of the ink that is steeper than 45 degrees, up and down being one, each
+    piece weighed by the square of its rise (after Bozinovic and Srihari 1989, who average
+    near-vertical pieces). A letter without verticals, as z, leans by itself: compare it with the
+    same letter only, or take `Score.lean`, which is the difference of two writings and compares
+    their whole shapes.
     """
-    step = np.concatenate(
-        [np.diff(evenly(stroke.position, SAMPLES)[0], axis=0) for stroke in strokes]
-    )
+    points = [resample_path(stroke.position, POINTS_FOR_SLANT)[0] for stroke in strokes]
+    step = np.concatenate([np.diff(each, axis=0) for each in points])
     steep = step[np.abs(step[:, 1]) > np.abs(step[:, 0])]
     rise = float((steep[:, 1] ** 2).sum())
-    return (
-        float(np.degrees(np.arctan((steep[:, 0] * steep[:, 1]).sum() / rise))) if rise > 0 else 0.0
-    )
+    if rise == 0:
+        return 0.0
+    return float(np.degrees(np.arctan((steep[:, 0] * steep[:, 1]).sum() / rise)))
 
 
 def _velocity(stroke: Trajectory) -> tuple[Array, float]:
-    """The velocity (K, 2) [m/s] of a stroke, low-passed on a clock of 100 Hz, and the step of that clock [s].
-
-    So a recording's rate and noise hardly count.
-    """
-    samples = max(SHORT, int(min(stroke.duration * RATE, MOST)) + 1)
+    """Return the low-passed velocity (K, 2) [m/s] of a stroke on a clock of 100 Hz, and its step [s]."""
+    samples = int(min(stroke.duration * MOVEMENT_RATE, MOST_MOVEMENT_SAMPLES)) + 1
+    samples = max(FEWEST_MOVEMENT_SAMPLES, samples)
     clock = stroke.t[0] + stroke.duration / (samples - 1) * np.arange(samples)
     path = np.column_stack([np.interp(clock, stroke.t, axis) for axis in stroke.position.T])
     path = sosfiltfilt(_low_pass(), path, axis=0, padlen=min(30, samples - 1))
@@ -140,5 +151,5 @@ def _velocity(stroke: Trajectory) -> tuple[Array, float]:
 
 @cache
 def _low_pass() -> Array:
-    """A Butterworth filter of fourth order for a clock of 100 Hz."""
-    return butter(4, 2 * CUTOFF / RATE, output="sos")
+    """Return a Butterworth filter of fourth order for a clock of 100 Hz."""
+    return butter(4, 2 * MOVEMENT_CUTOFF / MOVEMENT_RATE, output="sos")

@@ -1,35 +1,30 @@
-"""How near a writing is to its model, in measures, in three rows for the pad, and in one sentence.
+"""Score how near a writing is to its model: in measures, in three rows for the pad, in a sentence.
 
-The score is ours. It tells what differs and is no medical or school test; nobody has shown that it makes handwriting
-better.
+The score is ours. It tells what differs and is no medical or school test; nobody has shown that it
+makes handwriting better.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
-from dmp_teach.scoring.differences import UNSEEN, Fault, faults
-from dmp_teach.scoring.distances import letter_distance, procrustes, warped
-from dmp_teach.scoring.fit import fitted
-from dmp_teach.scoring.kinematics import Movement, measured
-from dmp_teach.scoring.linear_map import ratio
-from dmp_teach.scoring.matching import Matching, matched, squared
-from dmp_teach.scoring.resampling import size_of, spread, strokes_of
-from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.scoring.arguments import LetterLike, to_strokes
+from dmp_teach.scoring.differences import MOVEMENT_FAULTS, Fault, find_faults
+from dmp_teach.scoring.fit import fit_model
+from dmp_teach.scoring.kinematics import Movement, measure_movement
+from dmp_teach.scoring.matching import Matching, match_strokes
+from dmp_teach.scoring.resampling import POINTS_TO_FIT, resample, size_of, squared_distances
+from dmp_teach.trajectory import Array
 
-POINTS = 96  # over all the ink, for how far apart it is
-WORDS = ("far", "nearer", "close", "the same")
-SURELY = 2.0  # steps that a fault has which leaves no trace in the ink before anybody speaks of it
-LEVELS = (
-    6.0,
-    3.0,
-    1.0,
-)  # steps of a fault (`faults.STEPS`) up to which a row is "nearer", "close", "the same"
-ROWS = {
+LEVEL_WORDS = ("far", "nearer", "close", "the same")
+# Steps of a fault up to which a row is "nearer", "close" and "the same".
+LEVEL_STEPS = (6.0, 3.0, 1.0)
+# Steps of a fault that leaves no trace in the ink from which on it is named.
+LEAST_MOVEMENT_STEPS = 2.0
+FAULTS_BY_ROW = {
     "Shape": ("mirrored", "turned", "missing", "extra", "shape", "place", "piece", "open", "shaky"),
     "Size": ("size", "width"),
     "Lean": ("lean", "turn", "rise"),
@@ -53,7 +48,7 @@ class Part:
     reason: str
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Score:
     """How near a writing is to its model.
 
@@ -63,11 +58,10 @@ class Score:
         faults: Everything that differs, the largest first, in steps of what an eye begins to see.
         matching: Which strokes belong together; its order, direction and number.
         distance: How far the two inks are apart on average (rms), moved to the same place [m].
-        likeness: `letter_distance`, no unit.
-        warped: Dynamic time warping distance of the strokes, of one size and place [parts of the letter's size].
-        procrustes: Full Procrustes distance of the strokes, from 0 to 1.
-        shape: How far the ink is from the nearest (rms) when size, width, lean and places fit [the same].
-        place: How far the stroke that is farthest from its place is from it [parts of the letter's size].
+        shift: What moves the writing to the place of the model, shape (2,) [m].
+        shape: How far the ink is from the nearest (rms) when size, width, lean and places fit
+            [parts of the letter's size].
+        place: How far the stroke that is farthest from its place is from it [the same].
         size: How many times as large as the model.
         width: How many times as wide, for its height.
         lean: How far it leans more to the right than the model [degrees].
@@ -82,9 +76,7 @@ class Score:
     faults: tuple[Fault, ...]
     matching: Matching
     distance: float
-    likeness: float
-    warped: float
-    procrustes: float
+    shift: Array
     shape: float
     place: float
     size: float
@@ -95,11 +87,17 @@ class Score:
     written: Movement
     model: Movement
 
+    def __repr__(self) -> str:
+        """Return one line: the sentence, the rows and the distance."""
+        rows = ", ".join(f"{part.name.lower()} {part.word}" for part in self.parts)
+        return f"Score({self.sentence!r}, {rows}, {1000 * self.distance:.1f} mm apart)"
 
-def score(written: Any, model: Any) -> Score:
+
+def score(written: LetterLike, model: LetterLike) -> Score:
     """Compare a writing with its model.
 
-    Strokes are matched by shape first: their order, direction and number are told, and count against nothing else.
+    Strokes are matched by shape first: their order, direction and number are told, and count
+    against nothing else.
 
     Args:
         written: A `Recording`, a `Letter` (what it writes) or strokes.
@@ -108,79 +106,51 @@ def score(written: Any, model: Any) -> Score:
     Raises:
         LetterError: One of them is nothing, something else, or all in one place.
     """
-    mine, yours = strokes_of(written, "written"), strokes_of(model, "model")
-    matching = matched(mine, yours)
-    fit = fitted(matching, mine, yours)
-    movements = measured(mine), measured(yours)
-    found = faults(matching, fit, *movements, yours)
-    points, others = map(
-        np.concatenate, zip(*(pair.laid.lines for pair in matching.pairs), strict=True)
+    mine, yours = to_strokes(written, "written"), to_strokes(model, "model")
+    matching = match_strokes(mine, yours)
+    ink, model_ink = resample(mine, POINTS_TO_FIT), resample(yours, POINTS_TO_FIT)
+    fit = fit_model(matching, ink, model_ink, size_of(yours))
+    movement, model_movement = measure_movement(mine), measure_movement(yours)
+    faults = find_faults(matching, fit, movement, model_movement, yours)
+    leading = leading_fault(faults)
+    paired = ink.is_of([k for pair in matching.pairs for k in pair.strokes])
+    model_paired = model_ink.is_of([k for pair in matching.pairs for k in pair.others])
+    middle, model_middle = (
+        ink.points[paired].mean(axis=0),
+        model_ink.points[model_paired].mean(axis=0),
     )
-    first = named(found)
+    far = squared_distances(ink.points - middle, model_ink.points - model_middle)
     return Score(
-        "It looks the same as the model." if first is None else first.sentence,
-        tuple(_part(name, found) for name in ROWS),
-        found,
-        matching,
-        _apart(mine, yours, matching),
-        letter_distance(mine, yours, upright=False),
-        _warped(matching, yours),
-        procrustes(points, others),
-        fit.shape,
-        float(np.linalg.norm(fit.places, axis=1).max()),
-        fit.size,
-        fit.width,
-        fit.lean,
-        (90.0 * matching.turn + fit.turn + 180) % 360 - 180,
-        fit.rise,
-        *movements,
+        sentence="It looks the same as the model." if leading is None else leading.sentence,
+        parts=tuple(_part(name, faults) for name in FAULTS_BY_ROW),
+        faults=faults,
+        matching=matching,
+        distance=float(np.sqrt((far.min(axis=0).mean() + far.min(axis=1).mean()) / 2)),
+        shift=model_middle - middle,
+        shape=fit.shape,
+        place=float(np.linalg.norm(fit.places, axis=1).max()),
+        size=fit.size,
+        width=fit.width,
+        lean=fit.lean,
+        turn=(90.0 * matching.turn + fit.turn + 180) % 360 - 180,
+        rise=fit.rise,
+        written=movement,
+        model=model_movement,
     )
 
 
-def named(found: Sequence[Fault]) -> Fault | None:
-    """The largest fault that is seen in the ink, or else one of the movement; None where there is none to see."""
-    for seen, least in ((True, 1.0), (False, SURELY)):
-        for fault in found:
-            if (fault.name not in UNSEEN) is seen and fault.steps > least:
+def leading_fault(faults: Sequence[Fault]) -> Fault | None:
+    """Return the largest fault seen in the ink, or else one of the movement; None without any."""
+    for is_seen, least in ((True, 1.0), (False, LEAST_MOVEMENT_STEPS)):
+        for fault in faults:
+            if (fault.name not in MOVEMENT_FAULTS) is is_seen and fault.steps > least:
                 return fault
     return None
 
 
-def laid_middle(
-    strokes: Sequence[Trajectory], matching: Matching, side: str
-) -> tuple[Array, Array]:
-    """Points over all ink (P, 2), and the middle (2,) of those that have a partner, by which letters are laid together.
-
-    Args:
-        strokes: Of one side.
-        matching: Which strokes belong together.
-        side: "strokes" for the writing, "others" for its model.
-    """
-    place, _, number, _ = spread(strokes, POINTS)
-    both = np.isin(number, [k for pair in matching.pairs for k in getattr(pair, side)])
-    return place, place[both].mean(axis=0)
-
-
-def _part(name: str, found: Sequence[Fault]) -> Part:
-    """The row of the largest of its faults."""
-    worst = next(fault for fault in found if fault.name in ROWS[name])
-    level = sum(worst.steps <= limit for limit in LEVELS)
-    return Part(name, level, WORDS[level], "" if level == len(LEVELS) else worst.reason)
-
-
-def _apart(mine: Sequence[Trajectory], yours: Sequence[Trajectory], matching: Matching) -> float:
-    """Root mean square distance of every point of ink from the nearest of the other, both ways [m]."""
-    sides = laid_middle(mine, matching, "strokes"), laid_middle(yours, matching, "others")
-    far = squared(*(place - middle for place, middle in sides))
-    return float(np.sqrt((far.min(axis=0).mean() + far.min(axis=1).mean()) / 2))
-
-
-def _warped(matching: Matching, model: Sequence[Trajectory]) -> float:
-    """Warping distance of the strokes that belong together, the letters of one size in one place."""
-    mine, yours = (
-        np.stack(lines) for lines in zip(*(pair.laid.lines for pair in matching.pairs), strict=True)
-    )
-    mine, yours = mine - mine.mean(axis=(0, 1)), yours - yours.mean(axis=(0, 1))
-    mine /= ratio(mine, yours)
-    apart = [warped(a, b) ** 2 for a, b in zip(mine, yours, strict=True)]
-    return float(np.sqrt(np.mean(apart)) / size_of(model))
+def _part(name: str, faults: Sequence[Fault]) -> Part:
+    """Return the row of the largest of its faults."""
+    worst = next(fault for fault in faults if fault.name in FAULTS_BY_ROW[name])
+    level = sum(worst.steps <= limit for limit in LEVEL_STEPS)
+    reason = "" if level == len(LEVEL_STEPS) else worst.reason
+    return Part(name, level, LEVEL_WORDS[level], reason)

@@ -2,15 +2,13 @@
 
 import numpy as np
 import pytest
-from dtaidistance import dtw
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from scipy.spatial import procrustes as disparity
 
 from dmp_teach.errors import LetterError
 from dmp_teach.formats.read import read_recording
 from dmp_teach.ink.alphabet import alphabets, characters, recording_of
-from dmp_teach.scoring.distances import letter_distance, letter_distances, procrustes, warped
+from dmp_teach.scoring.distances import letter_distance, letter_distances
 from dmp_teach.trajectory import Trajectory
 from tests.recordings import RECORDINGS, needs_recordings
 
@@ -20,7 +18,6 @@ TWINS = [
     set("1lI"),
     *({letter, letter.upper()} for letter in "cpsuvwxz"),
 ]  # the same but for their size
-RNG = np.random.default_rng(0)
 
 
 def strokes(character, alphabet=None):
@@ -79,8 +76,6 @@ def test_a_mirrored_letter_is_another_letter():
     d = strokes("D")
     mirrored = [Trajectory(stroke.t, stroke.position * [-1, 1]) for stroke in d]
     assert letter_distance(mirrored, d) > 0.3
-    points = np.concatenate([stroke.position for stroke in d])
-    assert procrustes(points * [-1, 1], points) > 0.3
 
 
 def test_a_letter_of_one_hand_is_nearest_to_the_same_letter_of_the_other():
@@ -146,40 +141,6 @@ def test_spoiled_a_is_still_nearer_to_a_than_to_any_d(alphabet):
             letter_distances(mine, spoiled[other]),
         )
         assert own.max() < strange.min()
-
-
-def test_warping_forgives_a_line_that_waits_and_nothing_else():
-    even = np.linspace(0, 1, 32)
-    line = np.column_stack([even, even**2])
-    late = np.column_stack([even**1.2, even**2.4])
-    assert warped(line, line) == 0
-    assert warped(late, line) < 0.5 * np.sqrt(((late - line) ** 2).sum(axis=1).mean())
-    assert warped(line + np.array([0, 3]), line) > 2
-    assert warped(10 * late, 10 * line) == pytest.approx(10 * warped(late, line))
-
-
-def test_warping_is_the_same_without_the_library_of_c(monkeypatch):
-    a, b = RNG.normal(size=(2, 32, 2))
-    fast = warped(a, b)
-    monkeypatch.setattr(dtw, "dtw_cc", None)
-    assert warped(a, b) == pytest.approx(fast, rel=1e-12)
-
-
-@settings(max_examples=25, deadline=None)
-@given(turn=st.floats(-180, 180), factor=st.floats(0.01, 100), shift=st.floats(-5, 5))
-def test_procrustes_knows_neither_place_nor_size_nor_turn(turn, factor, shift):
-    points, angle = np.random.default_rng(1).normal(size=(20, 2)), np.radians(turn)
-    turned = points @ [[np.cos(angle), np.sin(angle)], [-np.sin(angle), np.cos(angle)]]
-    assert procrustes(factor * turned + shift, points) == pytest.approx(0, abs=1e-5)
-    assert procrustes(points[::-1], points) > 0.3
-
-
-def test_procrustes_of_letters_that_cannot_be_turned_into_each_other_agrees_with_scipy():
-    points = RNG.normal(size=(20, 2))
-    other = points + 0.1 * RNG.normal(
-        size=(20, 2)
-    )  # near enough that no reflection suits it better
-    assert procrustes(points, other) ** 2 == pytest.approx(disparity(points, other)[2])
 
 
 @pytest.mark.parametrize(

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from dmp_teach.ink.alphabet import recording_of
-from dmp_teach.scoring.kinematics import measured, slant
+from dmp_teach.scoring.kinematics import measure_movement, slant
 from dmp_teach.trajectory import Trajectory
 
 
@@ -23,7 +23,7 @@ def resampled(stroke, rate):
 
 @pytest.mark.parametrize("duration", [0.5, 1.0, 4.0])
 def test_a_stroke_of_least_jerk_is_as_smooth_as_theory_says(duration):
-    found = measured([least_jerk(duration)])
+    found = measure_movement([least_jerk(duration)])
     assert found.smoothness == pytest.approx(-np.log(720 / 1.875**2), abs=0.1)
     assert found.peaks == 1
 
@@ -32,7 +32,10 @@ def test_a_stroke_of_least_jerk_is_as_smooth_as_theory_says(duration):
 @pytest.mark.parametrize("rate", [40, 60, 100, 250, 1000])
 def test_smoothness_hardly_depends_on_the_sampling_rate(character, rate):
     strokes = recording_of(character).strokes()
-    given, other = measured(strokes), measured([resampled(stroke, rate) for stroke in strokes])
+    given, other = (
+        measure_movement(strokes),
+        measure_movement([resampled(stroke, rate) for stroke in strokes]),
+    )
     assert other.smoothness == pytest.approx(given.smoothness, abs=0.3)
     assert other.peaks == given.peaks
 
@@ -40,14 +43,14 @@ def test_smoothness_hardly_depends_on_the_sampling_rate(character, rate):
 @pytest.mark.parametrize("character", list("aDgM8"))
 def test_smoothness_falls_and_peaks_grow_with_a_shaking_hand_and_little_with_noise(character):
     strokes, rng = recording_of(character).strokes(), np.random.default_rng(0)
-    given = measured(strokes)
-    noisy = measured(
+    given = measure_movement(strokes)
+    noisy = measure_movement(
         [Trajectory(s.t, s.position + rng.normal(0, 1e-4, s.position.shape)) for s in strokes]
     )
     assert noisy.smoothness == pytest.approx(given.smoothness, abs=0.6)
     before = given.smoothness
     for size in (0.0005, 0.001, 0.002, 0.004):
-        shaking = measured(
+        shaking = measure_movement(
             [Trajectory(s.t, s.position + size * np.sin(38 * s.t)[:, None]) for s in strokes]
         )
         assert shaking.smoothness < before - 0.5
@@ -56,7 +59,7 @@ def test_smoothness_falls_and_peaks_grow_with_a_shaking_hand_and_little_with_noi
 
 
 def test_size_pace_and_duration_are_those_of_the_ink():
-    found = measured(
+    found = measure_movement(
         [Trajectory([0, 1], [[0, 0], [0.03, 0]]), Trajectory([2, 4], [[0, 0.02], [0, 0.08]])]
     )
     assert (found.strokes, found.width, found.height, found.duration) == (2, 0.03, 0.08, 4.0)
@@ -75,6 +78,6 @@ def test_slant_is_the_lean_of_what_is_upright(lean):
 
 def test_a_tap_has_measures_too():
     tap = Trajectory([0, 0.008], [[0, 0], [0.0002, 0]])
-    assert np.isfinite(measured([tap]).smoothness)
+    assert np.isfinite(measure_movement([tap]).smoothness)
     still = Trajectory([1, 1.1], [[0.02, 0.02], [0.02, 0.02]])
-    assert measured([tap, still]).strokes == 2
+    assert measure_movement([tap, still]).strokes == 2

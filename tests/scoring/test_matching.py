@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from dmp_teach.errors import LetterError
 from dmp_teach.formats.read import read_recording
 from dmp_teach.ink.alphabet import alphabets, characters, recording_of
-from dmp_teach.scoring.matching import matched, undone
+from dmp_teach.scoring.matching import Orientation, match_strokes
 from dmp_teach.trajectory import Trajectory
 from tests.recordings import RECORDINGS, needs_recordings
 from tests.scoring import faulty
@@ -46,7 +46,7 @@ def as_pairs(matching):
 def test_a_letter_matches_itself_in_any_order_and_direction(character, alphabet):
     given = strokes(character, alphabet)
     other = [backwards(stroke) for stroke in given][::-1]
-    found = matched(other, given)
+    found = match_strokes(other, given)
     last = len(given) - 1
     assert as_pairs(found) == [((last - k,), (k,)) for k in range(len(given))]
     assert found.order == tuple(range(len(given)))[::-1]
@@ -65,10 +65,10 @@ def test_a_letter_in_one_stroke_is_told_as_joined_and_the_other_way_round_as_spl
 ):
     two = strokes(character, alphabet)
     one = (in_one(*two),)
-    assert as_pairs(matched(one, two)) == [((0,), (0, 1))]
-    assert len(matched(one, two).joined) == 1
-    assert as_pairs(matched(two, one)) == [((0, 1), (0,))]
-    assert len(matched(two, one).split) == 1
+    assert as_pairs(match_strokes(one, two)) == [((0,), (0, 1))]
+    assert len(match_strokes(one, two).merged) == 1
+    assert as_pairs(match_strokes(two, one)) == [((0, 1), (0,))]
+    assert len(match_strokes(two, one).split) == 1
 
 
 @pytest.mark.parametrize("alphabet", alphabets())
@@ -77,10 +77,10 @@ def test_a_letter_in_one_stroke_is_told_as_joined_and_the_other_way_round_as_spl
 def test_a_stroke_that_was_left_out_is_found(character, alphabet, gone):
     given = strokes(character, alphabet)
     left = [stroke for k, stroke in enumerate(given) if k != gone]
-    found = matched(left, given)
+    found = match_strokes(left, given)
     assert found.missing == (gone,)
     assert found.extra == ()
-    found = matched(given, left)
+    found = match_strokes(given, left)
     assert found.extra == (gone,)
     assert found.missing == ()
 
@@ -88,7 +88,7 @@ def test_a_stroke_that_was_left_out_is_found(character, alphabet, gone):
 @pytest.mark.parametrize("character", list("aceglosz0M"))
 def test_a_letter_drawn_twice_has_a_stroke_too_many_and_none_in_two_pieces(character):
     once = strokes(character)
-    found = matched([*once, *once], once)
+    found = match_strokes([*once, *once], once)
     assert len(found.extra) == len(once)
     assert found.split == ()
 
@@ -99,8 +99,11 @@ def test_a_letter_drawn_twice_has_a_stroke_too_many_and_none_in_two_pieces(chara
 )
 def test_a_mirrored_or_turned_letter_is_seen_as_one(character, mirrored, turn):
     given = strokes(character)
-    spoiled = [Trajectory(stroke.t, stroke.position @ undone(mirrored, turn)) for stroke in given]
-    found = matched(spoiled, given)
+    spoiled = [
+        Trajectory(stroke.t, stroke.position @ Orientation(mirrored, turn).undo())
+        for stroke in given
+    ]
+    found = match_strokes(spoiled, given)
     if character not in "BD" or (mirrored, turn) != (True, 2):  # these look the same upside down
         assert (found.mirrored, found.turn) == (mirrored, turn)
     assert found.extra == found.missing == ()
@@ -122,7 +125,7 @@ def test_no_ordinary_lean_is_read_as_a_mirror_image(letter, shear, width, turn, 
     written = faulty.loose(
         faulty.scaled(faulty.turned(leaned, turn), rng.uniform(0.1, 10)), 0.03, rng
     )
-    found = matched(written, model)
+    found = match_strokes(written, model)
     assert (found.mirrored, found.turn) == (False, 0)
     assert as_pairs(found) == [((k,), (k,)) for k in range(len(model))]
     assert found.reversed == ()
@@ -137,7 +140,7 @@ def test_two_writers_who_lean_apart_write_the_same_letter(character, hands):
             faulty.linear(each, [[1, lean], [0, 1]])
             for each, lean in ((written, mine), (model, yours))
         )
-        found = matched(*given_apart)
+        found = match_strokes(*given_apart)
         assert (found.mirrored, found.turn) == (False, 0)
         assert found.extra == found.missing == ()
 
@@ -151,7 +154,9 @@ def test_nearly_every_letter_that_can_be_mirrored_or_turned_is_seen_as_that(view
     for character in asked:
         model = strokes(character, alphabet)
         leaned = faulty.loose(faulty.linear(model, [[1, 0.15], [0, 1]]), 0.02, rng)
-        found = matched([Trajectory(s.t, s.position @ undone(*view)) for s in leaned], model)
+        found = match_strokes(
+            [Trajectory(s.t, s.position @ Orientation(*view).undo()) for s in leaned], model
+        )
         seen += (found.mirrored, found.turn) == view and not found.reversed
     assert seen >= 0.9 * len(asked)
 
@@ -159,16 +164,16 @@ def test_nearly_every_letter_that_can_be_mirrored_or_turned_is_seen_as_that(view
 @pytest.mark.parametrize("character", list("VUOMY08"))
 def test_a_letter_that_is_its_own_mirror_image_is_not_called_one(character):
     model = strokes(character)
-    assert not matched(faulty.mirrored(model), model).mirrored
+    assert not match_strokes(faulty.mirrored(model), model).mirrored
 
 
 @pytest.mark.parametrize("character", list("AÀÁÄÅ"))
 def test_an_a_whose_sides_are_one_stroke_is_joined_whatever_its_lean(character):
     slanted, upright = strokes(character, "slanted"), strokes(character, "round")
-    found = matched(slanted, upright)
+    found = match_strokes(slanted, upright)
     assert as_pairs(found)[:2] == [((0,), (0, 1)), ((1,), (2,))]
     assert found.extra == found.missing == ()
-    found = matched(upright, slanted)
+    found = match_strokes(upright, slanted)
     assert as_pairs(found)[:2] == [((0, 1), (0,)), ((2,), (1,))]
     assert found.extra == found.missing == ()
 
@@ -176,7 +181,7 @@ def test_an_a_whose_sides_are_one_stroke_is_joined_whatever_its_lean(character):
 def test_place_size_and_sampling_do_not_count():
     given = strokes("R")
     other = [Trajectory(stroke.t[::5] * 9, stroke.position[::5] * 30 + 4) for stroke in given]
-    assert as_pairs(matched(other, given)) == [((0,), (0,)), ((1,), (1,))]
+    assert as_pairs(match_strokes(other, given)) == [((0,), (0,)), ((1,), (1,))]
 
 
 @needs_recordings
@@ -188,7 +193,7 @@ def test_every_recorded_d_has_the_strokes_of_every_other():
     }
     for mine in found.values():
         for yours in found.values():
-            pairs = as_pairs(matched(mine, yours))
+            pairs = as_pairs(match_strokes(mine, yours))
             assert sorted(k for pair in pairs for k in pair[0]) == list(range(len(mine)))
             assert sorted(k for pair in pairs for k in pair[1]) == list(range(len(yours)))
 
@@ -205,4 +210,4 @@ def test_every_recorded_d_has_the_strokes_of_every_other():
 )
 def test_what_is_no_writing_is_refused(given, words):
     with pytest.raises(LetterError, match=words):
-        matched(given, strokes("a"))
+        match_strokes(given, strokes("a"))

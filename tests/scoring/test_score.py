@@ -11,7 +11,8 @@ from dmp_teach import Letter, recording_of, score
 from dmp_teach.errors import LetterError
 from dmp_teach.formats.read import read_recording
 from dmp_teach.ink.alphabet import alphabets, characters, signs
-from dmp_teach.scoring.differences import PLAIN, STEPS, _nth
+from dmp_teach.scoring.differences import DIFFERENCE_STEPS, FAULT_STEPS
+from dmp_teach.scoring.wording import word_difference
 from dmp_teach.trajectory import Trajectory
 from tests.recordings import RECORDINGS, needs_recordings
 from tests.scoring import faulty
@@ -270,7 +271,7 @@ def test_a_letter_that_was_learned_is_scored_as_it_writes():
     recording = recording_of("a")
     learned = Letter.learn(recording)
     assert score(learned, recording).sentence == "It looks the same as the model."
-    assert score(recording, learned).shape < STEPS["shape"]
+    assert score(recording, learned).shape < DIFFERENCE_STEPS["shape"]
 
 
 def test_no_sentence_shouts_and_no_fault_is_without_words():
@@ -278,7 +279,14 @@ def test_no_sentence_shouts_and_no_fault_is_without_words():
     found = score(faulty.leaned(faulty.bent(faulty.without(model, 1), 0.05), 20), model)
     assert len({fault.name for fault in found.faults}) == len(found.faults)
     for fault in found.faults:
-        assert fault.name in {*STEPS, *PLAIN, "joined", "split", "divided", "begins"}
+        assert fault.name in {
+            *DIFFERENCE_STEPS,
+            *FAULT_STEPS,
+            "joined",
+            "split",
+            "divided",
+            "begins",
+        }
         assert re.fullmatch(r"[A-Z][^!]*\.", fault.sentence)
         assert fault.reason
 
@@ -286,9 +294,7 @@ def test_no_sentence_shouts_and_no_fault_is_without_words():
 def test_another_letter_is_far_but_is_scored():
     found = score(strokes("M"), strokes("o"))
     assert found.parts[0].level == 0
-    assert np.isfinite(
-        [found.distance, found.size, found.lean, found.warped, found.procrustes]
-    ).all()
+    assert np.isfinite([found.distance, found.size, found.lean]).all()
 
 
 def coarse(numbers):
@@ -306,15 +312,7 @@ def test_any_scribble_gets_a_score(written, character):
         return
     found = score(scribble, strokes(character))
     assert found.sentence.endswith(".")
-    measures = (
-        found.distance,
-        found.likeness,
-        found.warped,
-        found.procrustes,
-        found.shape,
-        found.place,
-        found.size,
-    )
+    measures = (found.distance, found.shape, found.place, found.size, *found.shift)
     assert np.isfinite([*measures, found.width, found.lean, found.turn, found.rise]).all()
     assert sorted(
         [k for pair in found.matching.pairs for k in pair.strokes] + list(found.matching.extra)
@@ -394,14 +392,23 @@ def test_many_strokes_are_counted():
     assert re.search(
         r"^(There are 2\d strokes too many|It is)", score([*model, *many], model).sentence
     )
-    assert [_nth(number) for number in (0, 10, 20, 21, 22, 110)] == [
-        "first",
-        "11th",
-        "21st",
-        "22nd",
-        "23rd",
-        "111th",
-    ]
+
+
+def test_a_stroke_is_named_by_its_ordinal():
+    said = {
+        number: word_difference("begins", 1.0, {"stroke": number, "of": 200}).reason.split()[1]
+        for number in (0, 10, 20, 21, 22, 110)
+    }
+    assert said == {0: "first", 10: "11th", 20: "21st", 21: "22nd", 22: "23rd", 110: "111th"}
+
+
+def test_a_score_prints_in_one_line():
+    model = strokes("D")
+    found = score(faulty.in_one(model), model)
+    said = "It is written in one stroke; the model takes two."
+    assert repr(found).startswith(f"Score({said!r}, shape the same, size the same, lean the same, ")
+    assert "\n" not in repr(found)
+    assert len(repr(found.matching)) < 300
 
 
 def test_a_clock_in_microseconds_takes_no_memory():

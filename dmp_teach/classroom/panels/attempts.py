@@ -10,8 +10,8 @@ from dmp_teach.classroom.panels.messages import beside, millimetres
 from dmp_teach.errors import LetterError, RecordingError
 from dmp_teach.ink import PadStroke, Recording, pad_recording
 from dmp_teach.letters import Letter
-from dmp_teach.scoring import Score, laid_middle, score, size_of
-from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.scoring import Score, score, size_of
+from dmp_teach.trajectory import Trajectory
 
 
 @dataclass(frozen=True, eq=False)
@@ -66,18 +66,10 @@ class Try:
         """How large the model is, the longer of its sides [m]."""
         return size_of(self.model.strokes())
 
-    @cached_property
-    def shift(self) -> Array:
-        """What lays its ink on the model, as the score does: middle upon middle of the strokes that belong together."""
-        matching = self.score.matching
-        _, mine = laid_middle(self.ink, matching, "strokes")
-        _, models = laid_middle(self.model.strokes(), matching, "others")
-        return models - mine
-
     @property
     def laid(self) -> tuple[Trajectory, ...]:
         """Its ink, laid on the model."""
-        return tuple(replace(stroke, position=stroke.position + self.shift) for stroke in self.ink)
+        return tuple(replace(stroke, position=stroke.position + self.score.shift) for stroke in self.ink)
 
     def named(self, writer: str) -> Self:
         """The same, under a pseudonym."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from dmp_teach.ink import PadStroke
-from dmp_teach.scoring import UNSEEN, WORDS, Score, named
+from dmp_teach.scoring import LEVEL_WORDS, MOVEMENT_FAULTS, Score, leading_fault
 from dmp_teach.trajectory import Trajectory
 
 _THINGS = (
@@ -156,8 +156,8 @@ def try_message(now: Score, before: Score | None, is_coarse: bool = False) -> di
 
 def _named(now: Score, is_coarse: bool) -> str:
     """The fault that the score names; one of the movement only where that is known."""
-    fault = named(now.faults)
-    unseen = fault is not None and fault.name in UNSEEN
+    fault = leading_fault(now.faults)
+    unseen = fault is not None and fault.name in MOVEMENT_FAULTS
     if fault is None or (unseen and is_coarse):
         return _ALIKE.strip()
     first = f"{_ALIKE}{fault.sentence}" if unseen else fault.sentence
@@ -189,7 +189,7 @@ def beside(score: Score, size: float) -> str:
     """
     by_distance = sum(score.distance <= part * size for part in _WITHIN)
     level = min(by_distance, *(part.level for part in score.parts))
-    return WORDS[level].replace("nearer", "not far")
+    return LEVEL_WORDS[level].replace("nearer", "not far")
 
 
 def a(character: str) -> str:

@@ -290,7 +290,7 @@ class Pad(RobotPanel):
             scored = self._tries.scored(self._model, done=not self.unfinished)
             self._describe(now, [each for each in scored if each is not now])
             self._list_tries(scored)
-            self.shift = now.shift.tolist() if now in scored else [0.0, 0.0]
+            self.shift = now.score.shift.tolist() if now in scored else [0.0, 0.0]
             self._mark_older()
             self.kept = ""
             self.drawing += 1

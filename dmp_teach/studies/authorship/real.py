@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from dmp_teach.scoring import letter_distances, measured, spread, strokes_of
+from dmp_teach.scoring import letter_distances, measure_movement, resample, to_strokes
 from dmp_teach.studies.authorship.answers import Answers, Attributions, luck_of
 from dmp_teach.studies.inputs import Written, letters_of
 from dmp_teach.studies.parallel import Progress, run
@@ -56,7 +56,7 @@ def classify_writers(
 
 def hand(strokes: Sequence[Trajectory]) -> Array:
     """Slant, log of size [m], log of pace [m/s], unevenness of pace, shape (4,)."""
-    movement = measured(strokes)
+    movement = measure_movement(strokes)
     speed = np.concatenate(
         [np.linalg.norm(np.diff(s.position, axis=0), axis=1) / np.diff(s.t) for s in strokes]
     )
@@ -69,7 +69,8 @@ def hand(strokes: Sequence[Trajectory]) -> Array:
 
 def signature(strokes: Sequence[Trajectory]) -> Array:
     """Square roots of how much ink goes in each direction, then lean and log of width to height, shape (14,)."""
-    place, along, _, _ = spread(strokes, POINTS)
+    ink = resample(strokes, POINTS)
+    place, along = ink.points, ink.directions
     middles = (np.arange(DIRECTIONS) + 0.5) * np.pi / DIRECTIONS
     turn = np.angle(np.exp(2j * (np.arctan2(along[:, 1], along[:, 0])[:, None] - middles))) / 2
     share = np.exp(-0.5 * (turn * DIRECTIONS / np.pi) ** 2)
@@ -88,7 +89,7 @@ def fresh(takes: Sequence[Written]) -> list[Written]:
         LetterError: A letter that is not flat, or all in one place.
     """
     for each in takes:
-        strokes_of(each.strokes, each.name)
+        to_strokes(each.strokes, each.name)
     far = (
         letter_distances(*[[each.strokes for each in takes]] * 2, upright=False)
         if len(takes) > 1
