@@ -75,7 +75,7 @@ def align(pieces: Sequence[Array], others: Sequence[Array]) -> Alignment:
 
 
 def _arrangements(pieces: Sequence[Array]) -> Iterator[tuple[list[Array], bool]]:
-    """Yield the pieces as given, then in every order and direction; True if one piece is flipped."""
+    """Yield the pieces as given, then in every order and direction; True if one is flipped."""
     if len(pieces) > MOST_PERMUTED_PIECES:
         yield list(pieces), False
         yield [piece[::-1] for piece in reversed(pieces)], False

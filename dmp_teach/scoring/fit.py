@@ -28,7 +28,7 @@ CLOSEST_POINT_ROUNDS = 6
 FLATTEST = 0.01
 # A letter of which less is left across is not narrow and does not lean: it is another shape.
 CRUSHED_ASPECT = 0.2
-# A piece is missing or too much if the rest is nearer by this factor than the whole [of squares] ...
+# A piece is missing or too much if the rest is nearer than the whole by this factor [squared] ...
 LARGEST_TRIMMED_SHARE = 0.6
 # ... by this much, a third of a pen's line [squared parts of the letter's size] ...
 LEAST_TRIM_GAIN = 2e-5
@@ -68,7 +68,7 @@ class Fit:
 
 @dataclass(frozen=True, eq=False)
 class _Problem:
-    """What is fitted: ink and aligned lines of every pair, the model's size [m], what is left out."""
+    """What is fitted: ink and aligned lines of every pair, the model's size [m], and a trim."""
 
     inks: Sequence[tuple[Resampled, Resampled]]
     lines: Sequence[Line]
@@ -262,7 +262,7 @@ def _distances_both_ways(mine: Array, yours: Array) -> tuple[Array, Array]:
 
 
 def _distances_to_line(points: Array, line: Array, vertex: NDArray[np.intp]) -> Array:
-    """Return squared distances of points (P, 2) from a line (Q, 2), given its nearest vertex (P,)."""
+    """Return squared distances of points (P, 2) from a line (Q, 2), given the nearest vertices."""
     pieces = np.clip(vertex + np.array([[-1], [0]]), 0, len(line) - 2)
     begin, along = line[pieces], line[pieces + 1] - line[pieces]
     away, long = points - begin, (along**2).sum(axis=2)

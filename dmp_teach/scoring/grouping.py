@@ -37,7 +37,7 @@ Group = tuple[tuple[int, ...], tuple[int, ...]]
 
 
 def group_strokes(ink: Resampled, other: Resampled) -> tuple[float, list[Group]]:
-    """Find the cheapest groups, and what they cost: squared distances summed over points [radii^2]."""
+    """Find the cheapest groups, and their cost: summed squared distances of points [radii^2]."""
     costs = _Costs(ink, other)
     groups = costs.assign()
     while merged := costs.merge_best(groups):
@@ -133,7 +133,7 @@ class _Costs:
         return bool(nearer.sum() >= SHARED_WORK * self.inks[side].is_of(lone[side]).sum())
 
     def _has_dot(self, group: Group) -> bool:
-        """Return whether a stroke of a group is a dot: no line does the work of a line and a dot."""
+        """Return whether a stroke is a dot: no line does the work of a line and a dot."""
         return any(
             self.inks[side].lengths[list(group[side])].min(initial=np.inf) < LONGEST_DOT
             for side in (0, 1)

@@ -139,7 +139,7 @@ def slant(strokes: Sequence[Trajectory]) -> float:
 
 
 def _velocity(stroke: Trajectory) -> tuple[Array, float]:
-    """Return the low-passed velocity (K, 2) [m/s] of a stroke on a clock of 100 Hz, and its step [s]."""
+    """Return the low-passed velocity (K, 2) [m/s] on a clock of 100 Hz, and its step [s]."""
     samples = int(min(stroke.duration * MOVEMENT_RATE, MOST_MOVEMENT_SAMPLES)) + 1
     samples = max(FEWEST_MOVEMENT_SAMPLES, samples)
     clock = stroke.t[0] + stroke.duration / (samples - 1) * np.arange(samples)

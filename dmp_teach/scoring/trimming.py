@@ -87,7 +87,7 @@ def _tried_ends() -> list[tuple[bool, float]]:
 
 @cache
 def _shortenings(points: int) -> Array:
-    """Return, for each of `_tried_ends`, the matrix that shortens and resamples a line, (E, P, P)."""
+    """Return the matrices that shorten and resample a line, for each end, (E, P, P)."""
     return np.stack([_shorten(np.eye(points), first, part) for first, part in _tried_ends()])
 
 

@@ -69,7 +69,9 @@ class Try:
     @property
     def laid(self) -> tuple[Trajectory, ...]:
         """Its ink, laid on the model."""
-        return tuple(replace(stroke, position=stroke.position + self.score.shift) for stroke in self.ink)
+        return tuple(
+            replace(stroke, position=stroke.position + self.score.shift) for stroke in self.ink
+        )
 
     def named(self, writer: str) -> Self:
         """The same, under a pseudonym."""
