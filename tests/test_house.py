@@ -19,7 +19,8 @@ ROOT = Path(__file__).parents[1]
 PACKAGE = ROOT / "dmp_teach"
 MODULES = sorted(PACKAGE.rglob("*.py"))
 NOTEBOOKS = sorted((ROOT / "notebooks").glob("*.ipynb"))
-LAUNCHER = {"__init__.py", "__main__.py"}
+# The launcher may use any room, and so may an old path that points up for one version.
+LAUNCHER = {"__init__.py", "__main__.py", "classroom/saving.py"}
 
 ORDER = [
     "errors",
@@ -110,8 +111,8 @@ def test_imports_go_one_way(path):
 @pytest.mark.parametrize(
     "path", [path for path in MODULES if name_of(path) not in LAUNCHER], ids=name_of
 )
-def test_nobody_reaches_behind_a_face(path):
-    """Other rooms come in by what a room's `__init__.pyi` offers."""
+def test_other_rooms_come_in_by_a_face(path):
+    """They import only what a room's `__init__.pyi` offers."""
     own = name_of(path).split("/")[0]
     for name, line in imports_of(path):
         parts = name.split(".")

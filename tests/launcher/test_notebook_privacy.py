@@ -7,6 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import dmp_teach
+from dmp_teach.classroom import saving
 from dmp_teach.classroom.panels.pad import pad
 from dmp_teach.launcher.notebook_privacy import RESTING, without_ink
 from dmp_teach.views.scene.view import SceneView
@@ -110,3 +111,12 @@ def test_what_is_no_notebook_stays_as_it_is(model):
     before = dict(model)
     without_ink(model=model)
     assert model == before
+
+
+def test_the_old_path_that_hubs_may_name_works_with_a_warning(written):
+    model = notebook(a=state_of(written))
+    again = json.loads(json.dumps(model))
+    without_ink(model)
+    with pytest.warns(DeprecationWarning, match=r"dmp_teach\.launcher\.notebook_privacy"):
+        saving.without_ink(again, path="a.ipynb", contents_manager=None)
+    assert again == model
