@@ -1,6 +1,7 @@
-"""Simple solids that stand for each link where things touch: (kind, size, xyz, rpy) in the link's frame [m, rad].
+"""Simple solids for the contacts of each link.
 
-A box has three sides, a cylinder a radius and a length along its z, a sphere a radius.
+Each is (kind, size, xyz, rpy) in the link's frame [m, rad]. A box has three sides, a cylinder a
+radius and a length along its z, a sphere a radius.
 """
 
 from math import pi

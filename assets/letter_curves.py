@@ -1,8 +1,10 @@
-"""A smooth curve through a few points: J. D. Hobby, "Smooth, easy to compute interpolating splines" (1986).
+"""A smooth curve through a few points.
 
-Between two points the curve is a cubic; the headings at the points are chosen so that the bend hardly jumps there.
-A point is (x, y), (x, y, heading) or, at a corner, (x, y, heading in, heading out). The writing line is y = 0, a small
-letter is 1 high; headings are in degrees, 0 to the right, 90 up, None where the curve may choose.
+After J. D. Hobby, "Smooth, easy to compute interpolating splines" (1986): between two points the
+curve is a cubic; the headings at the points are chosen so that the bend hardly jumps there. A point
+is (x, y), (x, y, heading) or, at a corner, (x, y, heading in, heading out). The writing line is y =
+0, a small letter is 1 high; headings are in degrees, 0 to the right, 90 up, None where the curve
+may choose.
 """
 
 import math
@@ -18,13 +20,13 @@ CORNER = 4
 
 
 def pieces(points: list[Point]) -> list[np.ndarray]:
-    """The curve through `points`, cut at its corners: dense polylines (N, 2), each starting where the last ended."""
+    """Return the curve through `points`, cut at its corners, as dense polylines (N, 2)."""
     cuts = [0, *(k for k in range(1, len(points) - 1) if len(points[k]) == CORNER), len(points) - 1]
     return [_piece(points[a : b + 1]) for a, b in pairwise(cuts)]
 
 
 def _piece(points: list[Point]) -> np.ndarray:
-    """One smooth piece: its points with a heading part it into runs that know nothing of each other."""
+    """Return one smooth piece; a point with a heading ends one run and begins the next."""
     z = np.array([complex(point[0], point[1]) for point in points])
     arrive = [point[2] if len(point) > 2 else None for point in points]
     leave = [point[-1] if len(point) > 2 else None for point in points]
@@ -37,7 +39,7 @@ def _piece(points: list[Point]) -> np.ndarray:
 
 
 def _run(z: np.ndarray, first: float | None, last: float | None) -> list[np.ndarray]:
-    """The cubics through the points `z`; headings at both ends [degrees], None: as round as the neighbour."""
+    """Return the cubics through `z`; a heading [degrees] of None is as round as the neighbour."""
     chord = np.diff(z)
     theta = _angles(chord, first, last)
     phi = np.append(-np.angle(chord[1:] / chord[:-1]) - theta[1:-1], theta[-1])
@@ -51,10 +53,11 @@ def _run(z: np.ndarray, first: float | None, last: float | None) -> list[np.ndar
 
 
 def _angles(chord: np.ndarray, first: float | None, last: float | None) -> np.ndarray:
-    """How far the curve leaves each point to the left of its chord; the last: how far it arrives to the right [rad].
+    """Return how far left of its chord the curve leaves each point; the last: arrives, right [rad].
 
-    Mock curvatures on both sides of an inner point are equal: (4 theta_k - 2 phi_k+1) / d_k =
-    (4 phi_k - 2 theta_k-1) / d_k-1, where theta_k + phi_k + psi_k = 0 and psi_k is the turn of the chords.
+    Mock curvatures on both sides of an inner point are equal: (4 theta_k - 2 phi_k+1) / d_k = (4
+    phi_k - 2 theta_k-1) / d_k-1, where theta_k + phi_k + psi_k = 0 and psi_k is the turn of the
+    chords.
     """
     n, d = len(chord), np.abs(chord)
     psi = np.concatenate([[0], np.angle(chord[1:] / chord[:-1]), [0]])

@@ -1,9 +1,9 @@
-"""How a hand turns a drawn letter into a movement: a time law, a lift between strokes, a small wobble.
+"""How a hand turns a drawn letter into a movement: a time law, lifts, a small wobble.
 
 Along a stroke the plan follows the two-thirds power law (Lacquaniti, Terzuolo and Viviani, 1983),
-speed ~ radius^(1/3), never gains or loses speed faster than the hand can, and rests at both ends. Through the air
-it takes the minimum-jerk way (Flash and Hogan, 1985). Then the arm smooths the plan in time, as muscles do: corners
-become small bends and every speed becomes a bell.
+speed ~ radius^(1/3), never gains or loses speed faster than the hand can, and rests at both ends.
+Through the air it takes the minimum-jerk way (Flash and Hogan, 1985). Then the arm smooths the plan
+in time, as muscles do: corners become small bends and every speed becomes a bell.
 """
 
 import math
@@ -79,7 +79,7 @@ def write(
 
 
 def _moved(plan: np.ndarray, rest: int, hand: Hand, chance: random.Random) -> np.ndarray:
-    """The plan (N, 3) as the arm carries it out, seen by a camera: samples (T, 4), to the micrometre."""
+    """Return the plan (N, 3) as a camera sees the arm carry it out: samples (T, 4), to the um."""
     plan = np.pad(plan, ((rest, rest + 1 - len(plan) % FINE), (0, 0)), mode="edge")
     moved = gaussian_filter1d(
         plan, hand.softness * RATE * FINE, axis=0, mode="nearest", truncate=3.0
@@ -110,7 +110,7 @@ def _on_paper(points: list[Point], hand: Hand, chance: random.Random) -> np.ndar
 def _through_air(
     start: np.ndarray, goal: np.ndarray, hand: Hand, chance: random.Random
 ) -> np.ndarray:
-    """A lift (N, 3): up and down again, over to the next stroke on the way."""
+    """Return a lift (N, 3): up and down again, over to the next stroke on the way."""
     far = float(np.linalg.norm(goal - start))
     lasts = min(0.58, 0.36 + far + chance.uniform(-0.02, 0.02))
     s = np.linspace(0, 1, round(lasts * RATE * FINE) + 2)[1:-1]
@@ -123,7 +123,7 @@ def _through_air(
 
 
 def _speeds(drawn: list[np.ndarray], hand: Hand) -> np.ndarray:
-    """The planned speed at every point of a stroke, shape (N,) [m/s]."""
+    """Return the planned speed at every point of a stroke, shape (N,) [m/s]."""
     speed = np.concatenate([_power_law(piece, hand) for piece in drawn])
     ends = np.cumsum([0, *map(len, drawn)])
     for before, after, k in zip(drawn, drawn[1:], ends[1:], strict=False):
@@ -139,7 +139,7 @@ def _speeds(drawn: list[np.ndarray], hand: Hand) -> np.ndarray:
 
 
 def _power_law(piece: np.ndarray, hand: Hand) -> np.ndarray:
-    """The speed that the bends of a piece (N, 2) allow, shape (N,) [m/s]."""
+    """Return the speed that the bends of a piece (N, 2) allow, shape (N,) [m/s]."""
     ahead = np.gradient(piece, axis=0)
     heading = gaussian_filter1d(
         np.unwrap(np.arctan2(ahead[:, 1], ahead[:, 0])), 0.003 / STEP, mode="nearest"
@@ -155,7 +155,7 @@ def _sized(piece: np.ndarray, hand: Hand) -> np.ndarray:
 
 
 def _evenly(line: np.ndarray) -> np.ndarray:
-    """A polyline with a point about every `STEP`."""
+    """Return a polyline with a point about every `STEP`."""
     way = _way(line)
     even = np.linspace(0, way[-1], max(5, round(way[-1] / STEP) + 1))
     return np.column_stack([np.interp(even, way, line[:, i]) for i in range(2)])
@@ -175,7 +175,7 @@ def _minimum_jerk(s: np.ndarray) -> np.ndarray:
 def _wave(
     s: np.ndarray, size: float, lengths: Iterable[float], chance: random.Random
 ) -> np.ndarray:
-    """A slow wobble of about `size`: a few sines of these wavelengths, of random phase and strength."""
+    """Return a slow wobble of about `size`: sines of these wavelengths, random phase and size."""
     parts = [(length, chance.uniform(0, math.tau), chance.uniform(0.5, 1.0)) for length in lengths]
     return size * sum(
         strength * np.sin(math.tau * s / length + phase) for length, phase, strength in parts

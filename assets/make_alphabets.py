@@ -1,8 +1,9 @@
-"""Write our alphabets: `python3 assets/make_alphabets.py` makes alphabets/round and alphabets/slanted beside itself.
+"""Write our alphabets.
 
-What the letters are stands in `shapes_*.py`: for every stroke a few points placed by hand, in the order and
-direction that are taught at school. How a hand moves along them stands in `letter_curves.py` and `letter_hand.py`.
-Running it twice gives the same bytes.
+`python3 assets/make_alphabets.py` makes alphabets/round and alphabets/slanted beside itself. What
+the letters are stands in `shapes_*.py`: for every stroke a few points placed by hand, in the order
+and direction that are taught at school. How a hand moves along them stands in `letter_curves.py`
+and `letter_hand.py`. Running it twice gives the same bytes.
 """
 
 import argparse
@@ -56,7 +57,7 @@ ALPHABETS = {
 
 
 def recording(alphabet: str, character: str) -> Recording:
-    """A letter as its writer writes it; its strokes are left to be found from the height."""
+    """Return a letter as its writer writes it; its strokes are left to be found from the height."""
     hand, shapes = ALPHABETS[alphabet]
     samples, _ = write(character, shapes[character], hand)
     return Recording(samples[:, 0], samples[:, 1:], character, hand.writer, baseline=0.0)

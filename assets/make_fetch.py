@@ -1,9 +1,11 @@
-"""Make the robot: `python3 assets/make_fetch.py` writes fetch.urdf, fetch_sprung.urdf and meshes/ beside itself.
+"""Make the robot.
 
-The facts (where joints are, what links weigh, how large their shells are) stand in `fetch_joints.csv` and
-`fetch_links.csv`, measured on the Fetch in metres, radians, kilograms and newtons. The shapes are our own and fill
-those boxes: `shells_base.py`, `shells_torso.py`, `shells_arm.py`. What we add to the real robot is a pen in a holder
-between the fingers, and a skirt that the bellows slide over. Running it twice gives the same bytes.
+`python3 assets/make_fetch.py` writes fetch.urdf, fetch_sprung.urdf and meshes/ beside itself.
+The facts (where joints are, what links weigh, how large their shells are) stand in
+`fetch_joints.csv` and `fetch_links.csv`, measured on the Fetch in metres, radians, kilograms and
+newtons. The shapes are our own and fill those boxes: `shells_base.py`, `shells_torso.py`,
+`shells_arm.py`. What we add to the real robot is a pen in a holder between the fingers, and a skirt
+that the bellows slide over. Running it twice gives the same bytes.
 """
 
 import argparse
@@ -35,7 +37,7 @@ PEN_LINKS = {  # name: mass [kg], middle along the pen [m], radius [m], length [
 
 
 def read(name: str) -> list[dict[str, str]]:
-    """The rows of a table of facts."""
+    """Return the rows of a table of facts."""
     with (HERE / name).open(newline="", encoding="utf-8") as file:
         return list(csv.DictReader(file))
 
@@ -46,7 +48,7 @@ def words(*values: str | float) -> str:
 
 
 def box_inertia(mass: float, size: tuple[float, float, float]) -> dict[str, float]:
-    """The inertia of a solid box about its middle [kg m^2]."""
+    """Return the inertia of a solid box about its middle [kg m^2]."""
     xx, yy, zz = (mass / 12 * side**2 for side in size)
     return {"ixx": yy + zz, "ixy": 0.0, "ixz": 0.0, "iyy": xx + zz, "iyz": 0.0, "izz": xx + yy}
 
@@ -57,7 +59,7 @@ def add_origin(parent: ET.Element, xyz: tuple = (0, 0, 0), rpy: tuple = (0, 0, 0
 
 
 def add_inertial(link: ET.Element, mass: float, com: tuple, inertia: dict[str, float]) -> None:
-    """What a link weighs, where, and how hard it is to turn."""
+    """Return the mass, centre and inertia of a link as XML."""
     inertial = ET.SubElement(link, "inertial")
     add_origin(inertial, com)
     ET.SubElement(inertial, "mass", value=words(mass))
@@ -65,7 +67,7 @@ def add_inertial(link: ET.Element, mass: float, com: tuple, inertia: dict[str, f
 
 
 def inertia_of(row: dict[str, str]) -> tuple[float, tuple, dict[str, float]]:
-    """Mass, centre and inertia of one of the Fetch's links; a gram in a small box for a bare frame."""
+    """Return the mass, centre and inertia of a link; a gram in a small box for a bare frame."""
     if not row["mass"]:
         return 0.001, (0, 0, 0), box_inertia(0.001, (0.02, 0.02, 0.02))
     mass, com = float(row["mass"]), (row["com_x"], row["com_y"], row["com_z"])
@@ -82,7 +84,7 @@ def inertia_of(row: dict[str, str]) -> tuple[float, tuple, dict[str, float]]:
 
 
 def add_collisions(link: ET.Element) -> None:
-    """Simple solids for contact: boxes, cylinders along their z, spheres."""
+    """Return the simple solids for contact: boxes, cylinders along their z, spheres."""
     for kind, size, xyz, rpy in COLLISIONS.get(link.get("name"), ()):
         collision = ET.SubElement(link, "collision")
         add_origin(collision, xyz, rpy)
@@ -94,7 +96,7 @@ def add_collisions(link: ET.Element) -> None:
 
 
 def add_visuals(link: ET.Element) -> None:
-    """The pieces of a link's shell, each with its colour."""
+    """Return the pieces of a link's shell, each with its colour."""
     for piece, (color, _) in SHELLS.get(link.get("name"), {}).items():
         visual = ET.SubElement(link, "visual")
         add_origin(visual)
@@ -110,7 +112,7 @@ def add_visuals(link: ET.Element) -> None:
 
 
 def file_of(link: str, piece: str) -> str:
-    """The name of a piece's mesh."""
+    """Return the name of a piece's mesh."""
     return f"{link.removesuffix('_link')}_{piece}.obj"
 
 
@@ -131,7 +133,7 @@ def add_joint(robot: ET.Element, row: dict[str, str]) -> None:
 
 
 def extra_joints(sprung: bool) -> list[dict[str, str]]:
-    """What we add: the pen in its holder, and the skirt of the bellows."""
+    """Return what we add: the pen in its holder, and the skirt of the bellows."""
     blank = dict.fromkeys(
         ("x", "y", "z", "roll", "pitch", "yaw", "ax", "ay", "az", "lower", "upper"), ""
     )
@@ -152,7 +154,7 @@ def extra_joints(sprung: bool) -> list[dict[str, str]]:
 
 
 def urdf(sprung: bool) -> str:
-    """The whole robot as text."""
+    """Return the whole robot as text."""
     robot = ET.Element("robot", name="fetch_sprung" if sprung else "fetch")
     robot.append(ET.Comment(NOTE))
     for row in read("fetch_links.csv"):

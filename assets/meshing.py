@@ -1,4 +1,4 @@
-"""Closed triangle meshes from outlines: turned on a lathe, lofted through sections, extruded with bevels."""
+"""Closed triangle meshes from outlines: turned, lofted through sections, extruded with bevels."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -26,22 +26,22 @@ class Mesh:
         return Mesh(np.vstack([self.vertices, other.vertices]), np.vstack([self.faces, shifted]))
 
     def at(self, *xyz: float) -> "Mesh":
-        """The same, moved."""
+        """Return the same, moved."""
         return Mesh(self.vertices + np.array(xyz), self.faces)
 
     def turned(self, axes: str) -> "Mesh":
-        """The same with its axes renamed: "zxy" has the old z as its x, the old x as its y, the old y as its z."""
+        """Return the same with its axes renamed: "zxy" has the old z as x, x as y, y as z."""
         faces = self.faces if axes in ("xyz", "yzx", "zxy") else self.faces[:, ::-1]
         return Mesh(self.vertices[:, ["xyz".index(axis) for axis in axes]], faces)
 
     def mirrored(self, axis: str) -> "Mesh":
-        """The same as in a mirror across that axis."""
+        """Return the same as in a mirror across that axis."""
         sign = np.where(np.arange(3) == "xyz".index(axis), -1.0, 1.0)
         return Mesh(self.vertices * sign, self.faces[:, ::-1])
 
 
 def loft(rings: ArrayLike) -> Mesh:
-    """A skin over rings (S, N, 3) of points, one after the other, closed by a lid at each end."""
+    """Return a skin over rings (S, N, 3) of points, closed by a lid at each end."""
     rings = np.asarray(rings, dtype=float)
     count, around = rings.shape[:2]
     first = np.arange(count * around).reshape(count, around)
@@ -59,7 +59,7 @@ def loft(rings: ArrayLike) -> Mesh:
 
 
 def lathe(profile: Sequence[tuple[float, float]], around: int = 32) -> Mesh:
-    """A profile of (radius, height) turned about z."""
+    """Return a profile of (radius, height) turned about z."""
     angles = np.arange(around) * 2 * np.pi / around
     circle = np.stack([np.cos(angles), np.sin(angles)], -1)
     return loft(
@@ -68,9 +68,9 @@ def lathe(profile: Sequence[tuple[float, float]], around: int = 32) -> Mesh:
 
 
 def superellipse(a: float, b: float, power: float = 2.0, around: int = 32) -> Array:
-    """An outline between an ellipse (power 2) and a box (large power), half axes a and b, shape (N, 2).
+    """Return an outline (N, 2) between an ellipse (power 2) and a box (large power).
 
-    The points crowd where the outline bends.
+    Its half axes are a and b; the points crowd where it bends.
     """
     angles = np.arange(around) * 2 * np.pi / around
     c, s = np.round([np.cos(angles), np.sin(angles)], 12)
@@ -82,7 +82,7 @@ def superellipse(a: float, b: float, power: float = 2.0, around: int = 32) -> Ar
 def rounded(
     low: tuple[float, float], high: tuple[float, float], radii: Sequence[float], steps: int = 4
 ) -> Array:
-    """A rectangle with round corners, from the upper right counter-clockwise, shape (4 (steps + 1), 2)."""
+    """Return a rectangle with round corners, counter-clockwise, shape (4 (steps + 1), 2)."""
     points = []
     for corner, radius in enumerate(np.broadcast_to(radii, 4)):
         sx, sy = ((1, 1), (-1, 1), (-1, -1), (1, -1))[corner]
@@ -95,7 +95,7 @@ def rounded(
 
 
 def extrude(outline: Array, profile: Sequence[tuple[float, float]]) -> Mesh:
-    """An outline (N, 2) raised along z through (inset, height): an inset moves its edge inwards [m]."""
+    """Return an outline (N, 2) raised along z through (inset, height) [m]."""
     edge = np.roll(outline, -1, 0) - outline
     normal = np.stack([edge[:, 1], -edge[:, 0]], -1) / np.linalg.norm(edge, axis=1, keepdims=True)
     corner = normal + np.roll(normal, 1, 0)
@@ -109,7 +109,7 @@ def extrude(outline: Array, profile: Sequence[tuple[float, float]]) -> Mesh:
 
 
 def sections(rows: Iterable[tuple[float, ...]], around: int = 32) -> Mesh:
-    """A loft along x: each row is x, the middle's y and z, the half width and half height, and a power."""
+    """Return a loft along x: rows of x, the middle's y and z, half width and height, a power."""
     rings = []
     for x, y, z, half_y, half_z, power in rows:
         outline = superellipse(half_y, half_z, power, around) + np.array([y, z])
@@ -118,7 +118,7 @@ def sections(rows: Iterable[tuple[float, ...]], around: int = 32) -> Mesh:
 
 
 def shaded(mesh: Mesh) -> tuple[Array, Array, NDArray[np.int64]]:
-    """Vertices, normals and faces for drawing: corners are split where faces meet sharply, smooth elsewhere."""
+    """Return vertices, normals and faces for drawing; corners are split at sharp edges."""
     faces, count = mesh.faces, len(mesh.faces)
     corners = mesh.vertices[faces]
     area = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
@@ -142,7 +142,7 @@ def shaded(mesh: Mesh) -> tuple[Array, Array, NDArray[np.int64]]:
 
 
 def write_obj(mesh: Mesh, path: Path) -> None:
-    """A Wavefront file: hundredths of a millimetre, a normal for each vertex."""
+    """Return a Wavefront file: hundredths of a millimetre, a normal for each vertex."""
     vertices, normals, faces = shaded(mesh)
     lines = ["# Made by make_fetch.py"]
     lines += [f"v {x:.5f} {y:.5f} {z:.5f}" for x, y, z in _settled(vertices, 5)]
@@ -152,7 +152,7 @@ def write_obj(mesh: Mesh, path: Path) -> None:
 
 
 def _settled(values: Array, digits: int) -> Array:
-    """Rounded in two steps, so that a last bit that differs between machines changes nothing; no minus zero."""
+    """Round in two steps, so that the last bit of a machine changes nothing; no minus zero."""
     return np.round(np.round(values, digits + 5), digits) + 0.0
 
 
@@ -167,6 +167,6 @@ def _welded(vertices: Array, faces: NDArray[np.int64]) -> tuple[Array, NDArray[n
 
 
 def _outward(vertices: Array, faces: NDArray[np.int64]) -> Mesh:
-    """Turned inside out if its volume is negative."""
+    """Turn a mesh inside out if its volume is negative."""
     a, b, c = vertices[faces].transpose(1, 0, 2)
     return Mesh(vertices, faces if (a * np.cross(b, c)).sum() > 0 else faces[:, ::-1])

@@ -5,11 +5,12 @@ Units and headings as in `letter_curves.py`; headings E, N, W, S are right, up, 
 
 from letter_curves import E, Letter, S
 
-TURNED_TOP = 1.00  # of a sign that stands on its head: its dot is where a small letter ends, its foot hangs below
+# The top of a sign on its head: its dot is where a small letter ends, its foot hangs below.
+TURNED_TOP = 1.00
 
 
 def on_its_head(sign: Letter, wide: float) -> Letter:
-    """A sign after half a turn, lower, each stroke still written from its top; `wide` is the sum of its sides."""
+    """Return a sign after half a turn, written from its top; `wide` is the sum of its sides."""
     high = TURNED_TOP + min(point[1] for stroke in sign for point in stroke)
     return [
         [(wide - x, high - y, *headings[::-1]) for x, y, *headings in reversed(stroke)]

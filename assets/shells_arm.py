@@ -1,4 +1,4 @@
-"""The arm's shells: drums that bend, tubes that turn, the gripper and the pen. All in the links' own frames [m]."""
+"""The arm's shells: drums that bend, tubes that turn, gripper and pen, in the links' frames [m]."""
 
 import numpy as np
 from look import BLACK, BLUE, DARK, GREY, WHITE, smooth
@@ -10,7 +10,7 @@ AROUND = 32
 
 
 def drum(radius: float, out: float, inner: float) -> Mesh:
-    """Half of a bending joint, on +y: from the seam to a cap with a ring in it at y = out; a spindle towards -y."""
+    """Return half of a bending joint: from the seam to a ringed cap at y = out, a spindle on -y."""
     r, b = radius, 0.009
     profile = [
         (0.0, -inner),
@@ -44,13 +44,13 @@ def neck(out: float, radius: float, start: float, end: float) -> list[tuple[floa
 
 
 def tube_end(x: float) -> list[tuple[float, ...]]:
-    """The sections that end a tube at x with a small bevel and the stub on which the next link turns."""
+    """Return the sections that end a tube at x: a bevel, and the stub of the next link."""
     rings = ((x - 0.0040, RADIUS), (x - 0.0020, RADIUS - 0.0015), (x - 0.0020, 0.046), (x, 0.046))
     return [(at, 0.0, 0.0, r, r, 2.0) for at, r in rings]
 
 
 def tube_start(x: float) -> list[tuple[float, ...]]:
-    """The sections that begin a tube at x with a small bevel."""
+    """Return the sections that begin a tube at x with a small bevel."""
     return [
         (x, 0.0, 0.0, RADIUS - 0.0015, RADIUS - 0.0015, 2.0),
         (x + 0.0020, 0.0, 0.0, RADIUS, RADIUS, 2.0),
@@ -58,7 +58,7 @@ def tube_start(x: float) -> list[tuple[float, ...]]:
 
 
 def bends(radius: float, out: float, length: float) -> Mesh:
-    """A link that bends about its own y: its half of the drum on +y, then a tube along x."""
+    """Return a link that bends about its own y: its half of the drum on +y, then a tube along x."""
     end = min(0.105, length - 0.012)
     return drum(radius, out, -SEAM) + sections(
         neck(out, radius, 0.030, end) + tube_end(length), AROUND
@@ -66,7 +66,7 @@ def bends(radius: float, out: float, length: float) -> Mesh:
 
 
 def turns(start: float, elbow: float, out: float) -> Mesh:
-    """A link that turns about its own x: a tube from `start`, then its half of the next joint's drum on -y."""
+    """Return a link that turns about its x: a tube from `start`, then half a drum on -y."""
     half = drum(RADIUS, out, 0.004).mirrored("y").at(elbow, 0, 0)
     length = min(0.105, elbow - start - 0.006)
     rows = [(elbow - x, -y, z, a, b, n) for x, y, z, a, b, n in neck(out, RADIUS, 0.030, length)]
@@ -74,7 +74,7 @@ def turns(start: float, elbow: float, out: float) -> Mesh:
 
 
 def shoulder_pan() -> Mesh:
-    """An upright tube that carries half of the shoulder's drum in front of it."""
+    """Return an upright tube that carries half of the shoulder's drum in front of it."""
     post = [(RADIUS - 0.0015, -0.048), (RADIUS, -0.046), (RADIUS, 0.030)]
     post += [(RADIUS * np.cos(a), 0.030 + 0.034 * np.sin(a)) for a in np.radians([22, 45, 67, 90])]
     half = drum(0.0605, 0.0745, 0.004).mirrored("y").at(0.117, 0, 0.06)
@@ -88,14 +88,14 @@ def shoulder_pan() -> Mesh:
 
 
 def wrist_roll() -> Mesh:
-    """A short ring between the wrist and the gripper."""
+    """Return a short ring between the wrist and the gripper."""
     rows = tube_start(-0.023)
     rings = ((0.006, RADIUS), (0.012, RADIUS - 0.002), (0.017, 0.046), (0.0195, 0.041))
     return sections(rows + [(x, 0.0, 0.0, r, r, 2.0) for x, r in rings], AROUND)
 
 
 def palm() -> Mesh:
-    """The gripper's body: round at the wrist, wide and flat at the fingers."""
+    """Return the gripper's body: round at the wrist, wide and flat at the fingers."""
     rows = [(-0.154, 0.0, 0.0, 0.039, 0.039, 2.0), (-0.138, 0.0, 0.0, 0.0395, 0.0395, 2.0)]
     for x in np.linspace(-0.130, -0.100, 5):
         s = smooth((x + 0.134) / 0.036)
@@ -105,20 +105,20 @@ def palm() -> Mesh:
 
 
 def rail() -> Mesh:
-    """What the fingers slide on."""
+    """Return the rail that the fingers slide on."""
     outline = rounded((-0.054, -0.0145), (0.054, 0.0145), [0.004], 2)
     return extrude(outline, [(0, -0.040), (0, -0.0325), (0.001, -0.0315)]).turned("zxy")
 
 
 def finger() -> Mesh:
-    """The right finger, on +y of the gripper; its flat face looks towards -y."""
+    """Return the right finger, on +y of the gripper; its flat face looks towards -y."""
     outline = rounded((-0.029, -0.0132), (0.031, 0.0132), [0.006, 0.002, 0.002, 0.006], 3)
     profile = [(0.0012, -0.0157), (0.0, -0.0145), (0.0, -0.0044), (0.0030, -0.0014)]
     return extrude(outline, profile).turned("xzy")
 
 
 def pen() -> dict:
-    """A pen that looks along its z; its nib ends at `pen_tip`, 95 mm out, which carries the last 2 mm."""
+    """Return a pen along z; its nib ends at `pen_tip`, 95 mm out, which carries the last 2 mm."""
     barrel = [
         (0.0, -0.031),
         (0.0030, -0.031),

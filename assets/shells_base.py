@@ -1,4 +1,4 @@
-"""The shells of the mobile base: body, wheels, stop button, laser. All in the links' own frames [m]."""
+"""The shells of the mobile base: body, wheels, stop button, laser, in the links' frames [m]."""
 
 import numpy as np
 from look import BLACK, BLUE, DARK, GREY, RED, smooth, table
@@ -44,7 +44,7 @@ BODY = table("""
 
 
 def level(height: float, scale: float, window: float = 0.0, wells: float = 0.0) -> Array:
-    """A level line of the base, an oval: `window` moves its front inwards, `wells` its sides [m]."""
+    """Return a level oval of the base; `window` moves its front inwards, `wells` its sides [m]."""
     c, s = np.cos(BEARINGS), np.sin(BEARINGS)
     radius = scale * ((c / 0.2866) ** 2 + (s / 0.2641) ** 2) ** -0.5
     radius = radius - window * np.array([smooth((x + 0.05) / 0.20) for x in c])
@@ -54,7 +54,7 @@ def level(height: float, scale: float, window: float = 0.0, wells: float = 0.0) 
 
 
 def base() -> dict:
-    """A dark skirt with wells for the wheels, a blue line, a grey body with a window for the laser around its front."""
+    """Return a dark skirt with wells for wheels, a blue line, a grey body with a window."""
     caster = lathe([(0, 0), (0.022, 0), (0.022, 0.03), (0, 0.03)], 8)
     casters = [caster.at(x, y, 0) for x in (-0.17, 0.17) for y in (-0.10, 0.10)]
     skirt = loft([level(height, scale, wells=wells) for height, scale, wells in SKIRT])
@@ -66,7 +66,7 @@ def base() -> dict:
 
 
 def wheel() -> Mesh:
-    """The left wheel: a bevelled tread, a hollow hub on its outer side."""
+    """Return the left wheel: a bevelled tread, a hollow hub on its outer side."""
     tread = [
         (0.0, -0.0447),
         (0.052, -0.0447),
@@ -80,7 +80,7 @@ def wheel() -> Mesh:
 
 
 def estop() -> dict:
-    """The red button on its block; it is pushed along +z."""
+    """Return the red button on its block; it is pushed along +z."""
     rim = [(0.0, -0.0145), (0.011, -0.0142), (0.0160, -0.0125), (0.0174, -0.0095)]
     stem = [(0.0174, -0.0055), (0.0150, -0.0035), (0.011, -0.0035), (0.011, 0.001), (0.0, 0.001)]
     block = rounded((-0.0174, -0.0239), (0.0214, 0.0174), [0.006], 3)
@@ -91,7 +91,7 @@ def estop() -> dict:
 
 
 def laser() -> Mesh:
-    """The scanner in the base's window, with a groove that it looks through."""
+    """Return the scanner in the base's window, with a groove that it looks through."""
     outline = rounded((-0.0473, -0.0189), (0.0281, 0.0189), [0.018, 0.004, 0.004, 0.018], 5)
     low = [(0.002, 0.0349), (0, 0.0369), (0, 0.046), (0.003, 0.048)]
     return extrude(outline, [*low, (0.003, 0.054), (0, 0.056), (0, 0.0597), (0.002, 0.0617)])

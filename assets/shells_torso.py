@@ -35,7 +35,7 @@ CHIN = table("""
 
 
 def trunk() -> Mesh:
-    """The white torso: a shell around the column, shoulders, an overhang below the neck, a chin for the arm."""
+    """Return the white torso: column, shoulders, an overhang below the neck, a chin for the arm."""
     rings = []
     for height, back, front, half, power in TRUNK:
         outline = superellipse((front - back) / 2, half, power, 40) + np.array(
@@ -46,7 +46,7 @@ def trunk() -> Mesh:
 
 
 def chin() -> Mesh:
-    """The shelf in front of the chest on which the shoulder turns."""
+    """Return the shelf in front of the chest on which the shoulder turns."""
     rings = []
     for height, front, half in CHIN:
         outline = rounded(
@@ -57,25 +57,25 @@ def chin() -> Mesh:
 
 
 def column() -> Mesh:
-    """The blue back that the trunk slides on."""
+    """Return the blue back that the trunk slides on."""
     outline = rounded((-0.1683, -0.1553), (-0.0321, 0.1553), [0.012, 0.055, 0.055, 0.012], 5)
     return extrude(outline, [(0.004, -0.0186), (0, -0.0146), (0, 0.4373), (0.006, 0.4433)])
 
 
 def bellows_outline() -> Array:
-    """The bellows from above, its folds at their widest."""
+    """Return the bellows from above, its folds at their widest."""
     return rounded((-0.0312, -0.1494), (0.0431, 0.1494), [0.024, 0.004, 0.004, 0.024], 3)
 
 
 def pleats(low: float, high: float, count: int, inset: float) -> Mesh:
-    """A folded sleeve around the lift: `count` folds between two heights."""
+    """Return a folded sleeve around the lift: `count` folds between two heights."""
     heights = np.linspace(low, high, 2 * count + 1)
     folds = [(inset + (0.0 if fold % 2 else 0.006), height) for fold, height in enumerate(heights)]
     return extrude(bellows_outline(), folds)
 
 
 def flanges() -> Mesh:
-    """The two frames that hold the ends of the bellows."""
+    """Return the two frames that hold the ends of the bellows."""
     low, high = (
         extrude(bellows_outline(), [(0, height), (0, height + 0.004)])
         for height in (-0.2983, 0.0242)
@@ -84,7 +84,7 @@ def flanges() -> Mesh:
 
 
 def head_pan() -> dict:
-    """A horseshoe around the back of the head, filled behind it, on a neck, with the pivots of the head."""
+    """Return a horseshoe around the back of the head, on a neck, with the pivots of the head."""
     flank, end, deep = (
         0.1262,
         0.1425,
@@ -114,13 +114,13 @@ def head_pan() -> dict:
 
 
 def upright(x: float, y: float, across: tuple[float, float] | Array, half: float) -> Array:
-    """A section of the horseshoe, 34 mm thick, at a place on its centre line."""
+    """Return a section of the horseshoe, 34 mm thick, at a place on its centre line."""
     oval = superellipse(0.0168, half, 3.2, 16)
     return np.column_stack([np.array([x, y]) + oval[:, :1] * np.array(across), oval[:, 1] + 0.058])
 
 
 def head_tilt() -> dict:
-    """A blue box with round edges, and the dark face of its camera."""
+    """Return a blue box with round edges, and the dark face of its camera."""
     rings = []
     for y, shrink in ((0.105, 0.016), (0.103, 0.009), (0.097, 0.003), (0.088, 0.0)):
         outline = superellipse(0.0545 - shrink, 0.055 - shrink, 3.4, 28)

@@ -1,4 +1,4 @@
-"""The paper's real recordings, where this machine has them: they may not be published, so they are not here."""
+"""The paper's real recordings, where this machine has them: they may not be published."""
 
 import os
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""The pinned environment agrees with pyproject.toml on every computer that we name, and may be given away."""
+"""The pins agree with pyproject.toml on every computer that we name, and may be given away."""
 
 import re
 import tomllib

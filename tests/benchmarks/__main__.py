@@ -1,7 +1,9 @@
-"""How fast primitive and robot are, beside others: `python -m tests.benchmarks [--turns 40] [--json figures.json]`.
+"""How fast primitive and robot are, beside others: `python -m tests.benchmarks [--turns 40] [--json
+figures.json]`.
 
-No test: what a computer does beside it decides too, so nothing here fails. It prints medians, ratios of medians with
-the quartiles of the ratios turn by turn, and the error of each path against the letter that was shown.
+No test: what a computer does beside it decides too, so nothing here fails. It prints medians,
+ratios of medians with the quartiles of the ratios turn by turn, and the error of each path against
+the letter that was shown.
 """
 
 import argparse
@@ -86,7 +88,7 @@ def _figures(times: Times, of_ours: Times, bound: float) -> dict[str, float]:
 
 
 def growth(turns: int) -> dict[str, Any]:
-    """Time and memory of a fit and a rollout as the letter becomes longer, and as its kernels become more."""
+    """Time and memory of a fit and a rollout as the letter and its kernels grow."""
     sizes = [n for n in (300, 1000, 3000, 10_000, MOST) if n <= MOST]
     numbers = [30, 100, 300, 1000, 3000]
     long = {n: letter(n, n / 120) for n in sizes}
@@ -142,9 +144,12 @@ def _writing(turns: int) -> tuple[list[dict[str, Any]], list[str]]:
 def printed(results: dict[str, Any]) -> str:
     """The results as plain tables."""
     lines = [
-        f"Python {platform.python_version()}, NumPy {np.__version__}, SciPy {scipy.__version__}, {platform.machine()}",
-        f"One letter, {SAMPLES} samples in 2-D, {KERNELS} kernels. Processor time. Ratios: how many times longer than",
-        "dmp_teach star, of the medians, and in brackets the quartiles of the ratios turn by turn; 'of' names what is",
+        f"Python {platform.python_version()}, NumPy {np.__version__}, "
+        f"SciPy {scipy.__version__}, {platform.machine()}",
+        f"One letter, {SAMPLES} samples in 2-D, {KERNELS} kernels. Processor time. "
+        "Ratios: how many times longer than",
+        "dmp_teach star, of the medians, and in brackets the quartiles of the ratios turn by "
+        "turn; 'of' names what is",
         "to be reached.",
         "",
         f"{'':38}{'error':>9}  {'fit and rollout':<43}only the goal changed",
@@ -167,13 +172,15 @@ def printed(results: dict[str, Any]) -> str:
         lines.append(f"{kernels:8}{1e3 * seconds:9.3f} ms")
     lines += [
         "",
-        f"Growth: time with n^{grown['exponent_by_samples']:.2f} from n = {grown['samples'][1]} on, with "
+        f"Growth: time with n^{grown['exponent_by_samples']:.2f} from n = {grown['samples'][1]} "
+        "on, with "
         f"N^{grown['exponent_by_kernels']:.2f}; memory with n^{grown['exponent_of_memory']:.2f}.",
     ]
     lines += ["", "A D from motion capture, beside the time that its writer took"]
     for row in results["real_time"]:
         lines.append(
-            f"{row['name']:35}{1e3 * row['seconds']:10.3f} ms{row['times_real_time']:10.1f} times faster"
+            f"{row['name']:35}{1e3 * row['seconds']:10.3f} ms"
+            f"{row['times_real_time']:10.1f} times faster"
         )
     return "\n".join(
         lines + classroom_lines(results["classroom"]) + writing_lines(results["writing"])

@@ -1,7 +1,9 @@
-"""How fast a class is read, cut into strokes, learned and scored, and whether a letter takes longer in a larger class.
+"""How fast a class is read, cut into strokes, learned and scored, and whether a letter takes longer
+in a larger class.
 
-Every pupil writes all letters of one of our alphabets, deformed by lot: lean, width, size, pace and a smooth bending of
-the page. The letters are files of ours in a folder, as a pad saves them; their strokes are found from the height.
+Every pupil writes all letters of one of our alphabets, deformed by lot: lean, width, size, pace and
+a smooth bending of the page. The letters are files of ours in a folder, as a pad saves them; their
+strokes are found from the height.
 """
 
 import string
@@ -25,7 +27,7 @@ ALPHABET = "round"
 
 
 def classroom(pupils: Sequence[int] = PUPILS, characters: str = CHARACTERS) -> dict[str, Any]:
-    """Seconds of every step by the number of pupils, how a letter's time grows with the class, and memory."""
+    """Seconds of every step by the number of pupils, their growth a letter, and memory."""
     models = {
         character: teach.recording_of(character, ALPHABET).strokes() for character in characters
     }
@@ -89,9 +91,11 @@ def taken(
 def _quickest(
     files: list[list[Path]], models: dict[str, Any], pupils: Sequence[int]
 ) -> dict[int, dict[str, float]]:
-    """The shorter of two tries of every step for each size of class: up through the sizes, then down.
+    """The shorter of two tries of every step for each size of class: up through the sizes, then
+    down.
 
-    What else the computer does in the meantime slows all of them alike, not the larger classes only.
+    What else the computer does in the meantime slows all of them alike, not the larger classes
+    only.
     """
     tries: dict[int, list[dict[str, float]]] = {}
     for count in [*pupils, *reversed(pupils)]:
@@ -135,8 +139,8 @@ def lines(found: dict[str, Any]) -> list[str]:
         rows.append(f"{count:8}{cells}{1e3 * found['seconds_a_letter'][k]:11.2f} ms")
     rows += [
         "",
-        f"Time for a letter grows with pupils^{found['exponent_of_a_letter']:.2f}. What is kept of a pupil: "
-        f"{found['bytes_of_a_pupil'] / 1e6:.1f} MB.",
+        f"Time for a letter grows with pupils^{found['exponent_of_a_letter']:.2f}. "
+        f"What is kept of a pupil: {found['bytes_of_a_pupil'] / 1e6:.1f} MB.",
     ]
     style = [
         f"{1e3 * seconds:.0f} ms for {count} pupils"

@@ -1,8 +1,9 @@
 """Who is measured: our presets, and two other libraries where they are installed.
 
-Each contender learns the same letter from its arrays and draws it, with as many kernels as ours. Other libraries are
-measured at their defaults, apart from what the task itself sets (the number of kernels, the duration and the time
-between samples), and at the settings of theirs that we found to be fastest and most accurate.
+Each contender learns the same letter from its arrays and draws it, with as many kernels as ours.
+Other libraries are measured at their defaults, apart from what the task itself sets (the number of
+kernels, the duration and the time between samples), and at the settings of theirs that we found to
+be fastest and most accurate.
 """
 
 import warnings
@@ -17,8 +18,8 @@ from dmp_teach.dmp.settings import Settings
 from dmp_teach.trajectory import Array, Trajectory
 
 HOW_TO_INSTALL = (
-    "Not installed: {names}. To compare with them, in an environment of their own (pydmps is GPL, and nothing of ours "
-    'may depend on it): pip install -e ".[benchmark]"'
+    "Not installed: {names}. To compare with them, in an environment of their own (pydmps is GPL, "
+    'and nothing of ours may depend on it): pip install -e ".[benchmark]"'
 )
 
 
@@ -30,7 +31,7 @@ class Contender:
         name: As it is printed.
         learn: From a letter to whatever `draw` takes, with nothing kept from one time to the next.
         draw: The path (T, D) to a goal (D,), or to the demonstrated one for None.
-        bound: The least ratio that our default has to reach, fit and rollout; 0 where it is only reported.
+        bound: The least ratio of our default, fit and rollout; 0 where it is only reported.
         bound_for_goal: The same, with only the goal changed.
     """
 
@@ -42,7 +43,7 @@ class Contender:
 
 
 def ours(kernels: int) -> list[Contender]:
-    """Our presets; the first is the default, `star`, and the second the same with all checks of its input, too."""
+    """Our presets; first the default, `star`, then the same with all checks of its input."""
 
     def contender(name: str, learn: Callable[[Trajectory], Any]) -> Contender:
         return Contender(

@@ -31,11 +31,12 @@ class Times:
 def in_turns(
     tasks: dict[str, Callable[[], Any]], turns: int, turn: float = 0.02
 ) -> dict[str, Times]:
-    """Measure several things fairly: each turn every task runs for about `turn` [s], one task after the other.
+    """Measure several things fairly: each turn every task runs for about `turn` [s], one task after
+    the other.
 
-    A short task is repeated within its turn, so that neither the clock nor the caches, which the task before it
-    filled, decide. Processor time is measured, not the clock on the wall: what else the computer does is no part of it,
-    and slows all of them alike where it fills the caches.
+    A short task is repeated within its turn, so that neither the clock nor the caches, which the
+    task before it filled, decide. Processor time is measured, not the clock on the wall: what else
+    the computer does is no part of it, and slows all of them alike where it fills the caches.
     """
     repeats = {}
     for name, task in tasks.items():
@@ -70,7 +71,7 @@ def peak_memory(task: Callable[[], Any]) -> int:
 
 
 def rms(path: Array, shown: Array) -> float:
-    """Root mean square distance of two paths, sample by sample [mm]; one may have a sample more than the other."""
+    """Root mean square distance of two paths [mm]; one may have a sample more than the other."""
     if abs(len(path) - len(shown)) > 1:
         return float("nan")
     both = min(len(path), len(shown))

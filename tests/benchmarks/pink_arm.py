@@ -1,8 +1,10 @@
-"""The same letter by pink, another inverse-kinematics library on pinocchio: measured, and imported nowhere else.
+"""The same letter by pink, another inverse-kinematics library on pinocchio: measured, and imported
+nowhere else.
 
-Its fairest and fastest settings that we found: a model of the seven joints that move, which is smaller than ours (the
-others are locked where ours are masked); its own frame task, with no cost on the pen's turning about itself; its own
-posture task and joint limits, and none on speeds, as ours; DAQP; one solution and one update a sample.
+Its fairest and fastest settings that we found: a model of the seven joints that move, which is
+smaller than ours (the others are locked where ours are masked); its own frame task, with no cost on
+the pen's turning about itself; its own posture task and joint limits, and none on speeds, as ours;
+DAQP; one solution and one update a sample.
 """
 
 from xml.etree import ElementTree as ET
@@ -21,7 +23,7 @@ from dmp_teach.robot.pen_path import RATE
 from dmp_teach.trajectory import Array
 
 POSITION, AXIS, POSTURE, DAMPING = 1.0, 0.3, 1e-3, 1e-6
-"""Costs of 1 m, of 1 rad of the pen's axis and of a posture, and the damping: what gave the least error."""
+"""Costs of 1 m, 1 rad of the pen's axis and a posture, and the damping, of the least error."""
 
 
 class PinkArm:

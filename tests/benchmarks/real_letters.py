@@ -2,10 +2,11 @@
 
     python -m tests.benchmarks.real_letters FOLDER [--provider aga]
 
-FOLDER is the UNIPEN collection train_r01_v07 (Guyon, Schomaker, Plamondon, Liberman, Janet 1994, UNIPEN project of
-on-line data exchange and recognizer benchmarks; https://doi.org/10.5281/zenodo.1195803), with its folders `data` and
-`include`. It is not ours to give on. A provider's files hold one writer each, who wrote every letter several times;
-writers are numbered, for some files are called by their names.
+FOLDER is the UNIPEN collection train_r01_v07 (Guyon, Schomaker, Plamondon, Liberman, Janet 1994,
+UNIPEN project of on-line data exchange and recognizer benchmarks;
+https://doi.org/10.5281/zenodo.1195803), with its folders `data` and `include`. It is not ours to
+give on. A provider's files hold one writer each, who wrote every letter several times; writers are
+numbered, for some files are called by their names.
 """
 
 import argparse
@@ -44,7 +45,7 @@ def letters(folder: Path, provider: str) -> list[Written]:
 
 
 def components(file: Path) -> list[Trajectory | None]:
-    """What was drawn between pen down and pen up, in order [m], each from 0 s on; None for a single point."""
+    """Strokes between pen down and pen up [m], each from 0 s on; None for a single point."""
     points: list[list[list[float]]] = []
     scale, rate, down = np.array([1000.0, 1000.0]), 100.0, False
     for line in file.read_text(encoding="utf-8", errors="replace").splitlines():

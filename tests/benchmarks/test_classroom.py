@@ -1,4 +1,4 @@
-"""The benchmark of a class measures what it says: every letter of every pupil, and none is anybody else's."""
+"""The benchmark of a class measures every letter of every pupil, and no other."""
 
 import json
 

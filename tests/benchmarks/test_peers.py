@@ -1,4 +1,4 @@
-"""The libraries that we are measured beside stay out of everything else, and the measuring itself is right."""
+"""The libraries that we are measured beside stay out of all else, and the measuring is right."""
 
 import re
 import tomllib

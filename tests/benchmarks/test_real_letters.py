@@ -1,4 +1,4 @@
-"""Letters of a UNIPEN folder are read as its files say, and the studies ask of them; the folder here is our own."""
+"""Letters of a UNIPEN folder are read and studied as its files say; this folder is our own."""
 
 import numpy as np
 import pytest
@@ -9,7 +9,7 @@ from tests.studies.pupils import Pupil
 
 @pytest.fixture
 def folder(tmp_path):
-    """Three writers, each with two takes of D and P, in the units and the manner of the collection."""
+    """Three writers, each with two takes of D and P, as the collection has them."""
     for kind, where in (("1b", "data/1b/aga"), ("", "include/aga/data")):
         (tmp_path / where).mkdir(parents=True)
         for seed in range(3):
@@ -21,9 +21,8 @@ def folder(tmp_path):
             )
             text += [".POINTS_PER_SECOND 200", ".PEN_DOWN", "7 7", ".PEN_UP"]
             for letter in drawn:
-                labels.append(
-                    f'.SEGMENT CHARACTER {count}-{count + len(letter.strokes) - 1} ? "{letter.character}"'
-                )
+                last = count + len(letter.strokes) - 1
+                labels.append(f'.SEGMENT CHARACTER {count}-{last} ? "{letter.character}"')
                 for stroke in letter.strokes:
                     points = np.rint(stroke.position / 0.0254 * [500, 1000]).astype(int)
                     text += [".PEN_DOWN", *(f" {x} {y}" for x, y in points), ".PEN_UP"]

@@ -1,8 +1,10 @@
-"""How fast the robot's writing is planned, simulated and shown: multiples of real time, beside pink.
+"""How fast the robot's writing is planned, simulated and shown: multiples of real time, beside
+pink.
 
-All tasks take turns on the same letters. Planning is everything that `Fetch().write` does: on a new page, where the arm
-must first find how to stand, and on a page on which it has written before. The joints alone are what pink does, too: it
-gets our pen's path, our start posture and a robot with only the seven joints that write.
+All tasks take turns on the same letters. Planning is everything that `Fetch().write` does: on a new
+page, where the arm must first find how to stand, and on a page on which it has written before. The
+joints alone are what pink does, too: it gets our pen's path, our start posture and a robot with
+only the seven joints that write.
 """
 
 from collections.abc import Callable
@@ -97,7 +99,7 @@ def tip_error(motion: Motion, q: Array) -> float:
 
 
 def _row(name: str, figures: Array, errors: list[float] | None) -> dict[str, Any]:
-    """Median and quartiles over letters and turns, the worst letter's error, and what is to be reached."""
+    """Median and quartiles over letters and turns, the worst error, and the aims."""
     low, median, high = np.percentile(figures, [25, 50, 75])
     row = {"name": name, "median": median, "lower_quartile": low, "upper_quartile": high}
     return row | {"tip_error_mm": max(errors) if errors else None, "bound": AT_LEAST.get(name)}
@@ -109,7 +111,8 @@ def lines(rows: list[dict[str, Any]]) -> list[str]:
         return []
     found = [
         "",
-        "Writing with the robot, multiples of real time at 240 Hz, and the tip's error (rms, the worst letter)",
+        "Writing with the robot, multiples of real time at 240 Hz, "
+        "and the tip's error (rms, the worst letter)",
     ]
     for row in rows:
         spread = "{median:9.2f} [{lower_quartile:.2f}, {upper_quartile:.2f}]".format_map(row)

@@ -1,13 +1,14 @@
 """A real JupyterLab in a real Chromium, for tests that look at what a child sees.
 
     def test_something(open_notebook, ask, shot):
-        page = open_notebook("00_start_here.ipynb")      # every cell has been run, the kernel is idle
+        page = open_notebook("00_start_here.ipynb")  # every cell has been run, the kernel is idle
         page.get_by_role("slider", name="...").press("ArrowRight")
-        assert ask(page, "panel.width") == "1.5"          # what Python thinks: the repr of an expression
-        shot(page, "start")                               # a PNG, where DMP_TEACH_SHOTS names a folder
+        assert ask(page, "panel.width") == "1.5"  # what Python thinks: the repr of an expression
+        shot(page, "start")  # a PNG, where DMP_TEACH_SHOTS names a folder
 
-When the test ends, no page error, console error, failed request, request to another computer, cell error or broken
-widget may have been seen, unless the test has named its beginning: `page.expects.append("cell error: ZeroDiv")`.
+When the test ends, no page error, console error, failed request, request to another computer, cell
+error or broken widget may have been seen, unless the test has named its beginning:
+`page.expects.append("cell error: ZeroDiv")`.
 """
 
 import json
@@ -40,18 +41,21 @@ STATE = """() => {
     const panel = window.jupyterapp?.shell?.currentWidget;
     const kernel = panel?.sessionContext?.session?.kernel;
     if (!panel?.content?.model || !kernel) return null;
-    const cells = [...panel.content.model.cells].filter(c => c.type === 'code' && c.sharedModel.source.trim());
+    const isCode = c => c.type === 'code' && c.sharedModel.source.trim();
+    const cells = [...panel.content.model.cells].filter(isCode);
     const outputs = cells.flatMap(c => c.outputs.toJSON());
     return {
         status: kernel.status,
         todo: cells.filter(c => c.executionCount === null || c.executionState === 'running').length,
-        errors: outputs.filter(o => o.output_type === 'error').map(o => `cell error: ${o.ename}: ${o.evalue}`),
+        errors: outputs.filter(o => o.output_type === 'error')
+            .map(o => `cell error: ${o.ename}: ${o.evalue}`),
     };
 }"""
 
 ASK = """async (code) => {
     const kernel = window.jupyterapp.shell.currentWidget.sessionContext.session.kernel;
-    const reply = await kernel.requestExecute({code: '', silent: true, user_expressions: {it: code}}).done;
+    const request = {code: '', silent: true, user_expressions: {it: code}};
+    const reply = await kernel.requestExecute(request).done;
     const it = reply.content.user_expressions.it;
     return it.status === 'ok' ? it.data['text/plain'] : `${it.ename}: ${it.evalue}`;
 }"""
@@ -80,7 +84,7 @@ def chromium():
 
 @pytest.fixture(scope="session")
 def lab(tmp_path_factory):
-    """The launcher's own server on a copy of the notebooks: .url, .folder (of the copy), .process, .log()."""
+    """Our server on a copy of the notebooks: .url, .folder (of the copy), .process, .log()."""
     home = tmp_path_factory.mktemp("lab")
     folder = home / "notebooks"
     folder.mkdir()
@@ -175,7 +179,7 @@ def run_all(page):
 
 @pytest.fixture
 def open_notebook(chromium, lab, shot):
-    """Open a notebook of the copy in JupyterLab, run all its cells, return the page; watches it to the end."""
+    """Open a notebook of the copy in JupyterLab, run its cells, and watch it to the end."""
     pages = []
 
     def open_it(name, run=True, **context):
@@ -216,7 +220,8 @@ def open_notebook(chromium, lab, shot):
 
 @pytest.fixture
 def opened(chromium, file, request):
-    """Open the module's `file` in a browser without network; no trouble and no request may have been seen at the end.
+    """Open the module's `file` in a browser without network; no trouble and no request may have
+    been seen at the end.
 
     The module's VIEWPORT is the size of the window, unless a test gives another.
     """

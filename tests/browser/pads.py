@@ -77,7 +77,7 @@ def letter(character="a", stroke=0, step=6, size=1.0):
 
 
 def by_mouse(page, pixels, pause=0):
-    """Draw; with a pause [ms] after each point as slowly as a hand: what is learned depends on the pace."""
+    """Draw, with a pause [ms] after each point as slowly as a hand: the pace is learned, too."""
     page.mouse.move(*pixels[0])
     page.mouse.down()
     for place in pixels[1:]:

@@ -157,7 +157,8 @@ def test_every_control_has_a_name_and_is_reached_by_the_tab_key(panel):
         panel.keyboard.press("Tab")
         reached.append(
             panel.evaluate(
-                "document.activeElement.getAttribute('aria-label') ?? document.activeElement.innerText"
+                "document.activeElement.getAttribute('aria-label') "
+                "?? document.activeElement.innerText"
             )
         )
     assert any(GOAL_2 in name for name in reached)

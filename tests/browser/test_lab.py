@@ -1,4 +1,4 @@
-"""JupyterLab as our launcher starts it, seen by a browser: a small notebook with a slider and a counter."""
+"""JupyterLab as our launcher starts it, in a browser: a notebook with a slider and a counter."""
 
 import json
 

@@ -1,4 +1,4 @@
-"""What newcomers stumbled over: small screens, many presses, a kernel that was started anew, colours of their own."""
+"""What newcomers stumbled over: small screens, many presses, a new kernel, own colours."""
 
 import numpy as np
 import pytest
@@ -110,8 +110,9 @@ def test_stop_is_one_button_from_the_first_report_to_the_last(panel):
     page = panel()
     page.evaluate("""() => {
         const seen = new Set();
-        const look = () => document.querySelectorAll('.dt-work button').forEach((button) => seen.add(button));
-        new MutationObserver(look).observe(document.querySelector('.dt-work'), { childList: true, subtree: true });
+        const work = document.querySelector('.dt-work');
+        const look = () => work.querySelectorAll('button').forEach((button) => seen.add(button));
+        new MutationObserver(look).observe(work, { childList: true, subtree: true });
         window.buttonsSeen = seen;
     }""")
     page.get_by_role("button", name=WRITE).click()

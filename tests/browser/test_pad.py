@@ -1,4 +1,4 @@
-"""The writing pad as a child meets it: real pointer events in a real JupyterLab, by mouse, finger, pen and keys."""
+"""The writing pad in a real JupyterLab: by mouse, finger, pen and keys."""
 
 import ast
 import json
@@ -32,7 +32,8 @@ GROWING = """() => {
     const panel = document.querySelector('.dt-pad');
     const look = () => {
         const line = panel.querySelector('.dt-stage > div:last-child .dt-robot-line');
-        if ('dtShowing' in panel.dataset) window.seen.push([line.getTotalLength(), performance.now()]);
+        const now = [line.getTotalLength(), performance.now()];
+        if ('dtShowing' in panel.dataset) window.seen.push(now);
         requestAnimationFrame(look);
     };
     look();
@@ -197,7 +198,7 @@ def test_after_a_restart_a_press_leads_to_the_sentence_that_the_pad_does_not_ans
     shot(page, "pad_asleep")
 
 
-def test_finger_and_pen_write_and_a_palm_does_not_also_where_the_notebook_is_scrolled_zoomed_and_resized(
+def test_finger_and_pen_write_and_a_palm_does_not_also_scrolled_zoomed_and_resized(
     panel, ask, shot
 ):
     page = panel(viewport={"width": 820, "height": 900}, has_touch=True, device_scale_factor=1.5)
@@ -267,7 +268,8 @@ def test_keys_alone_suffice_and_people_who_ask_for_less_movement_get_stills(pane
     for _ in range(13):
         reached.append(
             page.evaluate(
-                "() => { const e = document.activeElement; return e.getAttribute('aria-label') ?? e.innerText; }"
+                "() => { const e = document.activeElement; "
+                "return e.getAttribute('aria-label') ?? e.innerText; }"
             )
         )
         page.keyboard.press("Tab")

@@ -1,4 +1,4 @@
-"""How the pad looks and sounds: on tablets and small laptops, between tries, and to a screen reader."""
+"""How the pad looks and sounds: on tablets, small laptops, and to a screen reader."""
 
 import numpy as np
 import pytest

@@ -10,11 +10,15 @@ from tests.views.moves import pressed, sway
 ROOT = ".dt-scene"
 VIEWPORT = {"width": 1000, "height": 1150}
 PLACES = """() => {
-    const middle = (node) => { const box = node.getBoundingClientRect(); return box.left + box.width / 2; };
+    const middle = (node) => {
+        const box = node.getBoundingClientRect();
+        return box.left + box.width / 2;
+    };
     const slider = document.querySelector('.dts-bar input');
     const box = slider.getBoundingClientRect();
     const part = slider.value / slider.max;
-    return { thumb: box.left + 14 + part * (box.width - 28), head: middle(document.querySelector('.dts-f-head')),
+    return { thumb: box.left + 14 + part * (box.width - 28),
+             head: middle(document.querySelector('.dts-f-head')),
              dot: middle(document.querySelector('.dts-f-dot')) };
 }"""
 

@@ -16,7 +16,8 @@ from ipywidgets import widget_serialization
 class Frame(anywidget.AnyWidget):
     _esm = '''
     async function render({ model, el, signal }) {
-      const child = await model.widget_manager.get_model(model.get("scene").slice("IPY_MODEL_".length));
+      const id = model.get("scene").slice("IPY_MODEL_".length);
+      const child = await model.widget_manager.get_model(id);
       const view = await model.widget_manager.create_view(child);
       el.append(view.el);
       return () => view.remove();
@@ -153,7 +154,8 @@ def test_the_pen_in_the_browser_is_where_the_motion_has_it_also_after_another_mo
         ask(page, f"shown.show({name}, play=False)")
         stage = Stage(motion)
         page.wait_for_function(
-            f"document.querySelector('.dts-bar output').textContent.endsWith('{stage.duration:.1f} s')"
+            "document.querySelector('.dts-bar output').textContent"
+            f".endsWith('{stage.duration:.1f} s')"
         )
         for time in (0.4, 1.1, 0.4) if motion else (0.0,):
             ask(page, f"setattr(shown, 'time', {time})")

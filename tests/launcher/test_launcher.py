@@ -1,4 +1,4 @@
-"""The two commands: an environment made once, a JupyterLab that leaves nothing behind, every test."""
+"""The two commands: an environment made once, a JupyterLab that ends whole, every test."""
 
 import ast
 import json
@@ -348,7 +348,8 @@ def test_nothing_is_skipped_in_continuous_integration(tmp_path, ci, summary):
         "def test_recordings(): pytest.skip('no recordings here: set DMP_TEACH_RECORDINGS')\n"
     )
     (tmp_path / "test_b.py").write_text("import pytest\npytest.importorskip('no_such_library')\n")
-    words = "-m pytest -q -p no:cacheprovider -p no:hypothesispytest -p no:nbval --continue-on-collection-errors"
+    words = "-m pytest -q -p no:cacheprovider -p no:hypothesispytest -p no:nbval "
+    words += "--continue-on-collection-errors"
     answer = subprocess.run(
         [sys.executable, *words.split(), str(tmp_path)],
         env={**os.environ, "CI": ci},

@@ -90,7 +90,7 @@ def test_a_letter_of_one_hand_is_nearest_to_the_same_letter_of_the_other():
 
 @pytest.mark.parametrize(("kind", "most"), [(str.islower, 3), (str.isupper, 8)])
 def test_letters_with_accents_are_read_across_hands_as_those_without(kind, most):
-    """Small letters, and capitals, the plain ones beside them: a U of the one hand and an O of the other look alike."""
+    """Small letters, then capitals; a U of one hand and an O of the other look alike."""
     every = [letter for letter in characters() if kind(letter)]
     one, other = ([strokes(letter, alphabet) for letter in every] for alphabet in alphabets())
     found = letter_distances(one, other)

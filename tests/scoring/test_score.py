@@ -357,7 +357,7 @@ def test_a_line_where_a_round_letter_should_be_is_another_shape_and_no_small_let
 
 
 def left_out(alphabet):
-    """Every letter and sign of several strokes with each of its strokes left out, as far as that leaves a score."""
+    """Every letter and sign of several strokes without each of its strokes that may go."""
     for character in [*characters(alphabet), *signs()]:
         model = strokes(character, alphabet)
         for number in range(len(model) if len(model) > 1 else 0):
