@@ -3,6 +3,7 @@ from .fetch import Fetch as Fetch
 from .model.kinematics import Joint as Joint
 from .model.kinematics import Model as Model
 from .model.solids import solids_of as solids_of
+from .model.urdf import Visual as Visual
 from .motion import Motion as Motion
 from .page import Page as Page
 from .reach.map import ReachMap as ReachMap

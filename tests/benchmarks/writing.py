@@ -17,7 +17,7 @@ from dmp_teach.robot.arm import solver_here
 from dmp_teach.robot.model.kinematics import Model
 from dmp_teach.robot.motion import Motion
 from dmp_teach.trajectory import Array
-from dmp_teach.views.scene.commands import run_commands
+from dmp_teach.views.scene.commands import record_stage
 from dmp_teach.views.scene.stage import Stage
 from tests.benchmarks.measure import in_turns
 
@@ -61,7 +61,7 @@ def _tasks(strokes: Any, pink: dict[str, Callable]) -> tuple[Motion, dict[str, C
 
     def shown() -> Any:
         stage = Stage(run.motion, run)
-        return run_commands(stage), stage.facts()
+        return record_stage(stage), stage.facts()
 
     def anew() -> Motion:
         solver.verdicts.clear()

@@ -4,8 +4,8 @@ import json
 
 import pytest
 
-from dmp_teach.views.scene.stage import Stage, robot_model
-from dmp_teach.views.scene.tracks import link_paths
+from dmp_teach.views.scene.stage import Stage, load_robot_model
+from dmp_teach.views.scene.tracks import find_link_paths
 from tests.views.moves import sway
 
 FRAME = """
@@ -145,7 +145,7 @@ def test_the_view_stands_inside_another_widget(show, ask, shot):
 
 def test_the_pen_in_the_browser_is_where_the_motion_has_it_also_after_another_motion(show, ask):
     page = show(*CELLS)
-    path = ["meshcat", *link_paths()["pen_tip"].split("/")]
+    path = ["meshcat", *find_link_paths()["pen_tip"].split("/")]
     for motion, name in (
         (sway(), "sway()"),
         (sway(seconds=1.2, size=0.1), "sway(seconds=1.2, size=0.1)"),
@@ -160,7 +160,9 @@ def test_the_pen_in_the_browser_is_where_the_motion_has_it_also_after_another_mo
         for time in (0.4, 1.1, 0.4) if motion else (0.0,):
             ask(page, f"setattr(shown, 'time', {time})")
             page.wait_for_selector(f"{ROOT}[data-dt-time='{time:.3f}']")
-            tip = robot_model().frame("pen_tip", stage.joints(time), stage.joint_names)[0, :3, 3]
+            tip = load_robot_model().frame("pen_tip", stage.joints(time), stage.joint_names)[
+                0, :3, 3
+            ]
             assert page.evaluate(TIP, path) == pytest.approx(tip.tolist(), abs=1e-4)
 
 

@@ -1,5 +1,7 @@
 """A motion that needs no PlaCo: the resting arm, swayed; two strokes with a lift between them."""
 
+import gzip
+import struct
 from dataclasses import replace
 
 import numpy as np
@@ -10,17 +12,17 @@ from dmp_teach.robot.page import Page
 from dmp_teach.robot.simulation.run import Run
 from dmp_teach.robot.simulation.world import PENS, SLIDE
 from dmp_teach.trajectory import Trajectory
-from dmp_teach.views.scene.stage import REST
+from dmp_teach.views.scene.stage import WAITING_JOINTS
 
 
 def sway(seconds=2.4, rate=240, size=0.06, page=None):
     """Every joint on a sine of its own; the pen is down for two thirds of the time."""
     count = round(seconds * rate) + 1
     t = np.arange(count) / rate
-    rest = np.array(list(REST.values())) - (0.1, 0, 0, 0, 0, 0, 0, 0)
+    rest = np.array(list(WAITING_JOINTS.values())) - (0.1, 0, 0, 0, 0, 0, 0, 0)
     speeds = 2 * np.pi * np.linspace(0.4, 1.1, len(rest))
     q = rest + size * np.sin(np.outer(t, speeds)) * (0.2, 1, 1, 1, 1, 1, 1, 1)
-    tip = Model.load().frame("pen_tip", q, tuple(REST))[:, :3, 3]
+    tip = Model.load().frame("pen_tip", q, tuple(WAITING_JOINTS))[:, :3, 3]
     if page is None:
         middle = (tip.min(axis=0) + tip.max(axis=0)) / 2
         page = Page.table(*middle, width=0.4, height=0.4)
@@ -32,7 +34,7 @@ def sway(seconds=2.4, rate=240, size=0.06, page=None):
     return Motion(
         t,
         q,
-        tuple(REST),
+        tuple(WAITING_JOINTS),
         tip,
         tip,
         down,
@@ -58,3 +60,13 @@ def pressed(motion):
     effort = np.zeros_like(motion.q)
     limits = np.ones(motion.q.shape[1])
     return Run(happened, motion, ink, nib, force, contact, effort, limits)
+
+
+def unpack_commands(data):
+    """The commands that the browser takes out of a compressed piece."""
+    plain, start, commands = gzip.decompress(data), 0, []
+    while start < len(plain):
+        (length,) = struct.unpack_from("<I", plain, start)
+        commands.append(plain[start + 4 : start + 4 + length])
+        start += 4 + length
+    return tuple(commands)

@@ -7,9 +7,9 @@ from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation, Slerp
 
 from dmp_teach.robot.model.kinematics import Model
-from dmp_teach.views.scene.keyframes import key_rows
-from dmp_teach.views.scene.stage import Stage, robot_model
-from dmp_teach.views.scene.tracks import joint_track
+from dmp_teach.views.scene.keyframes import find_key_rows
+from dmp_teach.views.scene.stage import Stage, load_robot_model
+from dmp_teach.views.scene.tracks import build_joint_track
 from tests.views.moves import sway
 
 
@@ -18,7 +18,7 @@ def played(stage, t):
     model, poses = Model.load(), {}
     times, q = stage.keys
     tracks = {
-        n: joint_track(model.joint(n), times, c)
+        n: build_joint_track(model.joint(n), times, c)
         for n, c in zip(stage.joint_names, q.T, strict=True)
     }
     poses[model.root] = np.broadcast_to(np.eye(4), (len(t), 4, 4))
@@ -39,7 +39,7 @@ def played(stage, t):
 
 def test_at_a_key_every_link_is_where_the_model_says_to_a_twentieth_of_a_millimetre(motion):
     stage = Stage(motion)
-    rows = key_rows(robot_model(), motion)
+    rows = find_key_rows(load_robot_model(), motion)
     truth = Model.load().link_poses(motion.q[rows], motion.joint_names)
     shown = played(stage, motion.t[rows])
     for name, X in truth.items():
@@ -59,7 +59,7 @@ def test_between_keys_no_link_leaves_the_motion_by_a_fifth_of_a_millimetre(size,
 
 def test_a_slow_arm_needs_no_more_than_fifteen_keys_a_second():
     motion = sway(seconds=3.0, size=0.002)
-    rows = key_rows(robot_model(), motion)
+    rows = find_key_rows(load_robot_model(), motion)
     assert len(rows) == pytest.approx(45, abs=2)
     assert (rows[0], rows[-1]) == (0, len(motion.t) - 1)
     assert (np.diff(rows) > 0).all()

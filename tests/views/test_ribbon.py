@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 
 from dmp_teach.trajectory import Trajectory
-from dmp_teach.views.scene.ribbon import MOST_DOTS, inked, ribbon
+from dmp_teach.views.scene.ribbon import MAX_DOTS, build_ribbon, find_inked_strokes
 from tests.views.moves import sway
 
 WIDTH = 0.002
@@ -28,13 +28,13 @@ def area(line):
 @settings(deadline=None)
 @given(position=points)
 def test_every_dot_lies_on_the_pens_path_and_no_piece_of_it_is_left_out(position):
-    line = ribbon([stroke(position)], WIDTH, 0.001)
+    line = build_ribbon([stroke(position)], WIDTH, 0.001)
     expected = np.column_stack(
         [np.interp(line.t, 0.1 * np.arange(len(position)), c) for c in position.T]
     )
     # a corner between two dots is cut by less than their distance
     way = np.linalg.norm(np.diff(position, axis=0), axis=1).sum()
-    spacing = max(0.0007, way / MOST_DOTS)
+    spacing = max(0.0007, way / MAX_DOTS)
     assert np.abs(line.dots - expected).max() <= spacing
     assert np.linalg.norm(line.dots[[0, -1]] - position[[0, -1]], axis=1).max() <= 1e-6 + (way == 0)
     assert np.linalg.norm(np.diff(line.dots, axis=0), axis=1).max(initial=0) <= 1.001 * spacing
@@ -43,7 +43,7 @@ def test_every_dot_lies_on_the_pens_path_and_no_piece_of_it_is_left_out(position
 @settings(deadline=None)
 @given(position=points)
 def test_the_ink_stays_within_half_a_width_of_the_line_and_covers_all_of_it(position):
-    line = ribbon([stroke(position)], WIDTH, 0.001)
+    line = build_ribbon([stroke(position)], WIDTH, 0.001)
     some = line.vertices[:: len(line.vertices) // 400 + 1]
     far = np.linalg.norm(some[:, None, :2] - line.dots, axis=2).min(axis=1)
     assert far.max() <= WIDTH / 2 + 1e-9
@@ -60,7 +60,7 @@ def test_the_ink_at_a_time_is_what_was_written_before_it(time):
         stroke(np.array([[0, 0], [0.02, 0.01], [0.03, 0]])),
         stroke(np.array([[0.01, 0], [0.0, 0.02]]), start=1),
     ]
-    line = ribbon(strokes, WIDTH, 0.001)
+    line = build_ribbon(strokes, WIDTH, 0.001)
     written = line.t <= time + 1e-9
     drawn = line.faces[: line.triangles(time)]
     near = line.vertices[np.unique(drawn)][:, None, :2] - line.dots[written]
@@ -70,7 +70,7 @@ def test_the_ink_at_a_time_is_what_was_written_before_it(time):
 
 
 def test_nothing_joins_two_strokes():
-    line = ribbon(
+    line = build_ribbon(
         [stroke(np.array([[0, 0], [0.01, 0]])), stroke(np.array([[0.1, 0], [0.11, 0]]), 1)],
         WIDTH,
         0.001,
@@ -80,24 +80,24 @@ def test_nothing_joins_two_strokes():
 
 
 def test_a_dot_of_an_i_is_one_dot():
-    line = ribbon([stroke(np.zeros((3, 2)))], WIDTH, 0.001)
+    line = build_ribbon([stroke(np.zeros((3, 2)))], WIDTH, 0.001)
     assert len(line.dots) == 1
     assert area(line).sum() == pytest.approx(np.pi * (WIDTH / 2) ** 2, rel=0.11)
 
 
 def test_no_stroke_is_no_ink():
-    line = ribbon([], WIDTH, 0.001)
+    line = build_ribbon([], WIDTH, 0.001)
     assert (len(line.t), len(line.faces), line.triangles(9.0)) == (0, 0, 0)
 
 
 def test_a_long_text_does_not_make_a_large_mesh():
     long = [stroke(np.array([[0, 0], [10.0, 0]]))]
-    assert len(ribbon(long, WIDTH, 0.001).dots) <= 3002
+    assert len(build_ribbon(long, WIDTH, 0.001).dots) <= 3002
 
 
 def test_the_pen_writes_only_while_it_is_down():
     motion = sway()
-    strokes = inked(motion)
+    strokes = find_inked_strokes(motion)
     assert len(strokes) == 2
     assert sum(map(len, strokes)) == motion.pen_down.sum()
     for stroke_ in strokes:

@@ -15,13 +15,12 @@ from dmp_teach.errors import ViewError
 from dmp_teach.robot.simulation.findings import BAND
 from dmp_teach.robot.simulation.run import Run
 from dmp_teach.robot.simulation.world import SLIDE
-from dmp_teach.views.scene import pressing
-from dmp_teach.views.scene.commands import run_commands
-from dmp_teach.views.scene.packing import unbundle
-from dmp_teach.views.scene.picture import INK_COLOR
+from dmp_teach.views.scene import pen_force
+from dmp_teach.views.scene.commands import record_stage
+from dmp_teach.views.scene.picture import INK_RGBA
 from dmp_teach.views.scene.stage import Stage
 from dmp_teach.views.scene.view import SceneView, view
-from tests.views.moves import pressed, sway
+from tests.views.moves import pressed, sway, unpack_commands
 
 
 @pytest.fixture(scope="module")
@@ -35,7 +34,7 @@ def stage(run):
 
 
 def commands(stage):
-    return [umsgpack.unpackb(command) for command in run_commands(stage)]
+    return [umsgpack.unpackb(command) for command in record_stage(stage)]
 
 
 def sent(stage, path):
@@ -49,8 +48,8 @@ forces = hnp.arrays(float, st.integers(1, 3000), elements=st.floats(0, 50))
 
 @given(forces)
 def test_the_curve_keeps_the_greatest_and_the_least_force_and_both_ends(force):
-    rows = pressing.curve(force)
-    assert len(rows) <= pressing.MOST_POINTS + 2
+    rows = pen_force.select_curve_rows(force)
+    assert len(rows) <= pen_force.MAX_CURVE_ROWS + 2
     assert (np.diff(rows) > 0).all()
     assert (rows[0], rows[-1]) == (0, len(force) - 1)
     assert force[rows].max() == force.max()
@@ -60,8 +59,8 @@ def test_the_curve_keeps_the_greatest_and_the_least_force_and_both_ends(force):
 @given(st.floats(0, 100), st.floats(0, 100))
 def test_who_presses_harder_writes_wider_and_darker(one, other):
     low, high = sorted((one, other))
-    assert pressing.width(np.array([low])) <= pressing.width(np.array([high]))
-    assert pressing.shade(np.array([low])) <= pressing.shade(np.array([high]))
+    assert pen_force.find_ink_width(np.array([low])) <= pen_force.find_ink_width(np.array([high]))
+    assert pen_force.find_shade(np.array([low])) <= pen_force.find_shade(np.array([high]))
 
 
 def luminance(color):
@@ -70,13 +69,18 @@ def luminance(color):
 
 
 def test_the_shades_are_told_apart_without_seeing_colours():
-    light = [luminance(pressing.rgb(number)) + 0.05 for number in range(len(pressing.SHADES))]
+    light = [
+        luminance(pen_force.shade_rgb(number)) + 0.05
+        for number in range(len(pen_force.FORCE_SHADES))
+    ]
     steps = np.array(light[:-1]) / light[1:]
     assert steps.min() > 1.2
     assert light[0] / light[-1] > 5
-    assert (pressing.shade(np.array(BAND)) == (1, len(pressing.SHADES) - 1)).all()
+    assert (pen_force.find_shade(np.array(BAND)) == (1, len(pen_force.FORCE_SHADES) - 1)).all()
     np.testing.assert_allclose(
-        pressing.rgb(int(pressing.shade(np.array([0.53]))[0])), INK_COLOR[:3], atol=0.003
+        pen_force.shade_rgb(int(pen_force.find_shade(np.array([0.53]))[0])),
+        INK_RGBA[:3],
+        atol=0.003,
     )
 
 
@@ -86,7 +90,9 @@ def test_every_corner_of_the_ink_has_the_shade_of_its_force(run, stage):
     assert len(colors) == len(stage.ink.vertices)
     t = stage.ink.t[stage.ink.owners]
     force = np.interp(t, run.t[run.contact], run.force[run.contact])
-    expected = [[round(255 * part) for part in pressing.rgb(n)] for n in pressing.shade(force)]
+    expected = [
+        [round(255 * part) for part in pen_force.shade_rgb(n)] for n in pen_force.find_shade(force)
+    ]
     assert (colors == expected).all()
     assert len(np.unique(colors, axis=0)) > 3
 
@@ -118,20 +124,25 @@ def test_the_drawn_pen_touches_the_paper_where_the_ink_is(run, stage):
 def test_the_browser_is_told_the_force_on_the_motions_own_clock(run, stage):
     force = stage.facts()["force"]
     curve = np.array(force["curve"])
-    rows = pressing.curve(run.force)
+    rows = pen_force.select_curve_rows(run.force)
     np.testing.assert_allclose(curve[:, 0], run.t[rows], atol=6e-4)
     np.testing.assert_allclose(curve[:, 1], run.force[rows], atol=6e-4)
     np.testing.assert_allclose(curve[:, 2:], 1000 * run.nib[rows, :2], atol=0.06)
     assert len(force["down"]) == len(run.planned.strokes)
     assert force["findings"] == list(run.findings)
-    assert all(0 <= dot[4] < len(pressing.SHADES) for dot in stage.facts()["ink"])
+    assert all(0 <= dot[4] < len(pen_force.FORCE_SHADES) for dot in stage.facts()["ink"])
 
 
 def test_a_sentence_says_how_near_the_ink_is(run):
-    assert pressing.verdict(run) == "The ink is less than 0.1 mm off the plan."
+    assert pen_force.describe_ink_error(run) == "The ink is less than 0.1 mm off the plan."
     beside = replace(run, nib=run.nib + np.array([0.0, 0.0004, 0.0]))
-    assert re.fullmatch(r"The ink is 0\.[1-4] mm off the plan\.", pressing.verdict(beside))
-    assert pressing.verdict(replace(run, contact=np.zeros_like(run.contact))) == "There is no ink."
+    assert re.fullmatch(
+        r"The ink is 0\.[1-4] mm off the plan\.", pen_force.describe_ink_error(beside)
+    )
+    assert (
+        pen_force.describe_ink_error(replace(run, contact=np.zeros_like(run.contact)))
+        == "There is no ink."
+    )
 
 
 def test_a_run_without_ink_is_shown_too(run, tmp_path):
@@ -187,7 +198,7 @@ def test_the_run_of_the_tests_is_one(run):
 def test_a_run_is_shown_as_planned_too(run, tmp_path):
     shown = view(run)
     assert shown.planned_facts == Stage(run.planned).facts()
-    assert unbundle(shown.planned_run) == run_commands(Stage(run.planned))
+    assert unpack_commands(shown.planned_run) == record_stage(Stage(run.planned))
     shown.seen = "as planned"
     planned, alone = (
         v.png(tmp_path / "a.png", width=300, height=200).read_bytes()

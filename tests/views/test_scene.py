@@ -13,11 +13,11 @@ import zmq
 from dmp_teach.errors import PathError, SettingError, ViewError, kind_of
 from dmp_teach.robot.model.kinematics import Model
 from dmp_teach.robot.page import Page
-from dmp_teach.views.scene.commands import robot_commands, run_commands
-from dmp_teach.views.scene.packing import PackedMesh, unbundle
+from dmp_teach.views.scene.commands import record_robot, record_stage
+from dmp_teach.views.scene.packing import PackedMesh
 from dmp_teach.views.scene.stage import Stage
 from dmp_teach.views.scene.view import SceneView, view
-from tests.views.moves import sway
+from tests.views.moves import sway, unpack_commands
 
 
 def commands(packed):
@@ -30,7 +30,7 @@ def typed(packed, dtype):
 
 @pytest.fixture(scope="module")
 def run(motion):
-    return commands(run_commands(Stage(motion)))
+    return commands(record_stage(Stage(motion)))
 
 
 def test_no_socket_is_opened(monkeypatch, tmp_path):
@@ -40,12 +40,12 @@ def test_no_socket_is_opened(monkeypatch, tmp_path):
     for name in ("bind", "listen", "connect"):
         monkeypatch.setattr(socket.socket, name, refuse)
     monkeypatch.setattr(zmq.Context, "socket", refuse)
-    robot_commands()
+    record_robot()
     view(sway(seconds=0.5)).html(tmp_path / "a.html")
 
 
 def test_every_piece_of_the_shell_hangs_on_its_link():
-    sent = commands(robot_commands())
+    sent = commands(record_robot())
     pieces = [
         command
         for command in sent
@@ -101,15 +101,15 @@ def test_the_ink_lies_where_the_tip_was_while_the_pen_was_down(run, motion):
 
 def test_nothing_of_the_machine_is_in_the_commands(run):
     machine = uuid.getnode().to_bytes(6, "big").hex().encode()
-    for packed in (*robot_commands(), *run_commands(Stage(sway(seconds=0.5)))):
+    for packed in (*record_robot(), *record_stage(Stage(sway(seconds=0.5)))):
         assert machine not in packed
         assert not re.search(rb"[0-9a-f]{8}-[0-9a-f]{4}-", packed)
-    assert run_commands(Stage(sway(seconds=0.5))) == run_commands(Stage(sway(seconds=0.5)))
+    assert record_stage(Stage(sway(seconds=0.5))) == record_stage(Stage(sway(seconds=0.5)))
 
 
 def test_without_a_motion_the_robot_stands_at_an_empty_page():
     shown = SceneView()
-    sent = commands(unbundle(shown.run))
+    sent = commands(unpack_commands(shown.run))
     assert sent[-1]["animations"] == []
     assert any(command["path"] == "/meshcat/around/page" for command in sent)
     assert (shown.motion, shown.playing, shown.facts["duration"]) == (None, False, 0)

@@ -5,13 +5,21 @@ from __future__ import annotations
 import gzip
 import struct
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 import umsgpack
+from numpy.typing import NDArray
 
 from dmp_teach.trajectory import Array
 
-_CODES = {
+# Any: whole numbers of any size.
+Faces = NDArray[Any]
+
+INK_RESOLUTION = 2e-5
+"""Ink need not be finer than this [m]: rounder numbers make smaller files."""
+
+_TYPED_ARRAY_CODES = {
     "int8": 0x11,
     "uint8": 0x12,
     "uint16": 0x14,
@@ -21,28 +29,39 @@ _CODES = {
 }
 """The numbers by which the viewer's msgpack knows a typed array."""
 
-_UNTIL_THE_NEXT_KEY = 2300
+_INTERPOLATE_DISCRETE = 2300
 """Three.js's number for a track that does not interpolate."""
 
 
-def typed(array: Array) -> dict:
-    """An array as three.js reads it; its bytes travel as they are."""
+# Any: arrays of every type of number.
+def encode_array(array: NDArray[Any]) -> dict[str, object]:
+    """Return an array as three.js reads it; its bytes travel as they are."""
     name = {"i": "Int", "u": "Uint", "f": "Float"}[array.dtype.kind]
-    code = umsgpack.Ext(_CODES[array.dtype.name], np.ascontiguousarray(array).tobytes())
-    return {"type": f"{name}{8 * array.dtype.itemsize}Array", "array": code}
-
-
-FINE = 2e-5
-"""Ink need not be finer than this [m]: rounder numbers, smaller files."""
+    content = np.ascontiguousarray(array).tobytes()
+    return {
+        "type": f"{name}{8 * array.dtype.itemsize}Array",
+        "array": umsgpack.Ext(_TYPED_ARRAY_CODES[array.dtype.name], content),
+    }
 
 
 class PackedMesh:
-    """A mesh in whole numbers: 16 bits a coordinate (a part of 65 000 of the mesh's size), 8 a normal and a colour."""
+    """A mesh in whole numbers: 16 bits a coordinate, 8 a normal and a colour.
+
+    Args:
+        vertices: Shape (V, 3) [m].
+        normals: Shape (V, 3); None where the mesh is ink.
+        faces: Numbers of corners, shape (F, 3).
+        colors: Red, green and blue, 0 to 1, shape (V, 3), or None.
+    """
 
     def __init__(
-        self, vertices: Array, normals: Array | None, faces: Array, colors: Array | None = None
+        self,
+        vertices: Array,
+        normals: Array | None,
+        faces: Faces,
+        colors: Array | None = None,
     ) -> None:
-        coarse = FINE if normals is None else 0.0
+        coarse = INK_RESOLUTION if normals is None else 0.0
         middle = (vertices.min(axis=0) + vertices.max(axis=0)) / 2 if len(vertices) else np.zeros(3)
         scale = max(float(np.abs(vertices - middle).max(initial=0.0)) / 32767, coarse, 1e-9)
         self.X = np.diag([scale, scale, scale, 1.0])
@@ -52,17 +71,19 @@ class PackedMesh:
         self.colors = None if colors is None else np.rint(np.asarray(colors) * 255).astype(np.uint8)
         self.faces = faces.astype(np.uint16 if len(vertices) < 65536 else np.uint32)
 
-    def lower(self, name: str) -> dict:
-        """A BufferGeometry of that name, to be drawn at the pose and scale `X` (4, 4)."""
-        attributes = {"position": typed(self.vertices) | {"itemSize": 3, "normalized": False}}
+    def lower(self, name: str) -> dict[str, object]:
+        """Return a BufferGeometry of that name, to be drawn at the pose and scale `X` (4, 4)."""
+        attributes = {
+            "position": encode_array(self.vertices) | {"itemSize": 3, "normalized": False}
+        }
         if self.normals is not None:
-            attributes["normal"] = typed(self.normals) | {"itemSize": 3, "normalized": True}
+            attributes["normal"] = encode_array(self.normals) | {"itemSize": 3, "normalized": True}
         if self.colors is not None:
-            attributes["color"] = typed(self.colors) | {"itemSize": 3, "normalized": True}
+            attributes["color"] = encode_array(self.colors) | {"itemSize": 3, "normalized": True}
         return {
             "uuid": name,
             "type": "BufferGeometry",
-            "data": {"attributes": attributes, "index": typed(self.faces.ravel())},
+            "data": {"attributes": attributes, "index": encode_array(self.faces.ravel())},
         }
 
 
@@ -80,35 +101,26 @@ class Track:
     def __init__(
         self, name: str, kind: str, times: Array, values: Array, stepped: bool = False
     ) -> None:
-        self.name, self.kind, self.times, self.values, self.stepped = (
-            name,
-            kind,
-            times,
-            values,
-            stepped,
-        )
+        self.name = name
+        self.kind = kind
+        self.times = times
+        self.values = values
+        self.stepped = stepped
 
-    def lower(self) -> dict:
-        """As three.js reads it."""
-        times, values = (
-            typed(np.float32(array).ravel())["array"] for array in (self.times, self.values)
-        )
-        step = {"interpolation": _UNTIL_THE_NEXT_KEY} if self.stepped else {}
-        return {"name": f".{self.name}", "type": self.kind, "times": times, "values": values} | step
-
-
-def bundle(commands: Sequence[bytes]) -> bytes:
-    """Commands in one compressed piece: before each its length in 4 bytes, the least significant first."""
-    return gzip.compress(
-        b"".join(struct.pack("<I", len(command)) + command for command in commands), 9, mtime=0
-    )
+    def lower(self) -> dict[str, object]:
+        """Return the track as three.js reads it."""
+        lowered = {
+            "name": f".{self.name}",
+            "type": self.kind,
+            "times": encode_array(np.float32(self.times).ravel())["array"],
+            "values": encode_array(np.float32(self.values).ravel())["array"],
+        }
+        if self.stepped:
+            lowered["interpolation"] = _INTERPOLATE_DISCRETE
+        return lowered
 
 
-def unbundle(data: bytes) -> tuple[bytes, ...]:
-    """The commands of a bundle."""
-    plain, start, commands = gzip.decompress(data), 0, []
-    while start < len(plain):
-        (length,) = struct.unpack_from("<I", plain, start)
-        commands.append(plain[start + 4 : start + 4 + length])
-        start += 4 + length
-    return tuple(commands)
+def pack_commands(commands: Sequence[bytes]) -> bytes:
+    """Compress commands into one piece: before each its length in 4 bytes, little-endian."""
+    plain = b"".join(struct.pack("<I", len(command)) + command for command in commands)
+    return gzip.compress(plain, 9, mtime=0)

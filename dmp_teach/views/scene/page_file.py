@@ -1,4 +1,4 @@
-"""The view as one file that opens from disk, without a network and without a kernel."""
+"""The view as one file that opens from disk, without network or kernel."""
 
 from __future__ import annotations
 
@@ -7,8 +7,12 @@ import gzip
 import html
 import json
 from pathlib import Path
+from typing import Any
 
-_POLICY = "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline' blob:; img-src data: blob:"
+_POLICY = (
+    "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline' blob:; "
+    "img-src data: blob:"
+)
 """The file asks nobody for anything, and the browser holds it to that."""
 
 _PAGE = """<!doctype html>
@@ -62,24 +66,21 @@ render({ model, el: document.getElementById("view") });
 """
 
 
-def page(title: str, css: str, script: str, state: dict, parts: dict[str, bytes]) -> bytes:
-    """The whole page.
+def render_page(
+    title: str, css: str, script: str, state: dict[str, Any], parts: dict[str, bytes]
+) -> bytes:
+    """Return the whole page as the bytes of an HTML file.
 
     Args:
         title: Of the window.
         css: The view's style sheet.
         script: The view's script; it defines `render({model, el})`.
-        state: The view's traits that are not bytes.
+        state: The view's traits that are not bytes, of any type.
         parts: Those that are: "viewer", "robot", "run" and "planned_run", compressed.
-
-    Returns:
-        The file's bytes.
     """
     data = []
-    for name, part in {
-        "state": gzip.compress(json.dumps(state).encode("utf-8"), 9, mtime=0),
-        **parts,
-    }.items():
+    packed_state = gzip.compress(json.dumps(state).encode("utf-8"), 9, mtime=0)
+    for name, part in {"state": packed_state, **parts}.items():
         text = base64.b64encode(part).decode("ascii")
         data.append(f'<script type="application/gzip;base64" id="{name}">{text}</script>')
     text = _PAGE.format(

@@ -5,25 +5,31 @@ from __future__ import annotations
 import io
 
 import numpy as np
+from numpy.typing import NDArray
+from PIL import Image
 
 from dmp_teach.errors import SettingError
 from dmp_teach.robot import Mesh, picture
-from dmp_teach.trajectory import Array
-from dmp_teach.views.scene.cameras import Camera, known_camera
-from dmp_teach.views.scene.force_strip import force_strip
-from dmp_teach.views.scene.pressing import rgb
+from dmp_teach.views.scene.cameras import Camera, check_camera_name
+from dmp_teach.views.scene.force_strip import draw_force_strip
+from dmp_teach.views.scene.packing import Faces
+from dmp_teach.views.scene.pen_force import shade_rgb
 from dmp_teach.views.scene.ribbon import Ribbon
-from dmp_teach.views.scene.shapes import lamp
+from dmp_teach.views.scene.shapes import Rgba, place_lamp
 from dmp_teach.views.scene.stage import Stage
 
-INK_COLOR, PLAN_COLOR = (0.0, 0.447, 0.698, 1.0), (0.62, 0.64, 0.67, 1.0)
-_SIZES = (64, 4000)
-_STRIP = 0.26  # of a run's picture shows the force
-_FAINT = 0.12  # as opaque is an arm that would hide the page, here and in scene_3d.js
+INK_RGBA = (0.0, 0.447, 0.698, 1.0)
+PLAN_RGBA = (0.62, 0.64, 0.67, 1.0)
+
+_MIN_PIXELS = 64
+_MAX_PIXELS = 4000
+_STRIP_SHARE = 0.26
+# Opacity of an arm that would hide the page, here and in scene_3d.js.
+_FAINT_OPACITY = 0.12
 
 
-def png(stage: Stage, time: float | None, camera: str, width: int, height: int) -> bytes:
-    """The scene at a moment, as the bytes of a PNG file.
+def render_png(stage: Stage, time: float | None, camera: str, width: int, height: int) -> bytes:
+    """Return the scene at a moment as the bytes of a PNG file.
 
     Args:
         stage: What is to be seen.
@@ -33,65 +39,82 @@ def png(stage: Stage, time: float | None, camera: str, width: int, height: int) 
         height: Of the picture [pixels].
 
     Raises:
-        SettingError: A time outside of the motion, a camera that there is not, a size that cannot be drawn.
+        SettingError: A time outside of the motion, a camera that there is not, a size that cannot
+            be drawn.
         MissingPartError: pybullet is not installed.
     """
     time = stage.duration if time is None else time
     if not 0 <= time <= stage.duration:
         raise SettingError(
-            f"time is {time} s, but must be between 0 and {stage.duration:.3f} s, when the motion ends."
+            f"time is {time} s, but must be between 0 and {stage.duration:.3f} s, when the motion "
+            "ends."
         )
-    low, high = _SIZES
     for name, size in (("width", width), ("height", height)):
-        if not (isinstance(size, int | np.integer) and low <= size <= high):
+        if not (isinstance(size, int | np.integer) and _MIN_PIXELS <= size <= _MAX_PIXELS):
             raise SettingError(
-                f"{name} is {size!r}, but must be a whole number of pixels from {low} to {high}."
+                f"{name} is {size!r}, but must be a whole number of pixels from {_MIN_PIXELS} to "
+                f"{_MAX_PIXELS}."
             )
-    seen = stage.cameras[known_camera(camera)]
-    under = (
-        None if stage.run is None else force_strip(stage.run, time, width, round(_STRIP * height))
-    )
-    height -= 0 if under is None else len(under)
-    pixels = _seen_by(seen, stage, time, width, height)
-    return _encoded(pixels if under is None else np.vstack([pixels, under]))
+    chosen = stage.cameras[check_camera_name(camera)]
+    if stage.run is None:
+        return _encode_png(_render(chosen, stage, time, width, height))
+    strip = draw_force_strip(stage.run, time, width, round(_STRIP_SHARE * height))
+    pixels = _render(chosen, stage, time, width, height - len(strip))
+    return _encode_png(np.vstack([pixels, strip]))
 
 
-def _seen_by(camera: Camera, stage: Stage, time: float, width: int, height: int) -> Array:
-    """The pixels. The renderer knows nothing faint: a faint arm is a little of a picture with it, over one without."""
+def _render(
+    camera: Camera, stage: Stage, time: float, width: int, height: int
+) -> NDArray[np.uint8]:
+    """Return the pixels, shape (height, width, 3)."""
     slope = camera.slope(width / height)
-    look = {"eye": camera.eye, "target": camera.target, "up": camera.up, "lamp": lamp(stage.page)}
-    look |= {"field_of_view": 2 * np.degrees(np.arctan(slope)), "width": width, "height": height}
-    pixels = picture(_meshes(stage, time, pen_only=False), **look)
+
+    def render(pen_only: bool) -> NDArray[np.uint8]:
+        return picture(
+            _collect_meshes(stage, time, pen_only),
+            eye=camera.eye,
+            target=camera.target,
+            up=camera.up,
+            lamp=place_lamp(stage.page),
+            field_of_view=2 * float(np.degrees(np.arctan(slope))),
+            width=width,
+            height=height,
+        )
+
+    pixels = render(pen_only=False)
     if not camera.see_through:
         return pixels
-    behind = picture(_meshes(stage, time, pen_only=True), **look)
-    return np.rint(_FAINT * pixels + (1 - _FAINT) * behind).astype(pixels.dtype)
+    # The renderer has no opacity: mix a picture with the arm into one without.
+    behind = render(pen_only=True)
+    return np.rint(_FAINT_OPACITY * pixels + (1 - _FAINT_OPACITY) * behind).astype(np.uint8)
 
 
-def _meshes(stage: Stage, time: float, pen_only: bool) -> list[Mesh]:
-    """Everything in the world at a time [s], the ink as far as it is written."""
-    shapes = (*stage.robot(time, pen_only), *stage.around)
-    meshes = [(shape.vertices, shape.normals, shape.faces, shape.color) for shape in shapes]
-    meshes.append(_flat(stage, stage.plan, PLAN_COLOR, stage.plan.faces))
+def _collect_meshes(stage: Stage, time: float, pen_only: bool) -> list[Mesh]:
+    """Return everything in the world at a time [s], the ink as far as it is written."""
+    shapes = (*stage.robot(time, pen_only), *stage.surroundings)
+    meshes: list[Mesh] = [
+        (shape.vertices, shape.normals, shape.faces, shape.color) for shape in shapes
+    ]
+    meshes.append(_build_flat_mesh(stage, stage.plan, PLAN_RGBA, stage.plan.faces))
     written = stage.ink.faces[: stage.ink.triangles(time)]
     if stage.shades is None:
-        return [*meshes, _flat(stage, stage.ink, INK_COLOR, written)]
+        return [*meshes, _build_flat_mesh(stage, stage.ink, INK_RGBA, written)]
     shades = stage.shades[stage.ink.owners[written[:, 0]]]
-    colors = (((*rgb(number), 1.0), written[shades == number]) for number in np.unique(shades))
-    return meshes + [_flat(stage, stage.ink, *colored) for colored in colors]
+    for number in np.unique(shades):
+        color = (*shade_rgb(number), 1.0)
+        meshes.append(_build_flat_mesh(stage, stage.ink, color, written[shades == number]))
+    return meshes
 
 
-def _flat(stage: Stage, line: Ribbon, color: tuple, faces: Array) -> Mesh:
-    """Some triangles of a ribbon on the page."""
+def _build_flat_mesh(stage: Stage, line: Ribbon, color: Rgba, faces: Faces) -> Mesh:
+    """Return some triangles of a ribbon on the page."""
     corners = line.vertices[: int(faces.max(initial=0)) + 1]
     up = np.tile(stage.page.normal, (len(corners), 1))
     return stage.page.to_world(corners), up, faces, color
 
 
-def _encoded(pixels: Array) -> bytes:
-    """As PNG."""
-    from PIL import Image  # noqa: PLC0415 (only pictures need it)
-
+def _encode_png(pixels: NDArray[np.uint8]) -> bytes:
+    """Return pixels as the bytes of a PNG file."""
     file = io.BytesIO()
     Image.fromarray(pixels).save(file, format="PNG", optimize=True)
     return file.getvalue()

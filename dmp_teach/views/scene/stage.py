@@ -1,4 +1,4 @@
-"""What is to be seen of a motion, computed once for every way of showing it: live, as a file, as a picture."""
+"""What is to be seen of a motion, computed once for the live view, the file and the picture."""
 
 from __future__ import annotations
 
@@ -6,16 +6,17 @@ from dataclasses import dataclass
 from functools import cached_property, lru_cache
 
 import numpy as np
+from numpy.typing import NDArray
 
-from dmp_teach.robot import PENS, Model, Motion, Page, Run
+from dmp_teach.robot import PENS, Model, Motion, Page, Run, Visual
 from dmp_teach.trajectory import Array, Trajectory
-from dmp_teach.views.scene import pressing
-from dmp_teach.views.scene.cameras import Camera, cameras
-from dmp_teach.views.scene.keyframes import key_rows
-from dmp_teach.views.scene.ribbon import MOST_DOTS, Ribbon, inked, ribbon
-from dmp_teach.views.scene.shapes import Shape, around
+from dmp_teach.views.scene.cameras import Camera, fit_cameras
+from dmp_teach.views.scene.keyframes import find_key_rows
+from dmp_teach.views.scene.pen_force import describe_force, find_ink_width, find_shade
+from dmp_teach.views.scene.ribbon import MAX_DOTS, Ribbon, build_ribbon, find_inked_strokes
+from dmp_teach.views.scene.shapes import Shape, build_surroundings
 
-REST = {
+WAITING_JOINTS = {
     "torso_lift_joint": 0.386,
     "shoulder_pan_joint": -0.11,
     "shoulder_lift_joint": -0.45,
@@ -27,16 +28,29 @@ REST = {
 }
 """How the robot waits for something to write [rad, m]."""
 
-INK_WIDTH, INK_HEIGHT = 0.0022, 0.0006
-PLAN_WIDTH, PLAN_HEIGHT = 0.0008, 0.0003
-_MOMENTS = 6
-_POINTS = 1500
+INK_WIDTH = 0.0022
+INK_HEIGHT = 0.0006
+PLAN_WIDTH = 0.0008
+PLAN_HEIGHT = 0.0003
+
+# The robot's shell as cameras are fitted to it.
+_SHELL_MOMENTS = 6
+_SHELL_POINTS = 1500
+_MAX_LETTER_POINTS = 80
+_MAX_FACT_DOTS = 800
 
 
 @lru_cache(maxsize=2)
-def robot_model(pen: str = "rigid") -> Model:
-    """The Fetch with its pen, read once: held fast, as in a plan, or on a spring."""
+def load_robot_model(pen: str = "rigid") -> Model:
+    """Read the Fetch with its pen once: held fast, as in a plan, or on a spring."""
     return Model.load(PENS[pen])
+
+
+def build_visual(visual: Visual, name: str) -> Shape:
+    """Return a piece of the robot's shell in its own frame."""
+    red, green, blue, opacity = visual.color.tolist()
+    color = (red, green, blue, opacity)
+    return Shape(name, visual.vertices, visual.normals, visual.faces, color)
 
 
 @dataclass(frozen=True, eq=False)
@@ -54,7 +68,7 @@ class Stage:
     @property
     def model(self) -> Model:
         """The robot, with the pen that it holds here."""
-        return robot_model() if self.run is None else robot_model(self.run.pen)
+        return load_robot_model() if self.run is None else load_robot_model(self.run.pen)
 
     @property
     def page(self) -> Page:
@@ -69,109 +83,110 @@ class Stage:
     @property
     def joint_names(self) -> tuple[str, ...]:
         """Names of the columns of `keys`."""
-        return tuple(REST) if self.motion is None else self.motion.joint_names
+        return tuple(WAITING_JOINTS) if self.motion is None else self.motion.joint_names
 
     @cached_property
     def keys(self) -> tuple[Array, Array]:
         """Times from 0 (K,) [s], and joint positions at them (K, J) [rad, m]."""
         if self.motion is None:
-            return np.zeros(1), np.array([list(REST.values())])
-        rows = key_rows(self.model, self.motion)
+            return np.zeros(1), np.array([list(WAITING_JOINTS.values())])
+        rows = find_key_rows(self.model, self.motion)
         return self.motion.t[rows] - self.motion.t[0], self.motion.q[rows]
 
     @cached_property
     def ink(self) -> Ribbon:
-        """What the nib has written in the end, in the order in which it does; of a run as wide as it was pressed."""
-        if self.run is not None:
-            return ribbon(self._inked(), lambda t: pressing.width(self._force(t)), INK_HEIGHT)
-        strokes = () if self.motion is None else inked(self.motion)
-        return ribbon(strokes, INK_WIDTH, INK_HEIGHT)
+        """The nib's ink in its order, as wide as a run was pressed."""
+        run = self.run
+        if run is None:
+            strokes = () if self.motion is None else find_inked_strokes(self.motion)
+            return build_ribbon(strokes, INK_WIDTH, INK_HEIGHT)
+        strokes = tuple(Trajectory(stroke.t - run.t[0], stroke.position) for stroke in run.ink)
+        return build_ribbon(strokes, lambda t: find_ink_width(_find_force(run, t)), INK_HEIGHT)
 
     @cached_property
-    def shades(self) -> Array | None:
+    def shades(self) -> NDArray[np.int_] | None:
         """Of a run, the number of the shade of ink at each dot of `ink`, shape (P,)."""
-        return None if self.run is None else pressing.shade(self._force(self.ink.t))
+        return None if self.run is None else find_shade(_find_force(self.run, self.ink.t))
 
     @cached_property
     def plan(self) -> Ribbon:
-        """The letter that was asked for."""
+        """The planned letter."""
         strokes = () if self.motion is None else self.motion.strokes
-        return ribbon(strokes, PLAN_WIDTH, PLAN_HEIGHT, spacing=0.002, most=MOST_DOTS // 2)
+        return build_ribbon(strokes, PLAN_WIDTH, PLAN_HEIGHT, 0.002, MAX_DOTS // 2)
 
     @cached_property
-    def around(self) -> tuple[Shape, ...]:
+    def surroundings(self) -> tuple[Shape, ...]:
         """The sheet and what carries it."""
-        return around(self.page)
+        return build_surroundings(self.page)
 
     @cached_property
     def cameras(self) -> dict[str, Camera]:
         """The three cameras, by name."""
         letter = self.ink.dots if len(self.ink.dots) else self.plan.dots
-        letter = letter[:: len(letter) // 80 + 1] if len(letter) else np.zeros((1, 2))
-        carried = np.vstack([shape.vertices for shape in self.around])
-        return cameras(self.page, self._robot_points(), self.page.to_world(letter), carried)
+        letter = letter[:: len(letter) // _MAX_LETTER_POINTS + 1]
+        if not len(letter):
+            letter = np.zeros((1, 2))
+        table = np.vstack([shape.vertices for shape in self.surroundings])
+        return fit_cameras(self.page, self._sample_shell(), self.page.to_world(letter), table)
 
     def facts(self) -> dict[str, object]:
-        """What the browser needs to know besides the scene: numbers, sentences, and the small page in [mm]."""
+        """Return the browser's numbers, sentences, and the small page in [mm]."""
         strokes = len(self.plan.first.nonzero()[0])
-        does = f"It writes {strokes} stroke{'' if strokes == 1 else 's'} in {self.duration:.1f} s."
+        action = "It waits for a letter."
+        if strokes:
+            ending = "" if strokes == 1 else "s"
+            action = f"It writes {strokes} stroke{ending} in {self.duration:.1f} s."
         return {
             "duration": self.duration,
             "cameras": {name: camera.as_dict() for name, camera in self.cameras.items()},
             "page": [*self.page.X_world_page.ravel().tolist(), self.page.width, self.page.height],
-            "plan": _dots(self.plan),
-            "ink": _dots(self.ink, self.shades),
-            "force": None if self.run is None else pressing.strip(self.run),
-            "label": f"A Fetch robot with a pen at its page. {does if strokes else 'It waits for a letter.'}",
+            "plan": _list_dots(self.plan),
+            "ink": _list_dots(self.ink, self.shades),
+            "force": None if self.run is None else describe_force(self.run),
+            "label": f"A Fetch robot with a pen at its page. {action}",
             "notes": " ".join(() if self.motion is None else self.motion.notes),
         }
 
     def joints(self, t: float) -> Array:
-        """Joint positions at time `t` [s], as the browser shows them: even from key to key, shape (J,) [rad, m]."""
+        """Return joint positions at time `t` [s], even from key to key, shape (J,) [rad, m]."""
         times, q = self.keys
         return np.array([np.interp(t, times, column) for column in q.T])
 
     def robot(self, t: float, pen_only: bool = False) -> tuple[Shape, ...]:
-        """The robot's shell in the world at time `t` [s], or the pen alone."""
+        """Return the robot's shell in the world at time `t` [s], or the pen alone."""
         model = self.model
         poses = model.link_poses(self.joints(t), self.joint_names)
-        pieces = (
-            (
-                Shape(f"{v.link} {n}", v.vertices, v.normals, v.faces, tuple(v.color)),
-                poses[v.link][0] @ v.X_link_visual,
-            )
-            for n, v in enumerate(model.visuals)
-            if not pen_only or v.link.startswith("pen_")
-        )
-        return tuple(shape.moved(X) for shape, X in pieces)
-
-    def _inked(self) -> tuple[Trajectory, ...]:
-        """The ink of the run, its clock from 0."""
         return tuple(
-            Trajectory(stroke.t - self.run.t[0], stroke.position) for stroke in self.run.ink
+            build_visual(visual, f"{visual.link} {number}").moved(
+                poses[visual.link][0] @ visual.X_link_visual
+            )
+            for number, visual in enumerate(model.visuals)
+            if not pen_only or visual.link.startswith("pen_")
         )
 
-    def _force(self, t: Array) -> Array:
-        """With which the pen pressed at times (P,) [s], where it left ink [N]."""
-        run = self.run
-        if not run.contact.any():
-            return np.zeros(len(t))
-        return np.interp(t, run.t[run.contact] - run.t[0], run.force[run.contact])
-
-    def _robot_points(self) -> Array:
-        """Some points of the shell at some moments of the writing, shape (M, P, 3) [m]."""
+    def _sample_shell(self) -> Array:
+        """Return points of the shell at some moments of the writing, shape (M, P, 3) [m]."""
         ink = self.ink.t if len(self.ink.t) else np.zeros(1)
-        moments = np.interp(np.linspace(0, 1, _MOMENTS), np.linspace(0, 1, len(ink)), ink)
+        moments = np.interp(np.linspace(0, 1, _SHELL_MOMENTS), np.linspace(0, 1, len(ink)), ink)
         shells = [np.vstack([shape.vertices for shape in self.robot(t)]) for t in moments]
-        return np.stack([shell[:: len(shell) // _POINTS + 1] for shell in shells])
+        return np.stack([shell[:: len(shell) // _SHELL_POINTS + 1] for shell in shells])
 
 
-def _dots(line: Ribbon, shades: Array | None = None) -> list[list[float]]:
-    """Time [s], right and up [mm], 1 where a stroke begins, and the shade, for each dot; of a long text for some."""
-    kept = (
-        line.first
-        | np.roll(line.first, -1)
-        | (np.arange(len(line.t)) % (len(line.t) // 800 + 1) == 0)
-    )
-    columns = np.round(line.t, 3), *np.round(1000 * line.dots.T, 1), line.first.astype(int)
-    return np.column_stack(columns if shades is None else (*columns, shades))[kept].tolist()
+def _find_force(run: Run, t: Array) -> Array:
+    """Return the pen's force at times (P,) [s], where it left ink [N]."""
+    if not run.contact.any():
+        return np.zeros(len(t))
+    return np.interp(t, run.t[run.contact] - run.t[0], run.force[run.contact])
+
+
+def _list_dots(line: Ribbon, shades: NDArray[np.int_] | None = None) -> list[list[float]]:
+    """Return time [s], right and up [mm], whether a stroke begins, and the shade, of each dot.
+
+    Of a long text only some dots are listed.
+    """
+    every = len(line.t) // _MAX_FACT_DOTS + 1
+    kept = line.first | np.roll(line.first, -1) | (np.arange(len(line.t)) % every == 0)
+    columns = [np.round(line.t, 3), *np.round(1000 * line.dots.T, 1), line.first.astype(int)]
+    if shades is not None:
+        columns.append(shades)
+    return np.column_stack(columns)[kept].tolist()

@@ -1,4 +1,4 @@
-"""How the joints and the ink change over time, in the words of the browser's animation."""
+"""Joints and ink over time, as tracks of the browser's animation."""
 
 from __future__ import annotations
 
@@ -11,21 +11,21 @@ from dmp_teach.robot import Joint
 from dmp_teach.trajectory import Array
 from dmp_teach.views.scene.packing import Track
 from dmp_teach.views.scene.ribbon import Ribbon
-from dmp_teach.views.scene.stage import robot_model
+from dmp_teach.views.scene.stage import load_robot_model
 
 
 @lru_cache(maxsize=1)
-def link_paths() -> dict[str, str]:
-    """Where each link stands in the viewer's tree: under the link that carries it."""
-    model = robot_model()
+def find_link_paths() -> dict[str, str]:
+    """Return where each link stands in the viewer's tree: under the link that carries it."""
+    model = load_robot_model()
     paths = {model.root: f"robot/{model.root}"}
     for joint in model.joints:
         paths[joint.child] = f"{paths[joint.parent]}/{joint.child}"
     return paths
 
 
-def joint_track(joint: Joint, times: Array, positions: Array) -> Track:
-    """How one joint moves its link.
+def build_joint_track(joint: Joint, times: Array, positions: Array) -> Track:
+    """Return how one joint moves its link.
 
     Args:
         joint: A joint that turns or slides.
@@ -35,16 +35,13 @@ def joint_track(joint: Joint, times: Array, positions: Array) -> Track:
     poses = joint.pose(positions)
     if joint.type == "prismatic":
         return Track("position", "vector3", times, poses[:, :3, 3])
-    return Track("quaternion", "quaternion", times, _rounded(poses[:, :3, :3]))
+    turns = Rotation.from_matrix(poses[:, :3, :3]).as_quat()
+    # Steps of 1/65536 are 0.03 mm at the end of the arm, and compress well.
+    return Track("quaternion", "quaternion", times, np.rint(turns * 65536) / 65536)
 
 
-def _rounded(turns: Array) -> Array:
-    """Quaternions x, y, z, w (K, 4) in steps of a part of 65 000: 0.03 mm at the end of the arm, in fewer bytes."""
-    return np.rint(Rotation.from_matrix(turns).as_quat() * 65536) / 65536
-
-
-def ink_track(ink: Ribbon) -> Track:
-    """How many corners of triangles are drawn: up to the dot that the pen has reached."""
+def build_ink_track(ink: Ribbon) -> Track:
+    """Return how many corners of triangles are drawn: up to the dot that the pen has reached."""
     times = np.unique(np.append(0.0, ink.t))
     counts = np.array([3 * ink.triangles(t) for t in times])
     return Track("drawRange[count]", "number", times, counts, stepped=True)

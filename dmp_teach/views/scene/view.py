@@ -11,31 +11,31 @@ import traitlets
 from dmp_teach.errors import ViewError, kind_of
 from dmp_teach.files import write_whole
 from dmp_teach.robot import Motion, Run
-from dmp_teach.views.scene.cameras import CAMERAS
-from dmp_teach.views.scene.commands import robot_bundle, run_commands, viewer_script
-from dmp_teach.views.scene.packing import bundle
-from dmp_teach.views.scene.page_file import page, read_beside
-from dmp_teach.views.scene.picture import png
+from dmp_teach.views.scene.cameras import CAMERA_NAMES
+from dmp_teach.views.scene.commands import pack_robot, pack_viewer, record_stage
+from dmp_teach.views.scene.packing import pack_commands
+from dmp_teach.views.scene.page_file import read_beside, render_page
+from dmp_teach.views.scene.picture import render_png
 from dmp_teach.views.scene.stage import Stage
 
 _SCRIPT = read_beside("scene_3d.js") + read_beside("force.js") + read_beside("scene.js")
 _STYLE = read_beside("tokens.css") + read_beside("scene.css") + read_beside("force.css")
 
-
-SEEN = ("as planned", "as it happened")
-"""What a view of a run can show; a motion is only planned."""
+PLANNED = "as planned"
+HAPPENED = "as it happened"
 
 
 def _as_bytes() -> traitlets.Bytes:
-    """Bytes for the browser; from it they come as a memoryview, which traitlets would refuse."""
+    """Return a trait of bytes, which come from the browser as a memoryview."""
     return traitlets.Bytes().tag(sync=True, from_json=lambda value, widget: bytes(value))
 
 
 class SceneView(anywidget.AnyWidget):
-    """The live view of a motion, or of what became of it, in a cell of its own or inside another widget.
+    """The live view of a motion or a run, in a cell of its own or inside another widget.
 
     Args:
-        motion: What the robot does, or the run that shows what it did; without one it waits at an empty page.
+        motion: What the robot does, or the run that shows what it did; without one it waits at an
+            empty page.
         compact: Without a frame and with one row of controls, to stand inside a panel.
 
     Raises:
@@ -51,48 +51,52 @@ class SceneView(anywidget.AnyWidget):
     facts = traitlets.Dict().tag(sync=True)
     planned_run = _as_bytes()
     planned_facts = traitlets.Dict().tag(sync=True)
-    seen = traitlets.Enum(SEEN, default_value=SEEN[1]).tag(sync=True)
+    seen = traitlets.Enum((PLANNED, HAPPENED), default_value=HAPPENED).tag(sync=True)
     motion_id = traitlets.Unicode().tag(sync=True)
     time = traitlets.Float(0.0).tag(sync=True)
     playing = traitlets.Bool(False).tag(sync=True)
     speed = traitlets.Float(1.0).tag(sync=True)
-    camera = traitlets.Enum(CAMERAS, default_value="over the shoulder").tag(sync=True)
+    camera = traitlets.Enum(CAMERA_NAMES, default_value="over the shoulder").tag(sync=True)
     compact = traitlets.Bool(False).tag(sync=True)
 
+    # Any: the values of the other traits.
     def __init__(self, motion: Motion | Run | None = None, **traits: Any) -> None:
         self._count = 0
-        start = _traits(motion)
-        super().__init__(
-            viewer=viewer_script(), robot=robot_bundle(), motion_id="0", **start, **traits
-        )
+        shown = _find_traits(motion)
+        super().__init__(viewer=pack_viewer(), robot=pack_robot(), motion_id="0", **shown, **traits)
         self._motion = motion
 
     @property
     def motion(self) -> Motion | Run | None:
-        """What is shown in this view."""
+        """The motion or run that is shown."""
         return self._motion
 
     def show(self, motion: Motion | Run | None, play: bool = True) -> None:
-        """Another motion in the same view; the camera stays where it is.
+        """Show another motion in the same view; the camera stays where it is.
 
         Args:
             motion: What the robot does now, or what it did; None lets it wait at an empty page.
-            play: Whether it starts at once. Where people ask for less movement it shows the written letter instead.
+            play: Whether it starts at once. Where people ask for less movement it shows the
+                written letter instead.
 
         Raises:
             ViewError: Something that is neither a motion nor a run.
         """
-        start = _traits(motion, play)
-        self._motion, self._count = motion, self._count + 1
+        shown = _find_traits(motion, play)
+        self._motion = motion
+        self._count += 1
         with self.hold_sync():
             self.set_trait("playing", False)
-            for name, value in start.items():
+            for name, value in shown.items():
                 self.set_trait(name, value)
             self.motion_id = str(self._count)
-        self.send_state(["time", "playing"])  # the browser has moved them since
+        # The browser has moved them since.
+        self.send_state(["time", "playing"])
 
     def html(self, path: str | Path) -> Path:
-        """Write the view as one file that opens from disk, without network or kernel; at most 0.8 MB.
+        """Write the view as one file that opens from disk, without network or kernel.
+
+        It has at most 0.8 MB.
 
         Args:
             path: Where to, ending with .html; its folder must exist.
@@ -106,7 +110,7 @@ class SceneView(anywidget.AnyWidget):
         parts = {name: getattr(self, name) for name in ("viewer", "robot", "run", "planned_run")}
         state = {name: getattr(self, name) for name in ("facts", "planned_facts", "camera", "seen")}
         state |= {"time": 0.0, "playing": True, "speed": 1.0, "compact": False, "motion_id": "0"}
-        text = page("A robot writes a letter", _STYLE, _SCRIPT, state, parts)
+        text = render_page("A robot writes a letter", _STYLE, _SCRIPT, state, parts)
         return write_whole(path, text, ".html")
 
     def png(
@@ -134,9 +138,11 @@ class SceneView(anywidget.AnyWidget):
             PathError: A path that cannot be written.
             MissingPartError: pybullet is not installed.
         """
-        planned = isinstance(self._motion, Run) and self.seen == SEEN[0]
-        shown = self._motion.planned if planned else self._motion
-        return write_whole(path, png(_stage(shown), time, camera, width, height), ".png")
+        shown = self._motion
+        if isinstance(shown, Run) and self.seen == PLANNED:
+            shown = shown.planned
+        content = render_png(_build_stage(shown), time, camera, width, height)
+        return write_whole(path, content, ".png")
 
 
 def view(motion: Motion | Run) -> SceneView:
@@ -148,34 +154,35 @@ def view(motion: Motion | Run) -> SceneView:
         ViewError: Something that is neither a motion nor a run.
     """
     if motion is None:
-        raise ViewError(_not_a_motion(motion))
+        raise ViewError(_describe_wrong_motion(motion))
     return SceneView(motion)
 
 
-def _stage(motion: Any) -> Stage:
-    """What is to be seen of a motion."""
+def _build_stage(motion: object) -> Stage:
+    """Return what is to be seen of a motion, or raise a ViewError."""
     if isinstance(motion, Run):
         return Stage(motion.motion, motion)
     if motion is not None and not isinstance(motion, Motion):
-        raise ViewError(_not_a_motion(motion))
+        raise ViewError(_describe_wrong_motion(motion))
     return Stage(motion)
 
 
-def _not_a_motion(value: Any) -> str:
-    """What can be shown, and how to get it."""
+def _describe_wrong_motion(value: object) -> str:
+    """Return a sentence on what can be shown, and how to get it."""
     return (
-        f"{kind_of(value, first=True)} cannot be shown; a Motion can, and Fetch().write(strokes, Page.table()) gives "
-        "one; so can a Run, which simulate(motion) gives."
+        f"{kind_of(value, first=True)} cannot be shown; a Motion can, and Fetch().write(strokes, "
+        "Page.table()) gives one; so can a Run, which simulate(motion) gives."
     )
 
 
-def _traits(motion: Motion | Run | None, play: bool = True) -> dict[str, Any]:
-    """The traits of a view that change with the motion."""
-    stage, plan = _stage(motion), Stage(motion.planned) if isinstance(motion, Run) else None
+def _find_traits(motion: Motion | Run | None, play: bool = True) -> dict[str, object]:
+    """Return the traits of a view that change with the motion."""
+    stage = _build_stage(motion)
+    plan = Stage(motion.planned) if isinstance(motion, Run) else None
     return {
-        "run": bundle(run_commands(stage)),
+        "run": pack_commands(record_stage(stage)),
         "facts": stage.facts(),
-        "planned_run": bundle(run_commands(plan)) if plan else b"",
+        "planned_run": pack_commands(record_stage(plan)) if plan else b"",
         "planned_facts": plan.facts() if plan else {},
         "time": 0.0,
         "playing": play and stage.duration > 0,
