@@ -13,10 +13,10 @@ from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import SettingError, kind_of
 from dmp_teach.ink.alphabet import recording_of
 from dmp_teach.letters.compose.shelf import Shelf
-from dmp_teach.letters.kernel_choice import imitated
+from dmp_teach.letters.kernel_choice import imitate_strokes
 from dmp_teach.letters.letter import Letter
 from dmp_teach.letters.styles import Style
-from dmp_teach.letters.styles_basis import learned_alike
+from dmp_teach.letters.styles_basis import learn_alike
 from dmp_teach.letters.text.lines import write_lines
 from dmp_teach.letters.text.words import write_word
 from dmp_teach.studies.experiments.d_to_p import make_p_from_d
@@ -34,10 +34,10 @@ LEARNED = Letter.learn(D)
 TAKE_SETTINGS = {
     DMP.imitate: (STROKE,),
     Letter.learn: (D,),
-    imitated: ([STROKE],),
+    imitate_strokes: ([STROKE],),
     Shelf.of: ({"D": LEARNED},),
     Style.of: ([D, recording_of("D", "slanted")],),
-    learned_alike: ([LEARNED, LEARNED],),
+    learn_alike: ([LEARNED, LEARNED],),
     write_word: ("hi",),
     write_lines: ("hi",),
     compare_with_original: (D,),

@@ -1,13 +1,13 @@
-"""A letter, learned and written again; new letters, styles and words made of what was learned.
+"""Letters: learned and written again; new letters, styles and text made of what was learned.
 
 Read in this order:
 
-    letter      what flows: strokes, a primitive for each; learned (`learning`), written, kept in a file (`saved`)
-    shelf       letters taken apart: every stroke under its name, a `piece` that can be led, moved, turned and cut
-    recipes     the table of new letters, a line each (`roles`: which stroke is the bar; `outline`: how that is seen)
-    styles      one letter by several writers: blends, principal styles, chance (`alike`: so that weights add up)
-    words       text on one clock: a `hand` gives its letters, `spacing` sets them, `linking` joins them where they meet
-                (`meeting`), `write_lines` fills a sheet
+    letter          strokes and a primitive for each: learned, written, saved (`letter_json`)
+    compose/shelf   letters taken apart into strokes (`piece`) that can be moved, scaled and cut
+    compose/recipes the table of new letters, a line each (`roles` finds bars and bowls by shape)
+    styles          one letter by several writers: blends, principal styles, samples
+    text/words      words on one clock; `handwriting` gives the letters, `spacing` places them,
+                    `connections` joins them; text/lines fills a sheet
 """
 
 import lazy_loader

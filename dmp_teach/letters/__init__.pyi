@@ -1,10 +1,10 @@
-from .compose.geometry import bar_and_bowl as bar_and_bowl
-from .compose.geometry import cut as cut
-from .compose.geometry import evenly as evenly
+from .compose.geometry import cut_at_corners as cut_at_corners
+from .compose.geometry import find_bar_and_bowl as find_bar_and_bowl
+from .compose.geometry import resample_evenly as resample_evenly
 from .compose.piece import Piece as Piece
-from .compose.recipes import cooked as cooked
+from .compose.recipes import follow_recipe as follow_recipe
+from .compose.recipes import letters_needed as letters_needed
 from .compose.recipes import make_letter as make_letter
-from .compose.recipes import needed as needed
 from .compose.recipes import recipes as recipes
 from .compose.roles import strokes_in_role as strokes_in_role
 from .compose.shelf import Shelf as Shelf

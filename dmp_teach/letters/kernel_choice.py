@@ -1,4 +1,4 @@
-"""Strokes learned finely enough: what was written in a moment has as many bends as what took a second."""
+"""The number of kernels of a letter's strokes: more of them for letters written in a moment."""
 
 from __future__ import annotations
 
@@ -10,46 +10,47 @@ from dmp_teach.dmp import DMP, Settings
 from dmp_teach.scoring import size_of
 from dmp_teach.trajectory import Trajectory
 
-NEAR = (
-    0.02  # a letter that is drawn within this share of its size looks like the one that was shown
-)
-FINEST = 60.0  # [Hz]: nothing that a hand does is faster
-DOUBLED = 4  # times
+# A drawing within this share of the letter's size looks like the demonstration.
+ACCEPTED_ERROR = 0.02
+# Nothing that a hand does is faster [Hz].
+HIGHEST_CUTOFF = 60.0
+MOST_DOUBLINGS = 4
 
 
-def imitated(strokes: Sequence[Trajectory], settings: Settings | None = None) -> tuple[DMP, ...]:
-    """One primitive for each stroke.
+def imitate_strokes(
+    strokes: Sequence[Trajectory], settings: Settings | None = None
+) -> tuple[DMP, ...]:
+    """Learn one primitive for each stroke.
 
     Args:
-        strokes: What was shown.
-        settings: As they are given. None takes `Settings.star()`, whose 12 kernels a second and whose idea of what is
-            trembling suit the paper's writers; a stroke that they draw farther off than 2 % of the letter's size, as
-            of a hand that wrote an a in 0.4 s, is learned with twice as many kernels, and twice the frequency, until
-            it is near.
+        strokes: The demonstration.
+        settings: Of every stroke. None takes `Settings.star()`, whose 12 kernels a second and
+            smoothing suit the paper's writers; a stroke whose rollout is farther than 2 % of the
+            letter's size from the demonstration, such as an a written in 0.4 s, gets twice as many
+            kernels and twice the cutoff frequency, until it is near.
     """
     if settings is not None:
         return tuple(DMP.imitate(stroke, settings) for stroke in strokes)
-    near = NEAR * size_of(strokes)
-    return tuple(_finely(stroke, near) for stroke in strokes)
+    accepted = ACCEPTED_ERROR * size_of(strokes)
+    return tuple(_imitate_within(stroke, accepted) for stroke in strokes)
 
 
-def _finely(stroke: Trajectory, near: float) -> DMP:
-    """The stroke with as many kernels as it takes to be so near [m], if that can be."""
+def _imitate_within(stroke: Trajectory, accepted: float) -> DMP:
+    """Return the primitive of as many kernels as it takes, or the nearest of those tried."""
     tried = [DMP.imitate(stroke)]
-    while _off(tried[-1], stroke) > near and len(tried) <= DOUBLED:
+    while _error(tried[-1], stroke) > accepted and len(tried) <= MOST_DOUBLINGS:
         last = tried[-1].settings
         finer = Settings.star(
-            n_kernels=min(2 * last.n_kernels, len(stroke) - 1),
-            smoothing=min(2 * last.smoothing, FINEST),
+            n_kernels=min(2 * (last.n_kernels or 1), len(stroke) - 1),
+            smoothing=min(2 * (last.smoothing or HIGHEST_CUTOFF), HIGHEST_CUTOFF),
         )
         if (finer.n_kernels, finer.smoothing) == (last.n_kernels, last.smoothing):
             break
         tried.append(DMP.imitate(stroke, finer))
-    return min(tried, key=lambda primitive: _off(primitive, stroke))
+    return min(tried, key=lambda primitive: _error(primitive, stroke))
 
 
-def _off(primitive: DMP, stroke: Trajectory) -> float:
-    """Root mean square distance of what it draws from what was shown [m]."""
-    return float(
-        np.sqrt(((primitive.rollout().position - stroke.position) ** 2).sum(axis=1).mean())
-    )
+def _error(primitive: DMP, stroke: Trajectory) -> float:
+    """Return the root mean square distance of the rollout from the demonstration [m]."""
+    apart = primitive.rollout().position - stroke.position
+    return float(np.sqrt((apart**2).sum(axis=1).mean()))

@@ -19,19 +19,21 @@ from dmp_teach.errors import LetterError, kind_of
 from dmp_teach.files import write_whole
 from dmp_teach.ink import svg_of
 from dmp_teach.letters.compose.piece import Piece
-from dmp_teach.letters.kernel_choice import imitated
-from dmp_teach.letters.letter_json import parts_of, to_json
+from dmp_teach.letters.kernel_choice import imitate_strokes
+from dmp_teach.letters.letter_json import letter_parts, letter_to_json
 from dmp_teach.scoring import list_strokes
 from dmp_teach.trajectory import Array, Trajectory, locked
 
-LIFT = 0.36  # a pen that goes to a stroke of another letter is in the air for this long [s] ...
-FLIGHT = 1.0  # ... and flies this fast [m/s], but never longer than ...
-LONGEST_LIFT = 0.6  # ... this in all [s]
-SHORTEST_LIFT = 0.01  # between parts of what was one stroke [s]
+# Between strokes of different letters: a pause [s], and the speed in the air [m/s].
+PAUSE_BETWEEN_STROKES = 0.36
+SPEED_BETWEEN_STROKES = 1.0
+LONGEST_PAUSE = 0.6
+# Between parts of what was one stroke [s].
+SHORTEST_PAUSE = 0.01
 
 
 def rms_distance(a: Iterable[Trajectory], b: Iterable[Trajectory]) -> float:
-    """Root mean square distance of the points of strokes `a` and strokes `b`, sample by sample [m]."""
+    """Return the root mean square distance of strokes `a` and `b`, sample by sample [m]."""
     apart = [np.sum((p.position - q.position) ** 2, axis=1) for p, q in zip(a, b, strict=True)]
     return float(np.sqrt(np.mean(np.concatenate(apart))))
 
@@ -41,9 +43,9 @@ class Letter:
     """A letter as one primitive for each stroke.
 
     Args:
-        strokes: The demonstration, on the clock of its recording; of a letter that was composed, the strokes as made.
+        strokes: The demonstration, on the clock of its recording; of a composed letter its rollout.
         primitives: One for each stroke, in the same order.
-        led_to: Goals that strokes are led to where they are not their own, by the number of the stroke [m].
+        led_to: Goals other than the primitives' own, by the number of the stroke [m].
         made_of: The names of the strokes that it was composed of, such as "D.1".
     """
 
@@ -53,73 +55,66 @@ class Letter:
     made_of: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
-        """Lock the goals."""
         goals = {number: locked(goal) for number, goal in self.led_to.items()}
         object.__setattr__(self, "led_to", MappingProxyType(goals))
 
     @classmethod
     def learn(cls, recording: Any, settings: Settings | None = None) -> Self:
-        """Learn a letter.
+        """Learn a letter: one primitive for each stroke.
 
         Args:
-            recording: A `Recording`, or strokes as trajectories, in the order in which they were written.
-            settings: The same for every stroke; None takes `Settings.star()`, and more kernels for a stroke that was
-                written so fast that these draw it visibly otherwise (`letters/learning.py`).
+            recording: A `Recording`, or strokes as trajectories, in the order of writing.
+            settings: The same for every stroke; None takes `Settings.star()`, and more kernels for
+                a stroke that was written so fast that these draw it visibly otherwise.
 
         Raises:
-            LetterError: There is no stroke in it, or a stroke begins before the one before it has ended.
+            LetterError: No strokes, or a stroke that begins before the one before it has ended.
         """
         strokes = _strokes_of(recording)
-        return cls(strokes, imitated(strokes, settings))
+        return cls(strokes, imitate_strokes(strokes, settings))
 
     @classmethod
     def compose(cls, pieces: Iterable[Piece], transform: str | None = None) -> Self:
-        """Put strokes together to a new letter, one after the other, by their own primitives.
+        """Compose a new letter of strokes, one after the other, by their own primitives.
 
             bar, bowl = shelf["D"]
             p = Letter.compose([bar, bowl.led(lower=bar.at(0.5))])
 
-        Strokes that followed each other in one letter keep the pause between them; before a stroke of another letter
-        the pen is in the air for 0.36 s and 1 s for each metre of its way, 0.6 s at most.
+        Strokes that followed each other in one letter keep the pause between them; before a stroke
+        of another letter the pen is in the air for 0.36 s and 1 s a metre, 0.6 s at most.
 
         Args:
             pieces: In the order in which they are written.
-            transform: What leads strokes to ends that are not their own, "star" or "similarity"; None: each its own.
+            transform: The transformation to other ends, "star" or "similarity"; None: each its own.
 
         Raises:
-            LetterError: Nothing to put together, something that is no piece, or a transformation that cannot be.
+            LetterError: No pieces, something that is no piece, or no such transformation.
         """
         pieces = tuple(pieces) if isinstance(pieces, Iterable) else (pieces,)
         wrong = [each for each in pieces if not isinstance(each, Piece)]
         if wrong or not pieces:
-            what = kind_of(wrong[0]) if wrong else "nothing"
+            got = kind_of(wrong[0]) if wrong else "nothing"
             raise LetterError(
-                f"A letter is composed of strokes from a shelf (Piece), but got {what}."
+                f"A letter is composed of strokes from a shelf (Piece), but got {got}."
             )
         if transform is not None:
             pieces = tuple(piece.using(transform) for piece in pieces)
-        begins = _clock(pieces)
         primitives = tuple(
             replace(p.primitive, times=p.primitive.times + (begin - p.primitive.times[0]))
-            for p, begin in zip(pieces, begins, strict=True)
+            for p, begin in zip(pieces, _begin_times(pieces), strict=True)
         )
-        led = {
-            number: piece.led_to for number, piece in enumerate(pieces) if piece.led_to is not None
-        }
-        made = tuple(p.rollout(goal=led.get(number)) for number, p in enumerate(primitives))
-        return cls(made, primitives, led, tuple(piece.name for piece in pieces))
+        goals = {n: piece.led_to for n, piece in enumerate(pieces) if piece.led_to is not None}
+        strokes = tuple(p.rollout(goal=goals.get(n)) for n, p in enumerate(primitives))
+        return cls(strokes, primitives, goals, tuple(piece.name for piece in pieces))
 
     @classmethod
-    def make(
-        cls, character: str, shelf: Any, transform: str | None = None, recipe: str | None = None
-    ) -> Letter:
+    def make(cls, *args: Any, **kwargs: Any) -> Letter:
         """Make a letter; use `make_letter`, as this name goes after one version."""
         from dmp_teach.letters import make_letter  # noqa: PLC0415 (`compose` imports this module)
 
-        warnings.warn(
-            "Letter.make is now called dmp_teach.make_letter.", DeprecationWarning, stacklevel=2
-        )
-        return make_letter(character, shelf, transform, recipe)
+        words = "Letter.make is now called dmp_teach.make_letter."
+        warnings.warn(words, DeprecationWarning, stacklevel=2)
+        return make_letter(*args, **kwargs)
 
     def write(
         self,
@@ -131,17 +126,17 @@ class Letter:
         """Write the letter, one trajectory for each stroke, all on the recording's clock.
 
         Args:
-            goals: Where strokes end, absolute, by the number of the stroke, counted from 0 [m].
+            goals: Where strokes end, absolute, by the number of the stroke, from 0 [m].
             starts: Where strokes begin, absolute [m].
             goal_shifts: How far the ends of strokes move [m].
-            duration: How long the whole letter takes, with its lifts [s]; its clock is stretched evenly.
+            duration: Of the whole letter with its lifts, stretched evenly [s].
 
         Raises:
-            LetterError: No stroke of that number, a goal and a shift for one stroke, or a duration that is
-                not a time.
+            LetterError: No stroke of that number, a goal and a shift for one stroke, or a duration
+                that is not a time.
             TrajectoryError: A start or goal that is not a point of the stroke.
         """
-        starts, goals = self._asked(goals, starts, goal_shifts)
+        starts, goals = self._ends(goals, starts, goal_shifts)
         drawn = [p.rollout(starts.get(i), goals.get(i)) for i, p in enumerate(self.primitives)]
         return tuple(drawn) if duration is None else self._stretched(drawn, duration)
 
@@ -152,19 +147,20 @@ class Letter:
         starts: Mapping[int, ArrayLike] | None = None,
         goal_shifts: Mapping[int, ArrayLike] | None = None,
     ) -> Trajectory:
-        """Write the letter in one stroke, without a lift or a stop (Kulvicius 2012; see `dmp_teach.chain`).
+        """Write the letter in one stroke, without a lift or a stop (Kulvicius 2012).
 
         Args:
-            overlap: How long before the end of a stroke the next begins [s]; negative: a time for the way between.
+            overlap: How long before the end of a stroke the next begins [s]; negative: a time for
+                the connection between them.
             goals: As in `write` [m].
             starts: As in `write` [m].
             goal_shifts: As in `write` [m].
 
         Raises:
             LetterError: As in `write`.
-            TrajectoryError: As `chain`.
+            TrajectoryError: As `dmp_teach.chain`.
         """
-        starts, goals = self._asked(goals, starts, goal_shifts)
+        starts, goals = self._ends(goals, starts, goal_shifts)
         return chain(self.primitives, overlap, starts, goals)
 
     def joined(self, *args: Any, **kwargs: Any) -> Trajectory:
@@ -173,22 +169,22 @@ class Letter:
         return self.chain(*args, **kwargs)
 
     def save(self, path: str | PathLike[str]) -> Path:
-        """Keep the letter in a file of plain JSON, whole or not at all (`letters/saved.py` says what is in it).
+        """Save the letter in a file of plain JSON, whole or not at all (see `letter_json`).
 
         Raises:
             LetterError: A stroke that is not 2-D.
             PathError: A name that does not end with .json, or a place that cannot be written.
         """
-        return write_whole(path, to_json(self).encode(), ".json")
+        return write_whole(path, letter_to_json(self).encode(), ".json")
 
     @classmethod
     def load(cls, path: str | PathLike[str]) -> Self:
-        """A letter that was saved: it writes as it did, to the last bit.
+        """Load a letter that was saved: it writes as it did, to the last bit.
 
         Raises:
-            LetterError: No such file, another version, a file that was changed, or a field that cannot be.
+            LetterError: No such file, another version, a file that was changed, or a wrong field.
         """
-        return cls(**parts_of(path))
+        return cls(**letter_parts(path))
 
     @property
     def duration(self) -> float:
@@ -197,23 +193,23 @@ class Letter:
 
     @property
     def error(self) -> float:
-        """How far the letter as it was learned is from the demonstration: rms distance at equal times [m]."""
+        """The rms distance of the letter as learned from the demonstration, at equal times [m]."""
         return rms_distance(self.strokes, self.write())
 
     def __repr__(self) -> str:
-        """In one line, without the numbers."""
         strokes = f"{len(self.strokes)} stroke{'s' * (len(self.strokes) > 1)}"
         kernels = sum(len(primitive.weights) for primitive in self.primitives)
         if self.made_of:
             return f"Letter({strokes}, {kernels} kernels, made of {', '.join(self.made_of)})"
-        return f"Letter({strokes}, {kernels} kernels, {1000 * self.error:.2f} mm rms from the demonstration)"
+        error = f"{1000 * self.error:.2f} mm rms from the demonstration"
+        return f"Letter({strokes}, {kernels} kernels, {error})"
 
     def _repr_svg_(self) -> str | None:
-        """What it writes as a small picture, for a notebook."""
+        """Return what it writes as a small picture, for a notebook."""
         return svg_of(self.write(), repr(self), dotted=False)
 
     def _stretched(self, drawn: list[Trajectory], duration: float) -> tuple[Trajectory, ...]:
-        """The same on a clock that runs evenly slower or faster, from the same beginning."""
+        """Return the strokes on an evenly stretched clock, from the same beginning."""
         try:
             factor = float(duration) / self.duration
         except (TypeError, ValueError):
@@ -225,26 +221,23 @@ class Letter:
             Trajectory(begin + (stroke.t - begin) * factor, stroke.position) for stroke in drawn
         )
 
-    def _asked(
+    def _ends(
         self,
         goals: Mapping[int, ArrayLike] | None,
         starts: Mapping[int, ArrayLike] | None,
         goal_shifts: Mapping[int, ArrayLike] | None,
     ) -> tuple[dict[int, ArrayLike], dict[int, ArrayLike]]:
-        """Starts and goals by the number of the stroke, or a sentence."""
-        goals = self._by_stroke("goals", goals)
-        starts, shifts = (
-            self._by_stroke("starts", starts),
-            self._by_stroke("goal_shifts", goal_shifts),
-        )
-        for number in goals.keys() & shifts.keys():
-            raise LetterError(f"Stroke {number} has a goal and a goal shift; give one of them.")
-        for number, shift in shifts.items():
-            goals[number] = self._shifted(number, shift)
-        return starts, {**self.led_to, **goals}
+        """Return starts and goals by the number of the stroke."""
+        ends = {**self.led_to, **self._by_stroke("goals", goals)}
+        moved = self._by_stroke("starts", starts)
+        for number, shift in self._by_stroke("goal_shifts", goal_shifts).items():
+            if goals and number in goals:
+                raise LetterError(f"Stroke {number} has a goal and a goal shift; give one of them.")
+            ends[number] = self._shifted(number, shift)
+        return moved, ends
 
     def _by_stroke(self, name: str, of: Mapping[int, ArrayLike] | None) -> dict[int, ArrayLike]:
-        """What was asked for, by the number of the stroke, or a sentence."""
+        """Check that the keys are numbers of strokes."""
         if of is not None and not isinstance(of, Mapping):
             raise LetterError(
                 f"{name} must be a dictionary, stroke number: point [m], but is {kind_of(of)}."
@@ -258,7 +251,7 @@ class Letter:
         return dict(of or {})
 
     def _shifted(self, number: int, shift: ArrayLike) -> Array:
-        """The goal that a shift leads to, or a sentence."""
+        """Return the goal of a stroke moved by a shift."""
         goal = self.led_to.get(number, self.primitives[number].goal)
         what = f"The goal shift of stroke {number} is {shift!r}, but it must be"
         try:
@@ -273,15 +266,16 @@ class Letter:
 
 
 def pause_before(here: Array, there: Array) -> float:
-    """How long the pen is in the air from `here` (2,) to `there` (2,) [s]."""
-    return min(LIFT + float(np.linalg.norm(there - here)) / FLIGHT, LONGEST_LIFT)
+    """Return how long the pen is in the air from `here` (2,) to `there` (2,) [s]."""
+    flight = float(np.linalg.norm(there - here)) / SPEED_BETWEEN_STROKES
+    return min(PAUSE_BETWEEN_STROKES + flight, LONGEST_PAUSE)
 
 
-def _clock(pieces: tuple[Piece, ...]) -> list[float]:
-    """When each of them begins [s]."""
+def _begin_times(pieces: tuple[Piece, ...]) -> list[float]:
+    """Return when each of them begins [s]."""
     begins = [float(pieces[0].primitive.times[0])]
     for before, after in pairwise(pieces):
-        pause = max(after.primitive.times[0] - before.primitive.times[-1], SHORTEST_LIFT)
+        pause = max(after.primitive.times[0] - before.primitive.times[-1], SHORTEST_PAUSE)
         if not after.follows(before):
             pause = pause_before(before.at("goal"), after.at("start"))
         begins.append(begins[-1] + before.primitive.duration + pause)
@@ -289,7 +283,7 @@ def _clock(pieces: tuple[Piece, ...]) -> list[float]:
 
 
 def _strokes_of(recording: Any) -> tuple[Trajectory, ...]:
-    """The strokes of whatever was given."""
+    """Return the strokes of a recording or of strokes, checked."""
     strokes = list_strokes(recording)
     wrong = [each for each in strokes if not isinstance(each, Trajectory)]
     if wrong or not strokes:
@@ -300,12 +294,13 @@ def _strokes_of(recording: Any) -> tuple[Trajectory, ...]:
     for number, (before, after) in enumerate(pairwise(strokes), start=1):
         if after.dimensions != before.dimensions:
             raise LetterError(
-                f"Stroke {number} has {after.dimensions} dimensions, but stroke {number - 1} has {before.dimensions}; "
-                "all strokes of a letter have as many."
+                f"Stroke {number} has {after.dimensions} dimensions, but stroke {number - 1} has "
+                f"{before.dimensions}; all strokes of a letter have as many."
             )
         if after.t[0] < before.t[-1]:
             raise LetterError(
-                f"Stroke {number} begins at {after.t[0]} s, before stroke {number - 1} ends at {before.t[-1]} s; "
-                "put strokes in the order in which they were written, on one clock."
+                f"Stroke {number} begins at {after.t[0]} s, before stroke {number - 1} ends at "
+                f"{before.t[-1]} s; put strokes in the order in which they were written, on one "
+                "clock."
             )
     return strokes

@@ -1,8 +1,9 @@
-"""A learned letter as plain JSON: its strokes, its settings and its weights; nothing that could be run, nobody's name.
+"""A learned letter as plain JSON: strokes, settings and weights; no code and no names of people.
 
-The format, version 1, is one object with the strokes as rows t [s], x, y [m], for each stroke its primitive (weights,
-biases, start, goal and so on, and the path that it was seen to draw, so that it draws the same to the last bit), goals
-that strokes are led to, what the letter was made of, and a check sum: a file that was edited or damaged is refused.
+The format, version 1, is one object with the strokes as rows t [s], x, y [m]; for each stroke its
+primitive (weights, biases, start, goal and so on, and the path of its rollout, so that it draws the
+same to the last bit); goals that strokes are led to; what the letter was made of; and a check sum:
+a file that was edited or damaged is refused.
 """
 
 from __future__ import annotations
@@ -22,28 +23,34 @@ from dmp_teach.errors import LetterError, TeachError
 from dmp_teach.files import contents, is_number, loaded, must
 from dmp_teach.trajectory import Array, Trajectory
 
-FORMAT = "dmp_teach letter"
-VERSION = 1
-UNITS = {"t": "s", "x": "m", "y": "m"}
-FIELDS = ("format", "version", "units", "strokes", "primitives", "led_to", "made_of", "check")
-PRIMITIVE = (
-    "settings",
-    "weights",
-    "biases",
-    "start",
-    "goal",
-    "duration",
-    "start_velocity",
-    "times",
-    "steps",
-    "notes",
+LETTER_FORMAT = "dmp_teach letter"
+LETTER_VERSION = 1
+LETTER_UNITS = {"t": "s", "x": "m", "y": "m"}
+LETTER_FIELDS = tuple(
+    ["format", "version", "units", "strokes", "primitives", "led_to", "made_of", "check"]
 )
-HOUR = 3600.0  # a clock that has run for longer than this may be one of the world: since midnight, or since 1970 [s]
-ENDLESS = "inf"  # JSON has no infinity
+PRIMITIVE_FIELDS = tuple(
+    [
+        "settings",
+        "weights",
+        "biases",
+        "start",
+        "goal",
+        "duration",
+        "start_velocity",
+        "times",
+        "steps",
+        "notes",
+    ]
+)
+# A clock that has run for longer than this may be one of the world, since midnight or 1970 [s].
+LONGEST_CLOCK = 3600.0
+# JSON has no infinity.
+INFINITE = "inf"
 
 
-def to_json(letter: Any) -> str:
-    """A `Letter` as JSON; its clock is kept, unless it has run for more than an hour: then it begins at 0.
+def letter_to_json(letter: Any) -> str:
+    """Return a `Letter` as JSON; a clock that has run for more than an hour begins at 0.
 
     Raises:
         LetterError: A stroke that is not 2-D.
@@ -51,175 +58,141 @@ def to_json(letter: Any) -> str:
     if any(stroke.dimensions != 2 for stroke in letter.strokes):
         raise LetterError("A letter that is saved has strokes in 2-D: right and up [m].")
     begin = letter.strokes[0].t[0]
-    begin = begin if abs(begin) > HOUR else 0.0
+    begin = begin if abs(begin) > LONGEST_CLOCK else 0.0
     content = {
-        "format": FORMAT,
-        "version": VERSION,
-        "units": UNITS,
+        "format": LETTER_FORMAT,
+        "version": LETTER_VERSION,
+        "units": LETTER_UNITS,
         "strokes": [
             np.column_stack([stroke.t - begin, stroke.position]).tolist()
             for stroke in letter.strokes
         ],
-        "primitives": [_said(primitive, begin) for primitive in letter.primitives],
+        "primitives": [_primitive_to_json(each, begin) for each in letter.primitives],
         "led_to": {str(number): goal.tolist() for number, goal in letter.led_to.items()},
         "made_of": list(letter.made_of),
     }
     lines = [f"{json.dumps(name)}: {json.dumps(value)}" for name, value in content.items()]
-    return "{\n" + ",\n".join([*lines, f'"check": "{_check_sum(content)}"']) + "\n}\n"
+    return "{\n" + ",\n".join([*lines, f'"check": "{check_sum(content)}"']) + "\n}\n"
 
 
-def parts_of(path: str | os.PathLike[str]) -> dict[str, Any]:
-    """What a saved letter is made of: the arguments of `Letter`.
+def letter_parts(path: str | os.PathLike[str]) -> dict[str, Any]:
+    """Read a saved letter: the arguments of `Letter`.
 
     Raises:
-        LetterError: No such file, another format or version, a file that was changed, or a field that cannot be.
+        LetterError: No such file, another format or version, a file that was changed, or a field
+            that is wrong.
     """
     name = ""
     try:
         data, name = contents(path)
-        return _parts(loaded(data, FORMAT, (VERSION,), FIELDS))
-    except LetterError as error:
-        raise LetterError(f"{name}: {error}") from None
+        return _parts(loaded(data, LETTER_FORMAT, (LETTER_VERSION,), LETTER_FIELDS))
     except TeachError as error:
         raise LetterError(f"{name}: {error}" if name else str(error)) from None
 
 
-def _said(primitive: DMP, begin: float) -> dict[str, Any]:
-    """A primitive as what JSON can hold."""
-    said = {name: getattr(primitive, name) for name in PRIMITIVE}
-    said = {
-        name: value.tolist() if isinstance(value, np.ndarray) else value
-        for name, value in said.items()
-    }
-    settings = asdict(primitive.settings)
-    said["settings"] = {
-        name: ENDLESS if value == math.inf else value for name, value in settings.items()
-    }
-    said["times"] = (primitive.times - begin).tolist()
-    return said | {"path": primitive.shown.tolist()}
-
-
-def _check_sum(content: dict[str, Any]) -> str:
-    """A number that changes with every sign of the content."""
+def check_sum(content: dict[str, Any]) -> str:
+    """Return a number that changes with every character of the content, "check" left out."""
     return hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()
 
 
+def _primitive_to_json(primitive: DMP, begin: float) -> dict[str, Any]:
+    """Return a primitive as what JSON can hold."""
+    fields = {name: getattr(primitive, name) for name in PRIMITIVE_FIELDS}
+    fields = {
+        name: value.tolist() if isinstance(value, np.ndarray) else value
+        for name, value in fields.items()
+    }
+    settings = asdict(primitive.settings)
+    fields["settings"] = {k: INFINITE if v == math.inf else v for k, v in settings.items()}
+    fields["times"] = (primitive.times - begin).tolist()
+    return fields | {"path": primitive.shown.tolist()}
+
+
 def _parts(content: dict[str, Any]) -> dict[str, Any]:
-    """The arguments of a letter, every field checked."""
-    said = content.pop("check")
-    must(
-        said == _check_sum(content),
-        "check",
-        said,
-        "that of the content: it was changed after it was saved; save again",
-    )
-    must(content["units"] == UNITS, "units", content["units"], repr(UNITS))
-    strokes, primitives, led, made = (
-        content[name] for name in ("strokes", "primitives", "led_to", "made_of")
-    )
-    lists = (
-        isinstance(strokes, list)
-        and isinstance(primitives, list)
-        and 0 < len(strokes) == len(primitives)
-    )
-    must(lists, "strokes", strokes, "a list, with a primitive for each")
+    """Return the arguments of a letter, every field checked."""
+    given = content.pop("check")
+    unchanged = "that of the content: it was changed after it was saved; save again"
+    must(given == check_sum(content), "check", given, unchanged)
+    must(content["units"] == LETTER_UNITS, "units", content["units"], repr(LETTER_UNITS))
+    names = ("strokes", "primitives", "led_to", "made_of")
+    strokes, primitives, led, made = (content[name] for name in names)
+    are_lists = isinstance(strokes, list) and isinstance(primitives, list)
+    paired = are_lists and 0 < len(strokes) == len(primitives)
+    must(paired, "strokes", strokes, "a list, with a primitive for each")
     numbers = {str(k): k for k in range(len(strokes))}
-    must(
-        isinstance(led, dict) and set(led) <= set(numbers),
-        "led_to",
-        led,
-        "a goal by the number of a stroke",
-    )
-    must(
-        isinstance(made, list) and all(isinstance(name, str) for name in made),
-        "made_of",
-        made,
-        "a list of names",
-    )
+    goals = isinstance(led, dict) and set(led) <= set(numbers)
+    must(goals, "led_to", led, "a goal by the number of a stroke")
+    named = isinstance(made, list) and all(isinstance(name, str) for name in made)
+    must(named, "made_of", made, "a list of names")
     rows = [_numbers(f"strokes[{k}]", stroke, (None, 3)) for k, stroke in enumerate(strokes)]
     return {
         "strokes": tuple(Trajectory(row[:, 0], row[:, 1:]) for row in rows),
         "primitives": tuple(
             _primitive(f"primitives[{k}]", each) for k, each in enumerate(primitives)
         ),
-        "led_to": {
-            numbers[key]: _numbers(f"led_to[{key}]", goal, (2,)) for key, goal in led.items()
-        },
+        "led_to": {numbers[k]: _numbers(f"led_to[{k}]", goal, (2,)) for k, goal in led.items()},
         "made_of": tuple(made),
     }
 
 
-def _primitive(name: str, said: Any) -> DMP:
-    """One primitive."""
-    good = isinstance(said, dict) and set(said) == {*PRIMITIVE, "path"}
-    must(good, name, said, f"an object with {', '.join(PRIMITIVE)}, path")
-    settings = _settings(f"{name}.settings", said["settings"])
-    kernels, steps, notes = settings.n_kernels, said["steps"], said["notes"]
-    resolved = settings.n_kernels is not None and settings.alpha is not None
-    must(
-        resolved, f"{name}.settings", said["settings"], "complete: n_kernels and alpha are numbers"
+def _primitive(name: str, fields: Any) -> DMP:
+    """Return one primitive, every field checked."""
+    complete = isinstance(fields, dict) and set(fields) == {*PRIMITIVE_FIELDS, "path"}
+    must(complete, name, fields, f"an object with {', '.join(PRIMITIVE_FIELDS)}, path")
+    settings = _settings(f"{name}.settings", fields["settings"])
+    kernels, steps, notes = settings.n_kernels, fields["steps"], fields["notes"]
+    resolved = kernels is not None and settings.alpha is not None
+    wanted = "complete: n_kernels and alpha are numbers"
+    must(resolved, f"{name}.settings", fields["settings"], wanted)
+    whole = type(steps) is int and 0 < steps < 10**7
+    must(whole, f"{name}.steps", steps, "a whole number of steps")
+    sentences = isinstance(notes, list) and all(isinstance(note, str) for note in notes)
+    must(sentences, f"{name}.notes", notes, "sentences")
+    duration = fields["duration"]
+    lasts = is_number(duration) and duration > 0
+    must(lasts, f"{name}.duration", duration, "a time longer than 0 s")
+
+    def numbers(field: str, *shape: int | None) -> Array:
+        return _numbers(f"{name}.{field}", fields[field], shape)
+
+    times, path = numbers("times", None), numbers("path", steps + 1, 2)
+    # A trajectory refuses times that do not increase.
+    Trajectory(times, times)
+    primitive = DMP(
+        weights=numbers("weights", kernels, 2),
+        biases=None if fields["biases"] is None else numbers("biases", kernels, 2),
+        start=numbers("start", 2),
+        goal=numbers("goal", 2),
+        duration=duration,
+        settings=settings,
+        start_velocity=numbers("start_velocity", 2),
+        times=times,
+        steps=steps,
+        notes=tuple(notes),
     )
-    must(
-        type(steps) is int and 0 < steps < 10**7, f"{name}.steps", steps, "a whole number of steps"
-    )
-    must(
-        isinstance(notes, list) and all(isinstance(note, str) for note in notes),
-        f"{name}.notes",
-        notes,
-        "sentences",
-    )
-    duration = said["duration"]
-    must(
-        is_number(duration) and duration > 0, f"{name}.duration", duration, "a time longer than 0 s"
-    )
-    shapes = {
-        "weights": (kernels, 2),
-        "start": (2,),
-        "goal": (2,),
-        "start_velocity": (2,),
-        "path": (steps + 1, 2),
-    }
-    values = {each: _numbers(f"{name}.{each}", said[each], shape) for each, shape in shapes.items()}
-    biases = (
-        None if said["biases"] is None else _numbers(f"{name}.biases", said["biases"], (kernels, 2))
-    )
-    times = _numbers(f"{name}.times", said["times"], (None,))
-    Trajectory(times, times)  # they must increase
-    path = values.pop("path")
-    made = {
-        "biases": biases,
-        "duration": duration,
-        "settings": settings,
-        "times": times,
-        "steps": steps,
-    }
-    return DMP(notes=tuple(notes), **made, **values).showing(
-        path
-    )  # drawn again, its last bits may differ
+    # Drawn again, the last bits of the path may differ.
+    return primitive.showing(path)
 
 
-def _settings(name: str, said: Any) -> Settings:
-    """The settings, each within its range."""
+def _settings(name: str, fields: Any) -> Settings:
+    """Return the settings, each within its range."""
     known = {each.name for each in knobs()}
-    must(
-        isinstance(said, dict) and set(said) == known,
-        name,
-        said,
-        f"an object with {', '.join(sorted(known))}",
-    )
-    return Settings(
-        **{each: math.inf if value == ENDLESS else value for each, value in said.items()}
-    )
+    complete = isinstance(fields, dict) and set(fields) == known
+    must(complete, name, fields, f"an object with {', '.join(sorted(known))}")
+    # Any: `Settings` checks the type of each.
+    values: dict[str, Any] = {k: math.inf if v == INFINITE else v for k, v in fields.items()}
+    return Settings(**values)
 
 
 def _numbers(name: str, rows: Any, shape: tuple[int | None, ...]) -> Array:
-    """Finite numbers of that shape, None being any length."""
+    """Return finite numbers of that shape, None being any length."""
     must(isinstance(rows, list), name, rows, "a list of numbers")
     nested = len(shape) == 2 and all(isinstance(row, list) for row in rows)
     good = all(is_number(value) for value in (chain.from_iterable(rows) if nested else rows))
     try:
         array = np.array(rows, dtype=float) if good else np.empty(())
-    except ValueError:  # rows of different lengths
+    except ValueError:
+        # Rows of different lengths.
         array = np.empty(())
     fits = array.ndim == len(shape) and all(
         want in (None, size) for want, size in zip(shape, array.shape, strict=True)

@@ -1,4 +1,4 @@
-"""Letters of one class learned alike, so that their weights can be added: the same strokes, kernels and samples."""
+"""Letters of one class learned alike, so that weights add up: the same strokes and kernels."""
 
 from __future__ import annotations
 
@@ -16,17 +16,20 @@ from dmp_teach.letters.letter import Letter
 from dmp_teach.scoring import match_strokes
 from dmp_teach.trajectory import Array, Trajectory
 
-_SHORTEST_LIFT = 1e-3  # [s]
-_FLAT = 4  # a letter that is so many times as wide as high is measured by its width
+# Lifts are kept as logarithms, so none is shorter than this [s].
+LEAST_LIFT = 1e-3
+# A letter that is wider than this many times its height is measured by its width.
+WIDEST_BY_HEIGHT = 4
 
 
-def learned_alike(
+def learn_alike(
     letters: Sequence[Letter], settings: Settings | None = None, same_size: bool = True
 ) -> list[Letter]:
-    """The letters learned again with the same strokes in the same order, kernels, samples and stiffness.
+    """Learn letters again with the same order of strokes, kernels, samples and stiffness.
 
-    The fit is linear in the demonstration wherever these agree, so the mean of such letters' weights draws the mean of
-    the letters. Their middles are moved together, and their heights made equal (to the geometric mean), or kept.
+    The fit is linear in the demonstration where these agree, so the mean of such letters' weights
+    draws the mean of the letters. Their middles are moved together, and their heights scaled to the
+    geometric mean, or kept.
 
     Args:
         letters: At least two, of one class.
@@ -35,46 +38,45 @@ def learned_alike(
 
     Raises:
         LetterError: Fewer than two letters, or letters that are not made of the same strokes.
-        SettingError: The original transformation, in which a weight means something else for every letter.
+        SettingError: The original transformation, whose weights mean something else every time.
     """
     settings = as_settings(settings)
     if settings.transform == "original":
         raise SettingError(
-            "Letters cannot be blended with transform='original': its weights are divided by each letter's own way "
-            "from start to goal. Use Settings.star()."
+            "Letters cannot be blended with transform='original': its weights are divided by each "
+            "letter's own way from start to goal. Use Settings.star()."
         )
     if len(letters) < 2:
         raise LetterError(
             f"A style is what several letters share, but got {len(letters)}; give at least 2."
         )
-    ink = _together(
-        [_ordered(letter, letters[0], number) for number, letter in enumerate(letters)], same_size
-    )
-    found = []
+    ordered = [_reordered(letter, letters[0], number) for number, letter in enumerate(letters)]
+    ink = _superposed(ordered, same_size)
+    learned = []
     for strokes in zip(*ink, strict=True):
         mean = float(np.mean([stroke.duration for stroke in strokes]))
         samples = max(len(stroke) for stroke in strokes)
         common = settings.resolved(mean, samples)
-        found.append([DMP.imitate(_resampled(stroke, samples), common) for stroke in strokes])
+        learned.append([DMP.imitate(_resampled(stroke, samples), common) for stroke in strokes])
     return [
         Letter(strokes, primitives)
-        for strokes, primitives in zip(ink, zip(*found, strict=True), strict=True)
+        for strokes, primitives in zip(ink, zip(*learned, strict=True), strict=True)
     ]
 
 
-def row_of(letter: Letter) -> Array:
-    """A letter as one row of numbers, in which what it draws is linear but for its clock, shape (P,).
+def letter_to_row(letter: Letter) -> Array:
+    """Return a letter as a row of numbers in which its rollout is linear but for time, shape (P,).
 
-    Of each stroke the weights, biases, start, goal and start velocity times duration [m]; then the logarithms of all
-    durations, and of the lifts [s].
+    Of each stroke the weights, biases, start, goal and start velocity times duration [m]; then the
+    logarithms of all durations, and of the lifts [s].
     """
-    parts = [part.ravel() for p in letter.primitives for part in _parts(p)]
-    lifts = [max(b.t[0] - a.t[-1], _SHORTEST_LIFT) for a, b in pairwise(letter.strokes)]
+    parts = [part.ravel() for p in letter.primitives for part in _linear_parts(p)]
+    lifts = [max(b.t[0] - a.t[-1], LEAST_LIFT) for a, b in pairwise(letter.strokes)]
     return np.concatenate([*parts, np.log([p.duration for p in letter.primitives]), np.log(lifts)])
 
 
-def letter_of(row: Array, kind: Letter) -> Letter:
-    """The letter that a row stands for.
+def letter_from_row(row: Array, kind: Letter) -> Letter:
+    """Return the letter that a row stands for.
 
     Args:
         row: Shape (P,).
@@ -84,44 +86,43 @@ def letter_of(row: Array, kind: Letter) -> Letter:
     clock = np.exp(row[len(row) - 2 * count + 1 :])
     durations, lifts = clock[:count], np.append(clock[count:], 0.0)
     for primitive, duration, lift in zip(kind.primitives, durations, lifts, strict=True):
-        values, row = _taken(row, _parts(primitive))
-        *forcing, start, goal, way = values
-        times = begin + np.linspace(0, duration, len(primitive.times))
-        weights, biases = (*forcing, None)[:2]
-        change = {
-            "weights": weights,
-            "biases": biases,
-            "start": start,
-            "goal": goal,
-            "start_velocity": way / duration,
-        }
-        primitives.append(
-            replace(primitive, **change, duration=float(duration), times=times, notes=())
+        values, row = _split_off(row, _linear_parts(primitive))
+        *forcing, start, goal, velocity = values
+        changed = replace(
+            primitive,
+            weights=forcing[0],
+            biases=forcing[1] if len(forcing) > 1 else None,
+            start=start,
+            goal=goal,
+            start_velocity=velocity / duration,
+            duration=float(duration),
+            times=begin + np.linspace(0, duration, len(primitive.times)),
+            notes=(),
         )
+        primitives.append(changed)
         begin += duration + lift
     return Letter(tuple(p.rollout() for p in primitives), tuple(primitives))
 
 
-def path_of(letter: Letter) -> Array:
-    """All that a letter draws, at its own samples, shape (Q, 2) [m]."""
+def drawn_path(letter: Letter) -> Array:
+    """Return all that a letter draws, at its own samples, shape (Q, 2) [m]."""
     return np.concatenate([p.rollout().position for p in letter.primitives])
 
 
-def _parts(primitive: DMP) -> list[Array]:
-    """What of a primitive is blended."""
-    forcing = (
-        [primitive.weights] if primitive.biases is None else [primitive.weights, primitive.biases]
-    )
-    return [
-        *forcing,
-        primitive.start,
-        primitive.goal,
-        primitive.start_velocity * primitive.duration,
-    ]
+def as_letter(given: Any) -> Letter:
+    """Return a letter, learned unless it is one already."""
+    return given if isinstance(given, Letter) else Letter.learn(given)
 
 
-def _taken(row: Array, like: Sequence[Array]) -> tuple[list[Array], Array]:
-    """Arrays of these shapes from the beginning of a row, and the rest of it."""
+def _linear_parts(primitive: DMP) -> list[Array]:
+    """Return what of a primitive is blended."""
+    own = primitive
+    forcing = [own.weights] if own.biases is None else [own.weights, own.biases]
+    return [*forcing, own.start, own.goal, own.start_velocity * own.duration]
+
+
+def _split_off(row: Array, like: Sequence[Array]) -> tuple[list[Array], Array]:
+    """Return arrays of these shapes from the beginning of a row, and the rest of it."""
     found = []
     for part in like:
         found.append(row[: part.size].reshape(part.shape))
@@ -129,38 +130,34 @@ def _taken(row: Array, like: Sequence[Array]) -> tuple[list[Array], Array]:
     return found, row
 
 
-def _ordered(letter: Letter, first: Letter, number: int) -> tuple[Trajectory, ...]:
-    """The strokes of a letter in the order and direction of the first letter's; its own clock is given to them."""
+def _reordered(letter: Letter, first: Letter, number: int) -> tuple[Trajectory, ...]:
+    """Return the strokes of a letter in the order and direction of the first letter's."""
     match = match_strokes(letter.strokes, first.strokes)
-    pairs = match.pairs
-    if (
-        match.extra
-        or match.missing
-        or any(len(pair.strokes) + len(pair.others) > 2 for pair in pairs)
-    ):
+    merged = any(len(pair.strokes) + len(pair.others) > 2 for pair in match.pairs)
+    if match.extra or match.missing or merged:
         raise LetterError(
-            f"Letter {number} has {len(letter.strokes)} stroke{'s' * (len(letter.strokes) > 1)} and letter 0 has "
-            f"{len(first.strokes)}, and they are not the same parts. Blend letters that are made of the same strokes, "
-            "in any order."
+            f"Letter {number} has {len(letter.strokes)} stroke{'s' * (len(letter.strokes) > 1)} "
+            f"and letter 0 has {len(first.strokes)}, and they are not the same parts. Blend "
+            "letters that are made of the same strokes, in any order."
         )
     found, begin = [], 0.0
     pauses = [b.t[0] - a.t[-1] for a, b in pairwise(letter.strokes)]
-    for pair, pause in zip(pairs, [*pauses, 0.0], strict=True):
+    for pair, pause in zip(match.pairs, [*pauses, 0.0], strict=True):
         stroke = letter.strokes[pair.strokes[0]]
         path = stroke.position[::-1] if pair.alignment.backwards else stroke.position
         t = stroke.t[-1] - stroke.t[::-1] if pair.alignment.backwards else stroke.t - stroke.t[0]
         found.append(Trajectory(begin + t, path))
-        begin += stroke.duration + max(pause, _SHORTEST_LIFT)
+        begin += stroke.duration + max(pause, LEAST_LIFT)
     return tuple(found)
 
 
-def _together(
+def _superposed(
     letters: Sequence[Sequence[Trajectory]], same_size: bool
 ) -> list[tuple[Trajectory, ...]]:
-    """The letters moved to their mean middle and, if asked, scaled to their mean size."""
+    """Return the letters moved to their mean middle and, if wanted, scaled to their mean size."""
     boxes = np.array([_box(strokes) for strokes in letters])
     middles, (wide, high) = boxes.mean(axis=1), (boxes[:, 1] - boxes[:, 0]).T
-    sizes = np.maximum(high, wide / _FLAT)
+    sizes = np.maximum(high, wide / WIDEST_BY_HEIGHT)
     factors = np.exp(np.log(sizes).mean()) / sizes if same_size else np.ones(len(sizes))
     place = middles.mean(axis=0)
     return [
@@ -170,17 +167,12 @@ def _together(
 
 
 def _box(strokes: Sequence[Trajectory]) -> Array:
-    """Lower left and upper right corner of the ink, shape (2, 2) [m]."""
+    """Return the lower left and upper right corner of the ink, shape (2, 2) [m]."""
     points = np.concatenate([stroke.position for stroke in strokes])
     return np.array([points.min(axis=0), points.max(axis=0)])
 
 
 def _resampled(stroke: Trajectory, samples: int) -> Trajectory:
-    """A stroke at so many even times."""
+    """Return a stroke at `samples` even times."""
     t = np.linspace(stroke.t[0], stroke.t[-1], samples)
     return Trajectory(t, PchipInterpolator(stroke.t, stroke.position)(t))
-
-
-def as_letter(given: Any) -> Letter:
-    """A letter, learned unless it is one already."""
-    return given if isinstance(given, Letter) else Letter.learn(given)

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import LetterError, TrajectoryError
 from dmp_teach.ink.alphabet import recording_of
-from dmp_teach.letters.compose.geometry import corners, cut, nearest
+from dmp_teach.letters.compose.geometry import cut_at_corners, find_corners, nearest_point
 from dmp_teach.letters.compose.recipes import make_letter
 from dmp_teach.letters.compose.roles import strokes_in_role
 from dmp_teach.letters.compose.shelf import Shelf
@@ -26,7 +26,7 @@ FORMS = st.sampled_from(("star", "similarity"))
 
 
 def far(path, point):
-    return float(np.linalg.norm(nearest(path.drawn.position, np.asarray(point)) - point))
+    return float(np.linalg.norm(nearest_point(path.drawn.position, np.asarray(point)) - point))
 
 
 @pytest.mark.parametrize("character", "BDlonmi4")
@@ -145,7 +145,7 @@ LOOPED = [("o", 1, "round"), ("l", 1, "round")]  # the slanted hand draws a loop
 )
 def test_strokes_are_cut_where_they_turn_sharply(character, count, alphabet):
     (stroke,) = recording_of(character, alphabet).strokes()
-    parts = cut(stroke)
+    parts = cut_at_corners(stroke)
     assert len(parts) == count
     np.testing.assert_array_equal(
         np.concatenate([part.position[k > 0 :] for k, part in enumerate(parts)]), stroke.position
@@ -154,7 +154,11 @@ def test_strokes_are_cut_where_they_turn_sharply(character, count, alphabet):
 
 def test_size_place_and_pace_do_not_move_a_corner():
     (stroke,) = recording_of("n").strokes()
-    assert corners(stroke) == corners(Trajectory(3 * stroke.t + 5, 7 * stroke.position - 2)) != ()
+    assert (
+        find_corners(stroke)
+        == find_corners(Trajectory(3 * stroke.t + 5, 7 * stroke.position - 2))
+        != ()
+    )
 
 
 def test_a_d_in_one_stroke_is_taken_apart_at_its_corner():

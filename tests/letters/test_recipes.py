@@ -10,8 +10,8 @@ from hypothesis import strategies as st
 from dmp_teach.errors import LetterError
 from dmp_teach.formats.read import read_recording
 from dmp_teach.ink.alphabet import alphabets, characters, recording_of
-from dmp_teach.letters.compose.geometry import nearest
-from dmp_teach.letters.compose.recipes import make_letter, makeable, needed, recipes
+from dmp_teach.letters.compose.geometry import nearest_point
+from dmp_teach.letters.compose.recipes import letters_needed, make_letter, recipes
 from dmp_teach.letters.compose.roles import strokes_in_role
 from dmp_teach.letters.compose.shelf import Shelf
 from dmp_teach.letters.letter import Letter
@@ -25,7 +25,7 @@ FORMS = ("star", "similarity")
 
 @pytest.fixture(scope="module")
 def shelves():
-    wanted = {letter for _, how in recipes() for letter in needed(how)}
+    wanted = {letter for _, how in recipes() for letter in letters_needed(how)}
     return {
         name: Shelf.of(
             recording_of(letter, name) for letter in characters(name) if letter in wanted
@@ -38,6 +38,12 @@ def shelves():
 def everybody():
     shelf = Shelf.of(map(read_recording, RECORDINGS))
     return [shelf.by(writer) for writer in shelf.writers]
+
+
+def makeable(shelf):
+    """The letters for which there is a recipe whose letters are all on the shelf."""
+    have = set(shelf.letters)
+    return dict.fromkeys(made for made, how in recipes() if set(letters_needed(how)) <= have)
 
 
 def box(strokes):
@@ -54,7 +60,9 @@ def test_every_line_of_the_table_makes_its_letter(shelves, alphabet, transform):
     for character, how in recipes():
         strokes = make_letter(character, shelf, transform, how).write()
         (left, low), (right, high) = box(strokes)
-        below, above = box([piece.drawn for letter in needed(how) for piece in shelf[letter]])
+        below, above = box(
+            [piece.drawn for letter in letters_needed(how) for piece in shelf[letter]]
+        )
         tall = above[1] - below[1]
         assert 0.3 * tall < high - low < 2 * tall, (character, how)
         assert 0.1 < (right - left) / (high - low) < 2, (character, how)
@@ -73,7 +81,7 @@ def test_made_letters_hang_together(shelves, alphabet):
         for number, stroke in enumerate(strokes):
             others = [other.position for k, other in enumerate(strokes) if k != number]
             gaps = [
-                np.linalg.norm(nearest(other, p) - p)
+                np.linalg.norm(nearest_point(other, p) - p)
                 for other in others
                 for p in stroke.position[::3]
             ]
@@ -250,7 +258,10 @@ def test_every_writers_d_makes_a_p_of_that_writer_however_it_was_drawn():
     for recording in of_d:
         bar, bowl = make_letter("P", Shelf.of([recording])).write()
         assert (
-            min(np.linalg.norm(nearest(bar.position, end) - end) for end in bowl.position[[0, -1]])
+            min(
+                np.linalg.norm(nearest_point(bar.position, end) - end)
+                for end in bowl.position[[0, -1]]
+            )
             < 1e-4
         )
 
@@ -274,7 +285,7 @@ def test_any_d_makes_a_p(name, form, ways, transform):
     stem, bow = p.write()
     low, high = np.sort(stem.position[[0, -1], 1])
     lower = min(bow.position[[0, -1]], key=lambda end: end[1])
-    assert np.linalg.norm(nearest(stem.position, lower) - lower) < 1e-4
+    assert np.linalg.norm(nearest_point(stem.position, lower) - lower) < 1e-4
     assert abs(lower[1] - (low + high) / 2) < 0.05 * (high - low)
 
 

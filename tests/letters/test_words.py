@@ -15,16 +15,16 @@ from dmp_teach.ink.alphabet import SIGNS, alphabets, characters, recording_of
 from dmp_teach.letters.letter import Letter
 from dmp_teach.letters.text import words
 from dmp_teach.letters.text.connection_points import (
-    body_and_marks,
     can_arrive,
     can_leave,
-    leaving,
-    meeting,
+    find_meeting,
+    leaving_sample,
+    split_marks,
 )
-from dmp_teach.letters.text.connections import linked
-from dmp_teach.letters.text.handwriting import Hand, plain
+from dmp_teach.letters.text.connections import link_strokes
+from dmp_teach.letters.text.handwriting import Hand, plain_text
 from dmp_teach.letters.text.lines import write_lines
-from dmp_teach.letters.text.spacing import distance, linked_distance
+from dmp_teach.letters.text.spacing import connected_spacing, letter_spacing
 from dmp_teach.robot.fetch import Fetch
 from dmp_teach.robot.layout import place
 from dmp_teach.robot.page import Page
@@ -68,7 +68,7 @@ def test_neighbours_do_not_touch(name, one, other):
     hand = HANDS[name]
     left, right = hand.glyph(one), hand.glyph(other)
     apart, _ = cKDTree(dense(left)).query(
-        dense(right) + np.array([distance(left, right, hand.x_height), 0])
+        dense(right) + np.array([letter_spacing(left, right, hand.x_height), 0])
     )
     assert apart.min() > 0.1 * hand.x_height
 
@@ -115,7 +115,7 @@ def test_punctuation_stands_where_it_should(name):
 @pytest.mark.parametrize("name", alphabets())
 @pytest.mark.parametrize("sign", "+=-:/")
 def test_no_digit_leans_over_the_sign_of_a_sum(name, sign):
-    """Half an x-height above and below the sign, too: the hook of a 2 does not hang over the arm of a plus."""
+    """Half an x-height above and below the sign, too: no hook of a 2 over the arm of a plus."""
     hand = HANDS[name]
     for text in [f"{digit}{sign}{digit}" for digit in digits]:
         strokes = hand.word(text, False)
@@ -188,7 +188,7 @@ SPELT += ("ÙLTIMO", "2+2=4", "3/4", "wait\u2026", "«ça»", "déjà!", "œæœ
 def test_every_language_that_we_have_letters_for_is_written(name, text):
     """Letter by letter; joined, in no more strokes, as high and as deep as its letters."""
     apart, joined = word(text, name), word(text, name, joined=True)
-    glyphs = [HANDS[name].glyph(character) for character in plain(text)]
+    glyphs = [HANDS[name].glyph(character) for character in plain_text(text)]
     assert len(joined) <= len(apart) == sum(map(len, glyphs))
     size = HANDS[name].x_height
     for ink in (apart, joined):
@@ -202,23 +202,23 @@ def test_every_language_that_we_have_letters_for_is_written(name, text):
 
 @cache
 def joints(name):
-    """Every pair of small letters that are joined: the last stroke of the one, the first of the other in place."""
+    """Every pair of small letters that are joined: the last stroke and the first, in place."""
     return tuple(_joints(HANDS[name]))
 
 
 def connection(end, start, size):
     """The samples of two linked strokes, and between which of them the connection is."""
-    both, a = linked(end, start, size), leaving(end, size)
-    there = start.position[meeting(end.position[a], start, size).sample]
+    both, a = link_strokes(end, start, size), leaving_sample(end, size)
+    there = start.position[find_meeting(end.position[a], start, size).sample]
     return both, a, int(np.flatnonzero(np.abs(both.position - there).max(axis=1) < 1e-12)[0])
 
 
 def _joints(hand):
     for one, other in product(ascii_lowercase, repeat=2):
         glyphs = hand.glyph(one), hand.glyph(other)
-        bodies = body_and_marks(one, glyphs[0])[0], body_and_marks(other, glyphs[1])[0]
+        bodies = split_marks(one, glyphs[0])[0], split_marks(other, glyphs[1])[0]
         if can_leave(one, bodies[0], hand.x_height) and can_arrive(other, bodies[1], hand.x_height):
-            step = linked_distance(glyphs, bodies, hand.x_height)
+            step = connected_spacing(glyphs, bodies, hand.x_height)
             start = bodies[1][0]
             yield (
                 one + other,
@@ -231,8 +231,8 @@ def _joints(hand):
 def test_joined_letters_touch_only_by_the_way_between_them(name):
     size = HANDS[name].x_height
     for pair, end, start in joints(name):
-        a = leaving(end, size)
-        met = meeting(end.position[a], start, size)
+        a = leaving_sample(end, size)
+        met = find_meeting(end.position[a], start, size)
         right = (
             Trajectory(start.t[met.sample :], start.position[met.sample :])
             if not met.back
@@ -277,12 +277,12 @@ def test_the_way_between_letters_makes_no_detour(name):
 
 @pytest.mark.parametrize("name", alphabets())
 def test_the_white_between_letters_is_even(name):
-    """A pair of stems, a pair of bowls and a mixed pair have the same white, though their boxes stand unlike."""
+    """Stems, bowls and mixed pairs have the same white, though their boxes stand unlike."""
     hand = HANDS[name]
     boxes, whites = [], []
     for one, other in ("nn", "oo", "no", "on", "ac", "ve"):
         left, right = hand.glyph(one), hand.glyph(other)
-        moved = dense(right) + np.array([distance(left, right, hand.x_height), 0])
+        moved = dense(right) + np.array([letter_spacing(left, right, hand.x_height), 0])
         bands = np.linspace(0.02, 0.98, 40) * hand.x_height
         edges = [
             [ink[np.abs(ink[:, 1] - y) < 0.03 * hand.x_height, 0] for ink in (dense(left), moved)]
@@ -300,7 +300,7 @@ def test_round_letters_stand_nearer_than_stems_and_slopes_fit_into_each_other():
 
     def gap(pair):
         left, right = map(hand.glyph, pair)
-        step = distance(left, right, hand.x_height)
+        step = letter_spacing(left, right, hand.x_height)
         return (step + points(right)[:, 0].min() - points(left)[:, 0].max()) / hand.x_height
 
     assert gap("OO") < gap("HH") - 0.08
@@ -428,7 +428,7 @@ def test_a_connection_keeps_both_strokes_and_their_speeds():
     t = np.linspace(0, 1, 121)
     one = Trajectory(t, 0.05 * np.column_stack([t, 0.6 * t**2]))
     other = Trajectory(t, 0.05 * np.column_stack([1.6 + t, 0.9 + t - 0.4 * t**2]))
-    both = linked(one, other, 0.05)
+    both = link_strokes(one, other, 0.05)
     velocity = np.diff(both.position, axis=0) / np.diff(both.t)[:, None]
     assert np.linalg.norm(np.diff(velocity, axis=0), axis=1).max() < 0.01
     np.testing.assert_array_equal(both.position[0], one.position[0])
@@ -467,9 +467,7 @@ def test_what_comes_back_to_the_left_is_a_mark():
         ("A", 0),
         ("5", 0),
     ):
-        assert len(body_and_marks(character, HANDS["round"].glyph(character))[1]) == marks, (
-            character
-        )
+        assert len(split_marks(character, HANDS["round"].glyph(character))[1]) == marks, character
 
 
 def test_accents_are_written_too():
@@ -563,7 +561,7 @@ def test_lines_stay_inside_their_margins(x_height, joined):
 
 
 def whites(name, parts, strokes, size):
-    """The white along a line that leans as the hand does, after every other character [x-heights]."""
+    """The white along a line that leans as the hand does, after every character [x-heights]."""
     strokes, ends = iter(strokes), []
     for part in parts:
         ink = [next(strokes).position for _ in HANDS[name].glyph(part)]
@@ -598,7 +596,7 @@ def test_the_white_between_any_two_words_is_wider_than_any_within_a_word_and_var
 
 @pytest.mark.parametrize("name", alphabets())
 def test_no_sign_stands_so_far_off_that_it_looks_like_another_word(name):
-    """Brackets and strokes of fractions lean, as the letters beside them do; quotation marks stand over commas."""
+    """Brackets and fractions lean, as the letters beside them do; quotation marks stand high."""
     for some, others in ((ALL, SIGNS), (SIGNS, ALL), (SIGNS, SIGNS)):
         inside, between = seams(name, some, others)
         assert max(inside) < 0.46

@@ -1,4 +1,4 @@
-"""The shape of strokes: how straight, where their corners are, how far apart; no two writers order them alike."""
+"""The shape of strokes: how straight they are, where their corners are, points on them."""
 
 from __future__ import annotations
 
@@ -7,83 +7,88 @@ from itertools import pairwise
 
 import numpy as np
 
-from dmp_teach.trajectory import Array, Trajectory, ways
-from dmp_teach.trajectory import length as long
+from dmp_teach.trajectory import Array, Trajectory, length, ways
 
-REACH = 0.07  # a corner is seen over this way before and behind it, in parts of the stroke's size
-SHARP = np.radians(62)  # a turn by more than this within that way is a corner
-SHORT = 0.12  # nothing shorter than this part of the stroke is cut off
+# A corner turns by more than this within this share of the stroke's size before and behind it.
+CORNER_ANGLE = np.radians(62)
+CORNER_REACH = 0.07
+# Nothing shorter than this share of the stroke is cut off.
+SHORTEST_PART = 0.12
 
 
 def straightness(path: Array) -> float:
-    """The way from end to end in parts of the way along a path (T, 2): 1 for a line, 0 for a ring."""
-    return float(np.linalg.norm(path[-1] - path[0])) / max(long(path), 1e-12)
+    """Return chord over length of a path (T, 2): 1 for a line, 0 for a ring."""
+    return float(np.linalg.norm(path[-1] - path[0])) / max(length(path), 1e-12)
 
 
 def is_upright(path: Array) -> bool:
-    """Whether a path (T, 2) leads more up or down than sideways."""
+    """Return whether a path (T, 2) leads more up or down than sideways."""
     across, up = np.abs(path[-1] - path[0])
     return bool(up > across)
 
 
-def evenly(path: Array, points: int) -> tuple[Array, Array]:
-    """So many points at equal ways along a path (T, 2), and the (uneven) row of `path` where each of them is."""
+def resample_evenly(path: Array, points: int) -> tuple[Array, Array]:
+    """Resample a path (T, 2) at equal arc length, shape (points, 2).
+
+    Returns:
+        The points, and the fractional row of `path` where each of them is, shape (points,).
+    """
     way = ways(path)
     even = np.linspace(0, way[-1], points)
-    return np.column_stack([np.interp(even, way, axis) for axis in path.T]), np.interp(
-        even, way, np.arange(len(way))
-    )
+    resampled = np.column_stack([np.interp(even, way, axis) for axis in path.T])
+    return resampled, np.interp(even, way, np.arange(len(way)))
 
 
-def corners(stroke: Trajectory) -> tuple[int, ...]:
-    """The samples at which a stroke turns sharply: the foot of an n, the waist of a B, the ends of a Z.
+def find_corners(stroke: Trajectory) -> tuple[int, ...]:
+    """Find the samples at which a stroke turns sharply: the foot of an n, the waist of a B.
 
-    A turn is the angle between the way into a point and the way out of it, `REACH` of the stroke's size long each.
+    A turn is the angle between the chords into a point and out of it, `CORNER_REACH` of the
+    stroke's size long each.
     """
     path = stroke.position
-    size, length = float(np.ptp(path, axis=0).max()), long(path)
-    step = max(REACH * size / 8, length / 4000)
-    if size <= 0 or length < 4 * REACH * size:
+    size, total = float(np.ptp(path, axis=0).max()), length(path)
+    step = max(CORNER_REACH * size / 8, total / 4000)
+    if size <= 0 or total < 4 * CORNER_REACH * size:
         return ()
-    even, rows = evenly(path, max(3, round(length / step)))
-    reach = max(1, round(REACH * size * (len(even) - 1) / length))
+    even, rows = resample_evenly(path, max(3, round(total / step)))
+    reach = max(1, round(CORNER_REACH * size * (len(even) - 1) / total))
     into, out = even[reach:-reach] - even[: -2 * reach], even[2 * reach :] - even[reach:-reach]
     across = into[:, 0] * out[:, 1] - into[:, 1] * out[:, 0]
     turn = np.abs(np.arctan2(across, (into * out).sum(axis=1)))
-    found, least = [], max(reach, round(SHORT * len(even)))
+    found: list[int] = []
+    least = max(reach, round(SHORTEST_PART * len(even)))
     for k in np.argsort(-turn, kind="stable"):
-        place = k + reach
+        place = int(k) + reach
         clear = all(abs(place - other) > reach for other in found)
-        if turn[k] > SHARP and clear and least < place < len(even) - 1 - least:
-            found.append(int(place))
+        if turn[k] > CORNER_ANGLE and clear and least < place < len(even) - 1 - least:
+            found.append(place)
     return tuple(round(rows[place]) for place in sorted(found))
 
 
-def cut(stroke: Trajectory) -> tuple[Trajectory, ...]:
-    """A stroke in parts, cut at its corners; each begins with the sample at which the one before ended."""
-    edges = [0, *(k for k in corners(stroke) if 1 < k < len(stroke) - 2), len(stroke) - 1]
-    parts = [slice(a, b + 1) for a, b in pairwise(edges)]
+def cut_at_corners(stroke: Trajectory) -> tuple[Trajectory, ...]:
+    """Cut a stroke at its corners; each part begins with the last sample of the one before."""
+    corners = [k for k in find_corners(stroke) if 1 < k < len(stroke) - 2]
+    parts = [slice(a, b + 1) for a, b in pairwise([0, *corners, len(stroke) - 1])]
     return tuple(Trajectory(stroke.t[part], stroke.position[part]) for part in parts)
 
 
-def bar_and_bowl(strokes: Sequence[Trajectory]) -> tuple[int, int]:
-    """The numbers of the straightest stroke, and of the longest of the others."""
-    length = [long(s.position) for s in strokes]
-    two = sorted(np.argsort(length)[-2:])
+def find_bar_and_bowl(strokes: Sequence[Trajectory]) -> tuple[int, int]:
+    """Return the numbers of the straighter and the other one of the two longest strokes."""
+    two = sorted(np.argsort([length(s.position) for s in strokes])[-2:])
     bar = two[int(np.argmax([straightness(strokes[k].position) for k in two]))]
     return int(bar), int(next(k for k in two if k != bar))
 
 
-def nearest(path: Array, point: Array) -> Array:
-    """The point of a path (T, 2), taken as a line through its points, that is nearest to `point` (2,) [m]."""
+def nearest_point(path: Array, point: Array) -> Array:
+    """Return the point of a polyline (T, 2) that is nearest to `point` (2,) [m]."""
     a, d = path[:-1], np.diff(path, axis=0)
     part = np.clip(((point - a) * d).sum(axis=1) / np.maximum((d * d).sum(axis=1), 1e-18), 0, 1)
     on = a + part[:, None] * d
     return on[np.argmin(((on - point) ** 2).sum(axis=1))]
 
 
-def crossings(path: Array, height: float) -> Array:
-    """Where a path (T, 2) is at this height: the x of every crossing, in the order of writing [m]."""
+def x_crossings(path: Array, height: float) -> Array:
+    """Return the x of every crossing of a path (T, 2) with a height, as written [m]."""
     y = path[:, 1]
     below, above = np.minimum(y[:-1], y[1:]), np.maximum(y[:-1], y[1:])
     k = np.flatnonzero((below <= height) & (height <= above))
@@ -92,28 +97,13 @@ def crossings(path: Array, height: float) -> Array:
     return path[k, 0] + part * (path[k + 1, 0] - path[k, 0])
 
 
-def row_of(path: Array, place: str) -> int | None:
-    """The sample of a path (T, 2) at a place by its name: one of its ends, or what is outermost; None: no such name."""
-    goes_down = path[-1, 1] < path[0, 1]
-    ends = {
-        "start": 0,
-        "goal": -1,
-        "upper": 0 if goes_down else -1,
-        "lower": -1 if goes_down else 0,
-    }
-    if place in ends:
-        return ends[place]
-    outermost = {"top": path[:, 1], "bottom": -path[:, 1], "left": -path[:, 0], "right": path[:, 0]}
-    return int(np.argmax(outermost[place])) if place in outermost else None
-
-
-def across(path: Array, height: float) -> float | None:
-    """Where a path (T, 2) is at a height, or at its end if that is higher or lower by a tenth of it at most."""
+def x_near_height(path: Array, height: float) -> float | None:
+    """Return the x of a path (T, 2) at a height up to a tenth of it beyond its ends [m]."""
     low, high = path[:, 1].min(), path[:, 1].max()
     near = min(max(height, low), high)
-    return float(crossings(path, near)[-1]) if abs(near - height) <= 0.1 * (high - low) else None
+    return float(x_crossings(path, near)[-1]) if abs(near - height) <= 0.1 * (high - low) else None
 
 
-def middle_of(path: Array) -> Array:
-    """The middle of the box around a path (T, 2), shape (2,)."""
+def box_middle(path: Array) -> Array:
+    """Return the middle of the bounding box of a path (T, 2), shape (2,)."""
     return (path.min(axis=0) + path.max(axis=0)) / 2

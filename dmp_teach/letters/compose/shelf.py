@@ -1,4 +1,4 @@
-"""A shelf of strokes: everything that was learned from anybody's letters, each stroke under its name."""
+"""A shelf of strokes: letters taken apart, each stroke under its name."""
 
 from __future__ import annotations
 
@@ -18,8 +18,10 @@ class Shelf:
     """Strokes of letters, to make new letters from.
 
         shelf = Shelf.of(recording_of(character) for character in "Dlon")
-        shelf["D"]       both strokes of the D        shelf["n.1"].cut()     the stem and the hump of an n
-        shelf["D.2"]     its second stroke            shelf["n.1b"]          its second part, the hump
+        shelf["D"]            both strokes of the D
+        shelf["D.2"]          its second stroke
+        shelf["n.1"].cut()    the stem and the hump of an n
+        shelf["n.1b"]         its second part, the hump
 
     Args:
         pieces: The strokes, letter by letter in the order of writing.
@@ -31,24 +33,27 @@ class Shelf:
     def of(
         cls, letters: Iterable[Any] | Mapping[str, Any], settings: Settings | None = None
     ) -> Self:
-        """Take letters apart.
+        """Take letters apart into strokes.
 
         Args:
-            letters: Recordings, which know their character and writer; or characters with what they were learned from:
-                `{"D": letter}`. A letter that comes twice by one writer replaces the one before.
+            letters: Recordings, which know their character and writer; or letters by character:
+                `{"D": letter}`. A second one by the same writer replaces the first.
             settings: How strokes are learned; `Settings.star()` unless given.
 
         Raises:
             LetterError: Nothing, or a recording that does not know its character.
             SettingError: Settings that are none.
         """
-        as_settings(settings)  # also where every letter has been learned
+        # Wrong settings are refused even where every letter has been learned already.
+        as_settings(settings)
         found: dict[tuple[str, str | None], tuple[Piece, ...]] = {}
-        for character, letter, writer in _named(letters):
-            learned = letter if isinstance(letter, Letter) else Letter.learn(letter, settings)
-            pairs = enumerate(zip(learned.primitives, learned.strokes, strict=True), start=1)
+        for character, given, writer in _named(letters):
+            letter = given if isinstance(given, Letter) else Letter.learn(given, settings)
             found[character, writer] = tuple(
-                Piece(p, s, character, str(n), writer) for n, (p, s) in pairs
+                Piece(primitive, stroke, character, str(number), writer)
+                for number, (primitive, stroke) in enumerate(
+                    zip(letter.primitives, letter.strokes, strict=True), start=1
+                )
             )
         if not found:
             raise LetterError(
@@ -58,16 +63,16 @@ class Shelf:
 
     @property
     def letters(self) -> tuple[str, ...]:
-        """The characters of which there are strokes."""
+        """The characters that there are strokes of."""
         return tuple(dict.fromkeys(piece.character for piece in self.pieces))
 
     @property
     def writers(self) -> tuple[str | None, ...]:
-        """Whose strokes there are."""
+        """The pseudonyms of the writers."""
         return tuple(dict.fromkeys(piece.writer for piece in self.pieces))
 
     def by(self, writer: str | None) -> Self:
-        """The strokes of one writer.
+        """Return the strokes of one writer.
 
         Raises:
             LetterError: None of that writer; names those that there are.
@@ -75,12 +80,14 @@ class Shelf:
         own = tuple(piece for piece in self.pieces if piece.writer == writer)
         if not own:
             raise LetterError(
-                f"There is no stroke by {writer!r} on this shelf; it has strokes by {self._whose()}."
+                f"There is no stroke by {writer!r} on this shelf; it has strokes by "
+                f"{self._whose()}."
             )
         return type(self)(own)
 
+    # Any: a piece for a stroke's name, a tuple of pieces for a letter's.
     def __getitem__(self, name: str) -> Any:
-        """One stroke by its name, "D.2", a part of one cut at its corners, "n.1b", or all strokes of a letter, "D".
+        """Return one stroke, "D.2", a part of one, "n.1b", or all strokes of a letter, "D".
 
         Raises:
             LetterError: Not on the shelf, or by several writers.
@@ -105,26 +112,24 @@ class Shelf:
         raise LetterError(self._what_else(str(name)))
 
     def __contains__(self, name: object) -> bool:
-        """Whether a letter or a stroke of that name is on the shelf."""
+        """Return whether a letter or a stroke of that name is on the shelf."""
         return name in self.letters or any(piece.name == name for piece in self.pieces)
 
     def __iter__(self) -> Iterator[Piece]:
-        """Every stroke."""
         return iter(self.pieces)
 
     def __len__(self) -> int:
-        """How many strokes there are."""
         return len(self.pieces)
 
     def __repr__(self) -> str:
-        """In one line, by their names."""
-        return f"Shelf({', '.join(dict.fromkeys(piece.name for piece in self.pieces))}; by {self._whose()})"
+        names = dict.fromkeys(piece.name for piece in self.pieces)
+        return f"Shelf({', '.join(names)}; by {self._whose()})"
 
     def _whose(self) -> str:
         return ", ".join("nobody known" if writer is None else writer for writer in self.writers)
 
     def _what_else(self, name: str) -> str:
-        """A sentence with the nearest names."""
+        """Return a sentence with the nearest names."""
         names = list(dict.fromkeys(piece.name for piece in self.pieces))
         near = [each for each in names if each[0] == name[:1]] or get_close_matches(
             name, names, 6, 0.3
@@ -136,11 +141,10 @@ class Shelf:
 
 
 def _named(letters: Any) -> Iterator[tuple[str, Any, str | None]]:
-    """Character, letter or recording, and writer."""
+    """Yield character, letter or recording, and writer."""
     if isinstance(letters, Mapping):
-        yield from (
-            (name, letter, getattr(letter, "writer", None)) for name, letter in letters.items()
-        )
+        for name, letter in letters.items():
+            yield name, letter, getattr(letter, "writer", None)
         return
     if not isinstance(letters, Iterable) or isinstance(letters, str):
         raise LetterError(

@@ -1,51 +1,58 @@
-"""From one letter to the next without lifting the pen: one curve with the headings and the speeds of both."""
+"""The connection from one letter to the next: one curve with the headings and speeds of both."""
 
 from __future__ import annotations
 
 import numpy as np
 
-from dmp_teach.letters.compose.geometry import long
-from dmp_teach.letters.text.connection_points import Meeting, headings, leaving, meeting, peaks
-from dmp_teach.trajectory import Array, Trajectory, ways
+from dmp_teach.letters.text.connection_points import (
+    Meeting,
+    ends_in_peak,
+    find_meeting,
+    headings,
+    leaving_sample,
+)
+from dmp_teach.trajectory import Array, Trajectory, length, ways
 
-DIP = np.radians(-38.0)  # the heading in which a pen leaves the peak of a v or w
-LOOP = 0.09  # the radius of the small loop of an o that ends leftwards, in x-heights
-LEFTWARDS = -0.3  # the cosine of a heading that is leftwards
-LOOP_TO = np.radians(-8.0)  # the heading after that loop
-HANDLES = (0.35, 0.28)  # of the cubic between two letters, in parts of its chord
-FLATTEST, BOWED = (
-    0.5,
-    1.25,
-)  # a pen that rests at the start of a letter arrives at least so steep, or as its chord
-USUAL_BEND = 2.0  # the curvature at which a connection has the pace of the letters, in 1 / x-height
-DENSE = 240  # points of a connection, before it is given its times
+# The heading in which a pen leaves the peak of a v or w.
+PEAK_EXIT_HEADING = np.radians(-38.0)
+# An o that ends with a heading whose cosine is below this makes a small loop first, of this radius
+# [x-heights], up to this heading.
+LOOP_COSINE = -0.3
+LOOP_RADIUS = 0.09
+LOOP_EXIT_HEADING = np.radians(-8.0)
+# The handles of the cubic between two letters, as shares of its chord.
+CUBIC_HANDLES = (0.35, 0.28)
+# A pen that rests at the start of a letter arrives at this slope, or this many times the chord's.
+LEAST_ARRIVAL_SLOPE = 0.5
+ARRIVAL_SLOPE_BY_CHORD = 1.25
+# The curvature at which a connection has the pace of the letters [1 / x-height].
+USUAL_CURVATURE = 2.0
+CONNECTION_POINTS = 240
 
 
-def linked(before: Trajectory, after: Trajectory, x_height: float) -> Trajectory:
-    """Two strokes as one.
+def link_strokes(before: Trajectory, after: Trajectory, x_height: float) -> Trajectory:
+    """Link two strokes to one.
 
     Args:
         before: The stroke so far.
         after: The stroke of the next letter; its clock is moved so that it follows.
         x_height: The height of a small letter without a stem [m].
     """
-    a = leaving(before, x_height)
+    a = leaving_sample(before, x_height)
     here = before.position[a]
-    met = meeting(here, after, x_height)
-    rest = _after_meeting(after, met)
+    meeting = find_meeting(here, after, x_height)
+    rest = _after_meeting(after, meeting)
     v, w = _velocity(before, a), _velocity(rest, 0)
-    out, towards = v, w
-    if peaks(before.position, x_height):
-        v, out = np.zeros(2), _towards(DIP)
-    if met.rests:
-        rise = rest.position[0] - here
-        w, towards = (
-            np.zeros(2),
-            np.array([1.0, max(FLATTEST, BOWED * rise[1] / max(rise[0], 1e-9))]),
-        )
-    way = _curve((here, out), (rest.position[0], towards), x_height)
-    pace, step = (_pace(before) + _pace(after)) / 2, float(np.median(np.diff(before.t)))
-    between = _timed(way, (v, w), pace, x_height, step)
+    exit_heading, entry_heading = v, w
+    if ends_in_peak(before.position, x_height):
+        v, exit_heading = np.zeros(2), _unit_vector(PEAK_EXIT_HEADING)
+    if meeting.rests:
+        right, up = rest.position[0] - here
+        slope = max(LEAST_ARRIVAL_SLOPE, ARRIVAL_SLOPE_BY_CHORD * up / max(right, 1e-9))
+        w, entry_heading = np.zeros(2), np.array([1.0, slope])
+    path = _curve((here, exit_heading), (rest.position[0], entry_heading), x_height)
+    pace, step = (_mean_speed(before) + _mean_speed(after)) / 2, float(np.median(np.diff(before.t)))
+    between = _timed(path, (v, w), pace, x_height, step)
     t, position = before.t[: a + 1], before.position[: a + 1]
     for part in (between, rest):
         t = np.concatenate([t, t[-1] + part.t[1:] - part.t[0]])
@@ -54,7 +61,7 @@ def linked(before: Trajectory, after: Trajectory, x_height: float) -> Trajectory
 
 
 def _after_meeting(stroke: Trajectory, met: Meeting) -> Trajectory:
-    """What the pen does from where it meets a stroke: back to its start if it has to, and on to its end."""
+    """Return the movement from the meeting point: back to the start if need be, and to the end."""
     if not met.back:
         return Trajectory(stroke.t[met.sample :], stroke.position[met.sample :])
     back = slice(met.sample, 0, -1)
@@ -63,18 +70,19 @@ def _after_meeting(stroke: Trajectory, met: Meeting) -> Trajectory:
 
 
 def _curve(leave: tuple[Array, Array], meet: tuple[Array, Array], x_height: float) -> Array:
-    """From a point in a heading to a point in a heading, all (2,): points (N, 2), close to each other."""
-    (start, u), (goal, w) = ((point, _unit(heading)) for point, heading in (leave, meet))
+    """Return a dense path (N, 2) from a point in a heading to a point in a heading, (2,) each."""
+    (start, u), (goal, w) = ((point, _normalized(heading)) for point, heading in (leave, meet))
     loop = np.empty((0, 2))
-    if u[0] < LEFTWARDS:  # an o that ends at its top: a small loop first
-        radius = LOOP * x_height
-        turn = np.linspace(0, (LOOP_TO - np.arctan2(u[1], u[0])) % (2 * np.pi), DENSE // 4)[:, None]
+    if u[0] < LOOP_COSINE:
+        radius, points = LOOP_RADIUS * x_height, CONNECTION_POINTS // 4
+        angle = (LOOP_EXIT_HEADING - np.arctan2(u[1], u[0])) % (2 * np.pi)
+        turn = np.linspace(0, angle, points)[:, None]
         side = radius * np.array([-u[1], u[0]])
         loop = start + side - np.cos(turn) * side + np.sin(turn) * radius * u
-        start, u = loop[-1], _towards(LOOP_TO)
-    far = float(np.linalg.norm(goal - start))
-    one, two = start + HANDLES[0] * far * u, goal - HANDLES[1] * far * w
-    s = np.linspace(0, 1, DENSE)[:, None]
+        start, u = loop[-1], _unit_vector(LOOP_EXIT_HEADING)
+    chord = float(np.linalg.norm(goal - start))
+    one, two = start + CUBIC_HANDLES[0] * chord * u, goal - CUBIC_HANDLES[1] * chord * w
+    s = np.linspace(0, 1, CONNECTION_POINTS)[:, None]
     cubic = (
         (1 - s) ** 3 * start + 3 * (1 - s) ** 2 * s * one + 3 * (1 - s) * s**2 * two + s**3 * goal
     )
@@ -82,24 +90,27 @@ def _curve(leave: tuple[Array, Array], meet: tuple[Array, Array], x_height: floa
 
 
 def _timed(
-    way: Array, ends: tuple[Array, Array], pace: float, x_height: float, step: float
+    path: Array, velocities: tuple[Array, Array], pace: float, x_height: float, step: float
 ) -> Trajectory:
-    """When the pen is where on a connection.
+    """Return a connection with its times.
 
         q(t) = the quintic with given speeds, but no acceleration, at its ends
         dq   = (curvature + 1/4 / x_height)^(1/3) ds
 
-    so that the speed follows the two-thirds power law and has the `ends` of both letters, (2,) each [m/s].
+    so that the speed follows the two-thirds power law and has the `velocities` of both letters,
+    (2,) each [m/s].
     """
-    bend = np.abs(np.gradient(np.unwrap(headings(way)))) / np.maximum(np.gradient(ways(way)), 1e-12)
-    ease = (bend + 0.25 / x_height) ** (1 / 3)
-    q = np.concatenate([[0.0], np.cumsum(np.diff(ways(way)) * (ease[1:] + ease[:-1]) / 2)])
+    way = ways(path)
+    turn = np.abs(np.gradient(np.unwrap(headings(path))))
+    ease = (turn / np.maximum(np.gradient(way), 1e-12) + 0.25 / x_height) ** (1 / 3)
+    q = np.concatenate([[0.0], np.cumsum(np.diff(way) * (ease[1:] + ease[:-1]) / 2)])
     v, w = (
-        float(np.linalg.norm(end)) * e for end, e in zip(ends, (ease[0], ease[-1]), strict=True)
+        float(np.linalg.norm(velocity)) * e
+        for velocity, e in zip(velocities, (ease[0], ease[-1]), strict=True)
     )
-    lasts = q[-1] / max(pace * (USUAL_BEND / x_height) ** (1 / 3), (v + w) / 2)
-    s = np.linspace(0, 1, max(4, int(np.ceil(lasts / step))) + 1)
-    v, w = v * lasts / q[-1], w * lasts / q[-1]
+    duration = q[-1] / max(pace * (USUAL_CURVATURE / x_height) ** (1 / 3), (v + w) / 2)
+    s = np.linspace(0, 1, max(4, int(np.ceil(duration / step))) + 1)
+    v, w = v * duration / q[-1], w * duration / q[-1]
     rest, change = 1 - v, w - v
     at = (
         v * s
@@ -107,9 +118,8 @@ def _timed(
         + (7 * change - 15 * rest) * s**4
         + (6 * rest - 3 * change) * s**5
     )
-    return Trajectory(
-        s * lasts, np.column_stack([np.interp(at * q[-1], q, axis) for axis in way.T])
-    )
+    position = np.column_stack([np.interp(at * q[-1], q, axis) for axis in path.T])
+    return Trajectory(s * duration, position)
 
 
 def _velocity(stroke: Trajectory, k: int) -> Array:
@@ -117,14 +127,13 @@ def _velocity(stroke: Trajectory, k: int) -> Array:
     return (stroke.position[other] - stroke.position[one]) / (stroke.t[other] - stroke.t[one])
 
 
-def _pace(stroke: Trajectory) -> float:
-    """The mean speed of a stroke [m/s]."""
-    return max(long(stroke.position) / stroke.duration, 1e-9)
+def _mean_speed(stroke: Trajectory) -> float:
+    return max(length(stroke.position) / stroke.duration, 1e-9)
 
 
-def _towards(heading: float) -> Array:
+def _unit_vector(heading: float) -> Array:
     return np.array([np.cos(heading), np.sin(heading)])
 
 
-def _unit(v: Array) -> Array:
+def _normalized(v: Array) -> Array:
     return v / max(float(np.linalg.norm(v)), 1e-12)

@@ -1,4 +1,4 @@
-"""Whose letters a text is written with: each on the writing line, in one size, set and joined to words."""
+"""The letters that a text is written with, each on the writing line, connected to words."""
 
 from __future__ import annotations
 
@@ -14,28 +14,31 @@ from dmp_teach.dmp import Settings
 from dmp_teach.errors import LetterError, kind_of
 from dmp_teach.ink import SIGNS, alphabets, characters, recording_of, signs
 from dmp_teach.letters.letter import Letter
-from dmp_teach.letters.text.connection_points import body_and_marks, can_arrive, can_leave
-from dmp_teach.letters.text.connections import linked
-from dmp_teach.letters.text.spacing import Strokes, distance, distance_to_sign, linked_distance
+from dmp_teach.letters.text.connection_points import can_arrive, can_leave, split_marks
+from dmp_teach.letters.text.connections import link_strokes
+from dmp_teach.letters.text.spacing import (
+    Strokes,
+    connected_spacing,
+    letter_spacing,
+    sign_spacing,
+)
 from dmp_teach.trajectory import Trajectory
 
 PRINTED, TYPED = "\u2018\u2019\u201a\u201c\u201d\u201e\u2013\u2014\u2212", "'''\"\"\"---"
-PLAIN = str.maketrans(
-    {**dict(zip(PRINTED, TYPED, strict=True)), "\u2026": "..."}
-)  # print, as it is written here
+TYPED_FOR_PRINTED = str.maketrans({**dict(zip(PRINTED, TYPED, strict=True)), "\u2026": "..."})
 
 
-def plain(text: str) -> str:
-    """A text as it is written: accents upon their letters, quotation marks, dashes and the ellipsis made plain."""
-    return normalize("NFC", text).translate(PLAIN)
+def plain_text(text: str) -> str:
+    """Return a text with composed accents, and typed quotation marks, dashes and ellipses."""
+    return normalize("NFC", text).translate(TYPED_FOR_PRINTED)
 
 
 @dataclass(frozen=True)
 class Hand:
-    """Who writes: the letters, standing on the line y = 0, and how tall they are.
+    """The letters of who writes, standing on the line y = 0.
 
     Args:
-        glyph: The strokes of a character [m].
+        glyph: Return the strokes of a character [m].
         x_height: Of those letters [m].
         lean: Of their stems, x gained for each y.
     """
@@ -48,11 +51,12 @@ class Hand:
     def of(
         cls, alphabet: str | None, letters: Mapping[str, Any] | None, settings: Settings | None
     ) -> Self:
-        """An alphabet's, with one's own letters in place of some."""
+        """Return the hand of an alphabet, with one's own letters in place of some."""
         if letters is not None and not isinstance(letters, Mapping):
             raise LetterError(f"letters is {kind_of(letters)}, but must be {{'a': letter}}.")
         name, known = alphabet or alphabets()[0], characters(alphabet) + signs(alphabet)
-        own, kept = dict(letters or {}), {}
+        own: Mapping[str, Any] = letters or {}
+        kept: dict[str, Strokes] = {}
 
         def glyph(character: str) -> Strokes:
             if character not in kept:
@@ -65,107 +69,108 @@ class Hand:
         return cls(glyph, top, float(across / up))
 
     def scale(self, x_height: float | None) -> float:
-        """How much larger than the alphabet's the letters are to be."""
+        """Return how much larger than the alphabet's the letters are to be."""
         if x_height is None:
             return 1.0
-        if (
-            isinstance(x_height, bool)
-            or not isinstance(x_height, int | float)
-            or not 1e-4 <= x_height <= 1
-        ):
+        is_number = isinstance(x_height, int | float) and not isinstance(x_height, bool)
+        if not is_number or not 1e-4 <= x_height <= 1:
             raise LetterError(
                 f"x_height is {x_height!r}, but must be a height from 0.0001 to 1 m, such as 0.01."
             )
         return float(x_height) / self.x_height
 
     def word(self, text: str, joined: bool) -> Strokes:
-        """The strokes of one word in the size of the alphabet, from x = 0 on, each on the clock of its letter."""
+        """Return the strokes of a word in the size of the alphabet, from x = 0 on.
+
+        Each stroke is on the clock of its letter.
+        """
         if not isinstance(joined, bool | np.bool_):
             raise LetterError(f"joined is {joined!r}, but must be True or False.")
-        text = plain(text)
+        text = plain_text(text)
         glyphs = [self.glyph(character) for character in text]
-        bodies = [
-            body_and_marks(character, glyph)[0]
-            for character, glyph in zip(text, glyphs, strict=True)
+        bodies = [split_marks(*pair)[0] for pair in zip(text, glyphs, strict=True)]
+        links = [
+            bool(joined) and self._connects(one, other)
+            for one, other in pairwise(zip(text, bodies, strict=True))
         ]
-        links = [joined and self._links(*pair) for pair in pairwise(zip(text, bodies, strict=True))]
         rights = self._places(text, glyphs, bodies, links)
         moved = [
             tuple(_moved(stroke, (right, 0.0)) for stroke in glyph)
             for glyph, right in zip(glyphs, rights, strict=True)
         ]
-        strokes = (
-            self._joined(text, moved, links)
-            if joined
-            else [stroke for glyph in moved for stroke in glyph]
-        )
+        strokes = self._connected(text, moved, links) if joined else [s for g in moved for s in g]
         left = min(float(stroke.position[:, 0].min()) for stroke in strokes)
         return tuple(_moved(stroke, (-left, 0.0)) for stroke in strokes)
 
     def _places(
         self, text: str, glyphs: Sequence[Strokes], bodies: Sequence[Strokes], links: Sequence[bool]
     ) -> list[float]:
-        """How far to the right each letter stands; one after a sign also keeps clear of the letter before that."""
+        """Return how far to the right each letter stands."""
         rights = [0.0]
         for k, link in enumerate(links):
-            pair, sign_first = glyphs[k : k + 2], text[k] in SIGNS
-            if sign_first or text[k + 1] in SIGNS:
-                step = distance_to_sign(*pair, self.x_height, self.lean)
+            left, right = glyphs[k], glyphs[k + 1]
+            if text[k] in SIGNS or text[k + 1] in SIGNS:
+                step = sign_spacing(left, right, self.x_height, self.lean)
+            elif link:
+                step = connected_spacing((left, right), bodies[k : k + 2], self.x_height)
             else:
-                step = (
-                    linked_distance(pair, bodies[k : k + 2], self.x_height)
-                    if link
-                    else distance(*pair, self.x_height)
-                )
+                step = letter_spacing(left, right, self.x_height)
             place = rights[k] + step
-            if sign_first and (before := [j for j in range(k) if text[j] not in SIGNS]):
-                place = max(
-                    place, rights[before[-1]] + distance(glyphs[before[-1]], pair[1], self.x_height)
-                )
+            # A letter after a sign also keeps clear of the letter before that.
+            before = [j for j in range(k) if text[j] not in SIGNS]
+            if text[k] in SIGNS and before:
+                clear = letter_spacing(glyphs[before[-1]], right, self.x_height)
+                place = max(place, rights[before[-1]] + clear)
             rights.append(place)
         return rights
 
-    def _links(self, one: tuple[str, Strokes], other: tuple[str, Strokes]) -> bool:
-        """Whether the pen goes from a letter (its character and body) to the next one on the paper."""
+    def _connects(self, one: tuple[str, Strokes], other: tuple[str, Strokes]) -> bool:
+        """Return whether the pen goes from a letter (character, body) to the next on the paper."""
         return can_leave(*one, self.x_height) and can_arrive(*other, self.x_height)
 
-    def _joined(
+    def _connected(
         self, text: str, glyphs: Sequence[Strokes], links: Sequence[bool]
     ) -> list[Trajectory]:
-        """Letters in place, joined where they link; before a sign and at the end their marks, from left to right."""
+        """Return the letters connected where they link; marks follow at signs and at the end."""
         strokes: list[Trajectory] = []
         marks: list[Strokes] = []
         for character, glyph, link in zip(text, glyphs, [False, *links], strict=True):
-            body, late = body_and_marks(character, glyph)
+            body, late = split_marks(character, glyph)
             if character in SIGNS:
                 strokes += _from_the_left(marks)
                 marks = []
             if link:
-                strokes[-1] = linked(strokes[-1], body[0], self.x_height)
+                strokes[-1] = link_strokes(strokes[-1], body[0], self.x_height)
             strokes += body[1:] if link else body
             marks += [late] if late else []
         return strokes + _from_the_left(marks)
 
 
 def _from_the_left(marks: Sequence[Strokes]) -> list[Trajectory]:
-    """The dots, crosses and accents of letters, letter by letter."""
-    ordered = sorted(
-        marks, key=lambda mark: min(float(stroke.position[:, 0].min()) for stroke in mark)
-    )
-    return [stroke for mark in ordered for stroke in mark]
+    """Return the dots, crosses and accents of letters, letter by letter."""
+
+    def left(mark: Strokes) -> float:
+        return min(float(stroke.position[:, 0].min()) for stroke in mark)
+
+    return [stroke for mark in sorted(marks, key=left) for stroke in mark]
 
 
 def _glyph(
-    character: str, alphabet: str, known: tuple[str, ...], own: Mapping[str, Any], settings: Any
+    character: str,
+    alphabet: str,
+    known: tuple[str, ...],
+    own: Mapping[str, Any],
+    settings: Settings | None,
 ) -> Strokes:
-    """A character on the line y = 0 in the size of the alphabet."""
+    """Return a character on the line y = 0 in the size of the alphabet."""
     if character not in known:
         if character not in own:
             raise LetterError(
                 f"The alphabet {alphabet!r} has no {character!r}; it has: {' '.join(known)}."
             )
         raise LetterError(
-            f"There is a letter for {character!r}, but nobody knows how tall it is: the alphabet {alphabet!r} has none."
+            f"There is a letter for {character!r}, but nobody knows how tall it is: the alphabet "
+            f"{alphabet!r} has none."
         )
     model = _model(character, alphabet, settings)
     if character not in own:
@@ -179,14 +184,14 @@ def _glyph(
 
 
 def _model(character: str, alphabet: str, settings: Settings | None) -> Strokes:
-    """An alphabet's character, written by its primitives, on the line y = 0."""
+    """Return an alphabet's character, written by its primitives, on the line y = 0."""
     recording = recording_of(character, alphabet)
     down = (0.0, -(recording.baseline or 0.0))
     return tuple(_moved(stroke, down) for stroke in Letter.learn(recording, settings).write())
 
 
 def _as_tall(letter: Letter, model: Iterable[Trajectory]) -> Strokes:
-    """One's own letter from x = 0 on, as tall as the model and standing where it stands."""
+    """Return one's own letter from x = 0 on, as tall as the model and standing where it stands."""
     strokes = letter.write()
     left = min(float(stroke.position[:, 0].min()) for stroke in strokes)
     low, high = _extent(strokes)

@@ -1,4 +1,4 @@
-"""Words: letters beside each other on a line, joined or not, on one clock."""
+"""Words: letters beside each other on a line, connected or not, on one clock."""
 
 from __future__ import annotations
 
@@ -14,15 +14,19 @@ from dmp_teach.letters.text.handwriting import Hand
 from dmp_teach.letters.text.spacing import Strokes
 from dmp_teach.trajectory import Array, Trajectory
 
-TEMPO = 0.4  # between the two: isochrony is strong, but not perfect
-X_HEIGHT = 0.014  # a word of eleven letters still fits on a sheet of A4 [m]
-FLYING = 0.5  # a pen in the air is on average no faster than this [m/s]
+# Between the same time (0) and the same speed (1) in every size: isochrony is not perfect.
+DEFAULT_TEMPO = 0.4
+# A word of eleven letters still fits on a sheet of A4 [m].
+DEFAULT_X_HEIGHT = 0.014
+# The mean speed of a pen in the air is at most this [m/s].
+FASTEST_LIFT = 0.5
 
 
 class Text(tuple[Trajectory, ...]):
     """Strokes of a text, in the order of writing, where they stand on the page.
 
-    `Fetch().write(text, page, at=text.middle)` writes them there; without `at` they come to the middle of the page.
+    `Fetch().write(text, page, at=text.middle)` writes them there; without `at` they come to the
+    middle of the page.
     """
 
     __slots__ = ()
@@ -39,7 +43,6 @@ class Text(tuple[Trajectory, ...]):
         return float(self[-1].t[-1] - self[0].t[0])
 
     def __repr__(self) -> str:
-        """In one line, without the numbers."""
         return f"Text({len(self)} stroke{'s' * (len(self) > 1)}, {self.duration:.3f} s)"
 
 
@@ -49,26 +52,26 @@ def write_word(
     *,
     joined: bool = False,
     letters: Mapping[str, Any] | None = None,
-    x_height: float | None = X_HEIGHT,
-    tempo: float = TEMPO,
+    x_height: float | None = DEFAULT_X_HEIGHT,
+    tempo: float = DEFAULT_TEMPO,
     settings: Settings | None = None,
 ) -> Text:
     """Write a word: every letter by its primitives, spaced by the white between them.
 
-    People write larger letters faster, so that the time hardly grows with the size (isochrony: Viviani and McCollum,
-    1983; Viviani and Schneider, 1991): a word takes
+    People write larger letters faster, so that the time hardly grows with the size (isochrony:
+    Viviani and McCollum, 1983; Viviani and Schneider, 1991): a word takes
 
         duration = duration in the alphabet's size * (x_height / x_height of the alphabet)^tempo
 
     Args:
-        text: Letters, digits and signs, without a space; the quotation marks, dashes and ellipsis of print are made
-            plain.
+        text: Letters, digits and signs, without a space; the quotation marks, dashes and ellipsis
+            of print are written as typed ones.
         alphabet: One of `alphabets()`; None is the first.
-        joined: Whether the pen stays on the paper from one small letter to the next where the one ends on its right;
-            dots, crosses and accents then follow after the word, from left to right, as in school.
-        letters: One's own, by character: `Letter`s or recordings. Each is made as tall as the alphabet's, and stands
-            where that stands; those that are missing are the alphabet's.
-        x_height: How tall a small letter without a stem is [m]; None: as in the alphabet, several centimetres.
+        joined: Whether the pen stays on the paper from one small letter to the next where the one
+            ends on its right; dots, crosses and accents then follow after the word.
+        letters: One's own, by character: `Letter`s or recordings. Each is made as tall as the
+            alphabet's, and stands where that stands; those that are missing are the alphabet's.
+        x_height: How tall a small letter without a stem is [m]; None: as in the alphabet.
         tempo: 0: the same time in every size; 1: the same speed in every size.
         settings: How the alphabet's letters are learned; `Settings.star()` unless given.
 
@@ -76,31 +79,33 @@ def write_word(
         The strokes, from time 0, the first ink at x = 0 and the writing line at y = 0 [s, m].
 
     Raises:
-        LetterError: Nothing to write, a space, a character that is not there (names those that are), a size that is no
-            length, or a tempo that is none.
+        LetterError: Nothing to write, a space, a character that is not there (names those that
+            are), a wrong size, or a wrong tempo.
     """
     hand = Hand.of(alphabet, letters, settings)
     if not isinstance(text, str) or not text or text.split() != [text]:
         raise LetterError(
-            f"A word is letters without a space, but got {text!r}; teach.write_lines writes text with spaces."
+            f"A word is letters without a space, but got {text!r}; teach.write_lines writes text "
+            "with spaces."
         )
-    return placed([hand.word(text, joined)], [(0.0, 0.0)], hand.scale(x_height), tempo)
+    return place_words([hand.word(text, joined)], [(0.0, 0.0)], hand.scale(x_height), tempo)
 
 
-def placed(
+def place_words(
     words: Sequence[Strokes], spots: Sequence[tuple[float, float]], scale: float, tempo: float
 ) -> Text:
-    """Words in their places (the left end of each on its line [m]), one stroke after the other from 0 s on.
+    """Place words on the sheet, one stroke after the other from 0 s on.
 
     Args:
         words: Each from x = 0 on, in the size of the alphabet.
-        spots: A place for each.
+        spots: The left end of each on its line [m].
         scale: How much larger than that they are to be.
         tempo: As in `write_word`.
     """
     if isinstance(tempo, bool) or not isinstance(tempo, int | float) or not 0 <= tempo <= 1:
         raise LetterError(
-            f"tempo is {tempo!r}, but must be from 0 (the same time in every size) to 1 (the same speed)."
+            f"tempo is {tempo!r}, but must be from 0 (the same time in every size) to 1 (the same "
+            "speed)."
         )
     strokes: list[Trajectory] = []
     for own, spot in zip(words, spots, strict=True):
@@ -109,6 +114,7 @@ def placed(
             if strokes:
                 here, there = strokes[-1].position[-1], position[0]
                 pause = pause_before(here / scale, there / scale) * scale**tempo
-                begin = strokes[-1].t[-1] + max(pause, float(np.linalg.norm(there - here)) / FLYING)
+                flight = float(np.linalg.norm(there - here)) / FASTEST_LIFT
+                begin = strokes[-1].t[-1] + max(pause, flight)
             strokes.append(Trajectory((stroke.t - stroke.t[0]) * scale**tempo + begin, position))
     return Text(strokes)

@@ -11,7 +11,15 @@ import numpy as np
 
 from dmp_teach.dmp import Settings
 from dmp_teach.errors import LetterError, SettingError
-from dmp_teach.letters import Piece, Shelf, cooked, evenly, needed, recipes, strokes_in_role
+from dmp_teach.letters import (
+    Piece,
+    Shelf,
+    follow_recipe,
+    letters_needed,
+    recipes,
+    resample_evenly,
+    strokes_in_role,
+)
 from dmp_teach.studies.authorship.answers import Answers, Attributions, luck_of_takes
 from dmp_teach.studies.authorship.real import fresh
 from dmp_teach.studies.inputs import OURS, Written, letters_of, own_recordings
@@ -124,7 +132,7 @@ def question(way: str, varied: bool, less: bool) -> str:
 
 def directions(path: Array) -> Array:
     """The direction of the ink at equal ways along it, from its upper end on, as unit vectors, shape (2 * STEPS,)."""
-    points, _ = evenly(path if path[0, 1] >= path[-1, 1] else path[::-1], STEPS + 1)
+    points, _ = resample_evenly(path if path[0, 1] >= path[-1, 1] else path[::-1], STEPS + 1)
     step = np.diff(points, axis=0)
     return (
         step / np.maximum(np.linalg.norm(step, axis=1, keepdims=True), 1e-12)
@@ -180,7 +188,8 @@ def _made(piece: tuple[Take, Sequence[str], int]) -> list[tuple[Array, Array] | 
     """What one take gives for the last stroke of each recipe."""
     take, hows, variations = piece
     return [
-        _last(take, how, variations) if set(needed(how)) <= take.keys() else None for how in hows
+        _last(take, how, variations) if set(letters_needed(how)) <= take.keys() else None
+        for how in hows
     ]
 
 
@@ -200,7 +209,7 @@ def _last(take: Take, how: str, variations: int) -> tuple[Array, Array] | None:
     made = np.full((len(WAYS), 1 + variations, 2 * STEPS), np.nan)
     for row, (settings, transform) in zip(made, WAYS.values(), strict=True):
         try:
-            led = cooked(how, _shelf(take, how, settings), transform)[-1]
+            led = follow_recipe(how, _shelf(take, how, settings), transform)[-1]
         except (SettingError, LetterError):
             continue
         size = float(np.ptp(real, axis=0).max())
@@ -210,7 +219,9 @@ def _last(take: Take, how: str, variations: int) -> tuple[Array, Array] | None:
 
 
 def _shelf(take: Take, how: str, settings: Settings) -> Shelf:
-    return Shelf.of({character: take[character].strokes for character in needed(how)}, settings)
+    return Shelf.of(
+        {character: take[character].strokes for character in letters_needed(how)}, settings
+    )
 
 
 def _varied(piece: Piece, size: float, number: int) -> Piece:

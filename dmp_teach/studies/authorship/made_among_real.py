@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from dmp_teach.errors import LetterError, SettingError
-from dmp_teach.letters import Letter, Shelf, make_letter, needed, recipes
+from dmp_teach.letters import Letter, Shelf, letters_needed, make_letter, recipes
 from dmp_teach.scoring import letter_distances
 from dmp_teach.studies.authorship.answers import Answers, Attributions, luck_of_takes
 from dmp_teach.studies.authorship.made import WAYS, Take, takes_of
@@ -80,7 +80,7 @@ def _jobs(letters: Sequence[Written]) -> list[Job]:
 
 def _hows(character: str, take: Take) -> list[str]:
     """The recipes for a character whose letters a take has."""
-    return [how for _, how in recipes(character) if set(needed(how)) <= take.keys()]
+    return [how for _, how in recipes(character) if set(letters_needed(how)) <= take.keys()]
 
 
 def _answered(job: Job) -> Answered | None:
@@ -106,7 +106,7 @@ def _answered(job: Job) -> Answered | None:
 
 def _drawn(character: str, take: Take, settings: Any, transform: str | None) -> Letter | None:
     """The made letter, or None where it cannot be made so."""
-    wanted = {letter for how in _hows(character, take) for letter in needed(how)}
+    wanted = {letter for how in _hows(character, take) for letter in letters_needed(how)}
     try:
         shelf = Shelf.of({letter: take[letter].strokes for letter in wanted}, settings)
         return make_letter(character, shelf, transform)

@@ -11,7 +11,7 @@ import numpy as np
 
 from dmp_teach.dmp import Settings, knob_of, named_settings
 from dmp_teach.errors import SettingError
-from dmp_teach.letters import Letter, bar_and_bowl, cut
+from dmp_teach.letters import Letter, cut_at_corners, find_bar_and_bowl
 from dmp_teach.studies.inputs import Written, letters_of, own_recordings
 from dmp_teach.studies.parallel import Progress, run
 from dmp_teach.studies.tables import Rows, Tabled
@@ -180,7 +180,11 @@ def make_p_from_d(
 
 def _taken_apart(letter: Written) -> Written:
     """The letter, cut at its corners if it was drawn without a lift."""
-    return letter if len(letter.strokes) > 1 else replace(letter, strokes=cut(letter.strokes[0]))
+    return (
+        letter
+        if len(letter.strokes) > 1
+        else replace(letter, strokes=cut_at_corners(letter.strokes[0]))
+    )
 
 
 def _is_d(letter: Written) -> bool:
@@ -190,7 +194,7 @@ def _is_d(letter: Written) -> bool:
 def _made(piece: tuple[Written, Mapping[str, Settings]]) -> tuple[MadeLetter, ...]:
     """One D in all ways."""
     letter, named = piece
-    bar, bowl = bar_and_bowl(letter.strokes)
+    bar, bowl = find_bar_and_bowl(letter.strokes)
     foot, top = _ends(letter.strokes[bar])
     ends = letter.strokes[bowl].position[[0, -1]]
     target = foot + (top - foot) / 2

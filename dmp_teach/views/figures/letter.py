@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from dmp_teach.errors import LetterError
 from dmp_teach.ink import Recording, alphabets, recording_of
-from dmp_teach.letters import Shelf, make_letter, needed, recipes
+from dmp_teach.letters import Shelf, letters_needed, make_letter, recipes
 from dmp_teach.trajectory import Array, Trajectory
 from dmp_teach.views.figures.figure_style import (
     CURVE_LINES,
@@ -41,7 +41,7 @@ def draw_made_letters(
     if recordings is None:
         recordings = [recording_of(source, name) for name in alphabets()]
     shown = [recording for recording in recordings if recording.character == source]
-    how = next((how for _, how in recipes(character) if needed(how) == (source,)), None)
+    how = next((how for _, how in recipes(character) if letters_needed(how) == (source,)), None)
     if not shown or how is None:
         missing = f"recording of {source!r}"
         if shown:
@@ -79,7 +79,9 @@ def draw_recipes(shelf: Shelf, transform: str = "star") -> Figure:
     Raises:
         LetterError: No recipe whose letters are all on the shelf.
     """
-    makeable = [(made, how) for made, how in recipes() if set(needed(how)) <= set(shelf.letters)]
+    makeable = [
+        (made, how) for made, how in recipes() if set(letters_needed(how)) <= set(shelf.letters)
+    ]
     if not makeable:
         raise LetterError(
             f"No recipe can be made of {', '.join(shelf.letters)} alone; "
@@ -94,7 +96,9 @@ def draw_recipes(shelf: Shelf, transform: str = "star") -> Figure:
         strokes = make_letter(character, shelf, transform, how).write()
         _plot_strokes(panel, strokes)
         panel.set_aspect("equal")
-        panel.set_title(f"{character} of {', '.join(needed(how))}", fontsize=9, color=MUTED_COLOR)
+        panel.set_title(
+            f"{character} of {', '.join(letters_needed(how))}", fontsize=9, color=MUTED_COLOR
+        )
         set_same_view([panel], _points_in_mm(strokes))
     return figure
 
