@@ -1,19 +1,18 @@
-"""The arm in PlaCo's hands: joints that put the pen where it should be. Nothing else of this house knows of PlaCo."""
+"""Inverse kinematics of the writing arm, by PlaCo, which no other module knows of."""
 
 from __future__ import annotations
 
 import threading
 from collections.abc import Callable, Sequence
-from functools import lru_cache
 from typing import Any
+from xml.etree import ElementTree as ET
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from dmp_teach.errors import MissingPartError
 from dmp_teach.files import ASSETS
-from dmp_teach.robot.model.kinematics import REST, Model
-from dmp_teach.robot.model.solids import bare_urdf
+from dmp_teach.robot.model.kinematics import Model
+from dmp_teach.robot.model.proximity import Proximity
+from dmp_teach.robot.model.reduced import placo_missing
 from dmp_teach.robot.pen_path import RATE
 from dmp_teach.robot.quiet import quiet
 from dmp_teach.trajectory import Array
@@ -30,16 +29,19 @@ JOINTS = (
 )
 """The joints that write; all others stand still."""
 
-KEEP = 0.0075
-"""Where the arm is judged by its posture, all solids are thought to be so much larger on every side [m]."""
+SAFETY_SHELL = 0.0075
+"""Where a posture is judged, all parts are thought to be so much larger on every side [m]."""
 
 _here = threading.local()
 
 
 class Solver:
-    """PlaCo's robot and its solver in one hand: the solver does not keep its robot alive.
+    """PlaCo's robot and its solver, which does not keep its robot alive.
 
     Every method starts from what it is given, never from what was done before.
+
+    Raises:
+        MissingPartError: PlaCo is not on this platform.
     """
 
     def __init__(self) -> None:
@@ -49,13 +51,14 @@ class Solver:
         self.lower, self.upper = np.array([(joint.lower, joint.upper) for joint in joints]).T
         self.fastest = np.array([joint.velocity for joint in joints])
         with quiet():
-            self._robot = placo.RobotWrapper("", 0, bare_urdf(KEEP))
+            self._robot = placo.RobotWrapper("", 0, _bare_urdf())
         self._solver = solver = self._robot.make_solver()
         self.state_size = len(self._robot.state.q)
         self.columns = {name: self._robot.get_joint_offset(name) for name in JOINTS}
         self._speeds = [self._robot.get_joint_v_offset(name) for name in JOINTS]
         solver.dt = 1 / RATE
-        solver.mask_fbase(True)  # otherwise the robot flies to the page
+        # With a free base the robot flies to the page.
+        solver.mask_fbase(True)
         for name in self.model.joint_names:
             if name not in JOINTS:
                 self.mask(name)
@@ -66,6 +69,8 @@ class Solver:
         )
         self._posture = solver.add_joints_task()
         solver.add_regularization_task(1e-4)
+        self.proximity = Proximity(JOINTS, grown=SAFETY_SHELL)
+        # What `reach.posture` has found out, by page.
         self.verdicts: dict[Any, Any] = {}
 
     def mask(self, name: str, masked: bool = True) -> None:
@@ -76,8 +81,10 @@ class Solver:
         """
         (self._solver.mask_dof if masked else self._solver.unmask_dof)(self.model.joint(name).name)
 
-    def stand(self, q: ArrayLike, normal: Array, torso: bool, upright: float = 0.1) -> None:
-        """Take a posture and like it.
+    def stand(
+        self, q: Array | Sequence[float], normal: Array, torso: bool, upright: float = 0.1
+    ) -> None:
+        """Take a posture, and prefer it from now on.
 
         Args:
             q: Joint positions, shape (J,) [rad, m].
@@ -111,8 +118,8 @@ class Solver:
     def approach(self, target: Array, finer: Sequence[float] = (0.1,)) -> None:
         """Go to a place (3,) [m], or as near as the arm gets, in steps that cannot run away.
 
-        Far from its target a full step of the solver throws the arm about. Speed limits bound the step:
-        by what a joint does in 0.1 s, then in each finer time.
+        Far from its target a full step of the solver throws the arm about. Speed limits bound the
+        step: by what a joint does in 0.1 s, then in each finer time.
         """
         self._solver.enable_velocity_limits(True)
         for self._solver.dt in finer:
@@ -131,7 +138,8 @@ class Solver:
     def settle(self, target: Array) -> None:
         """Wait at a place (3,) [m] until the posture has come to rest.
 
-        A posture that weighs more than a tenth of the regularisation never does: it goes round in circles of 3 mm.
+        A posture that weighs more than a tenth of the regularisation never does: it goes round in
+        circles of 3 mm.
         """
         self._posture.configure("posture", "soft", 1e-5)
         self.go(target, 120)
@@ -139,52 +147,45 @@ class Solver:
         self.go(target, 20)
 
     def joints(self) -> Array:
-        """Where the joints are, shape (J,) [rad, m]."""
+        """Return the joint positions, shape (J,) [rad, m]."""
         return np.array([self._robot.get_joint(name) for name in JOINTS])
 
     def pen(self) -> Array:
-        """Pose of the pen's tip in the world, shape (4, 4) [m]."""
+        """Return the pose of the pen's tip in the world, shape (4, 4) [m]."""
         return self._robot.get_T_world_frame("pen_tip")
 
     def base(self) -> Array:
-        """Pose of the robot's base in the world, shape (4, 4) [m]: always the identity."""
+        """Return the pose of the robot's base in the world, (4, 4) [m]: always the identity."""
         return self._robot.get_T_world_fbase()
 
     def place_of(self, link: str) -> Array:
-        """Where a link's origin is in the world, shape (3,) [m]."""
+        """Return the origin of a link in the world, shape (3,) [m]."""
         return self._robot.get_T_world_frame(link)[:3, 3]
 
-    def touching(self) -> set[tuple[str, str]]:
-        """Pairs of links whose solids are less than twice `KEEP` apart."""
-        return {
-            (hit.bodyA.rpartition("_")[0], hit.bodyB.rpartition("_")[0])
-            for hit in self._robot.self_collisions(False)
-        }
-
     def jacobian(self) -> Array:
-        """Velocity and turning of the pen's tip in the world for each joint's speed, shape (6, J)."""
+        """Return the Jacobian of the pen's tip in the world, its velocity first, shape (6, J)."""
         return self._robot.frame_jacobian("pen_tip", "local_world_aligned")[:, self._speeds]
 
     def speeds(self, q: Array) -> Array:
-        """Of the joints from each sample of a motion (T, J) to the next, as parts of their limits, (T - 1, J)."""
+        """Return the speeds between samples (T, J) as parts of the joints' limits, (T - 1, J)."""
         return np.abs(np.diff(q, axis=0)) * RATE / self.fastest
 
     def follow(
         self,
-        q: ArrayLike,
+        q: Array,
         normal: Array,
         path: Array,
         report: Callable[[str, float], Any],
         solves: int = 1,
     ) -> Array:
-        """The joints along a path.
+        """Solve for the joints along a path.
 
         Args:
             q: Where the arm stands before, shape (J,) [rad, m]; the torso stays as it is.
             normal: Out of the paper, shape (3,).
             path: In the world, shape (T, 3) [m].
-            report: Told "joints" and how much is done.
-            solves: So many solutions and updates for every sample.
+            report: Called with "joints" and how much is done.
+            solves: Solutions and updates for every sample.
 
         Returns:
             Joint positions, unwrapped, shape (T, J) [rad, m].
@@ -193,27 +194,19 @@ class Solver:
         self.glide(path[0])
         self.settle(path[0])
         states = np.empty((len(path), self.state_size))
-        tip, robot, solve, update = (
-            self._tip,
-            self._robot,
-            self._solver.solve,
-            self._robot.update_kinematics,
-        )
         for row, target in enumerate(path):
             if row % 60 == 0:
                 report("joints", row / len(path))
-            tip.target_world = target
-            for _ in range(solves):
-                solve(True)
-                update()
-            states[row] = robot.state.q
+            self.go(target, solves)
+            states[row] = self._robot.state.q
         report("joints", 1.0)
         return self.unpacked(states)
 
     def unpacked(self, states: Array) -> Array:
-        """PlaCo's states (T, n) as joint positions (T, J).
+        """Convert PlaCo's states (T, n) to joint positions (T, J).
 
-        A joint that turns for ever is held as the cosine and sine of its angle; here it does not jump at half a turn.
+        A joint that turns for ever is held as the cosine and sine of its angle; here it does not
+        jump at half a turn.
         """
         q = states[:, list(self.columns.values())]
         for number, (name, column) in enumerate(self.columns.items()):
@@ -223,79 +216,25 @@ class Solver:
 
 
 def solver_here() -> Solver:
-    """The solver of this thread: PlaCo's are not safe to share, and each one that is made leaks 0.35 MB."""
+    """Return the solver of this thread: PlaCo's must not be shared, and each one leaks 0.35 MB."""
     if not hasattr(_here, "solver"):
         _here.solver = Solver()
     return _here.solver
 
 
-def torques(q: Array, v: Array, a: Array, joint_names: Sequence[str]) -> Array:
-    """What the joints' motors must give for a movement, without friction and with the pen in the air.
-
-    M(q) a + C(q, v) v + g(q), by the recursive Newton-Euler algorithm (Featherstone 2008, table 5.1) of pinocchio, from
-    the masses and inertias of all links, the pen's among them.
-
-    Args:
-        q: Positions, shape (T, J) [rad, m].
-        v: Velocities, shape (T, J) [rad/s, m/s].
-        a: Accelerations, shape (T, J) [rad/s^2, m/s^2].
-        joint_names: J names; with `pen_slide_joint` the pen is the sprung one. All other joints stand still.
-
-    Returns:
-        Torques and forces, shape (T, J) [N m, N].
-
-    Raises:
-        JointError: A joint that the robot does not have.
-        MissingPartError: PlaCo, which brings pinocchio, is not on this platform.
-    """
-    _placo()
-    import pinocchio  # noqa: PLC0415
-
-    model, columns = _masses(tuple(joint_names))
-    states = np.zeros((len(q), model.nq))
-    for angle, (at, _, size) in zip(q.T, columns, strict=True):
-        states[:, at : at + size] = (
-            angle[:, None] if size == 1 else np.column_stack([np.cos(angle), np.sin(angle)])
-        )
-    order = [at for _, at, _ in columns]
-    data, needed, speeds, pushes = (
-        model.createData(),
-        np.empty_like(v),
-        np.empty_like(v),
-        np.empty_like(v),
-    )
-    speeds[:, order], pushes[:, order] = v, a
-    for row in range(len(states)):
-        needed[row] = pinocchio.rnea(model, data, states[row], speeds[row], pushes[row])
-    return needed[:, order]
-
-
-@lru_cache(maxsize=4)
-def _masses(joint_names: tuple[str, ...]) -> tuple[Any, list[tuple[int, int, int]]]:
-    """Pinocchio's model that moves only in some joints, and where each is in its positions and velocities, and size."""
-    import pinocchio  # noqa: PLC0415
-
-    path = ASSETS / ("fetch_sprung.urdf" if "pen_slide_joint" in joint_names else "fetch.urdf")
-    ours = Model.load(path)
-    for name in joint_names:
-        ours.joint(name)
-    full = pinocchio.buildModelFromUrdf(str(path))
-    rest = pinocchio.neutral(full)
-    for name, value in REST.items():
-        rest[full.joints[full.getJointId(name)].idx_q] = value
-    still = [number for number, name in enumerate(full.names) if number and name not in joint_names]
-    model = pinocchio.buildReducedModel(full, still, rest)
-    joints = [model.joints[model.getJointId(name)] for name in joint_names]
-    return model, [(joint.idx_q, joint.idx_v, joint.nq) for joint in joints]
+def _bare_urdf() -> str:
+    """Return the robot's URDF without shells and collision shapes, which PlaCo need not load."""
+    root = ET.parse(ASSETS / "fetch.urdf").getroot()
+    for link in root.iter("link"):
+        for element in [*link.findall("visual"), *link.findall("collision")]:
+            link.remove(element)
+    return ET.tostring(root, encoding="unicode")
 
 
 def _placo() -> Any:
-    """PlaCo itself."""
+    """Import PlaCo, or say what is missing; it has no types."""
     try:
         import placo  # noqa: PLC0415 (loaded when a robot is needed, not before)
     except (ImportError, OSError) as error:
-        raise MissingPartError(
-            f"The robot's joints are solved by PlaCo, which is not here ({error}). Letters, sliders and plots work "
-            "without it. On Linux and macOS: python3 -m pip install placo; on Windows use WSL, or a notebook hub."
-        ) from None
+        raise placo_missing(error) from None
     return placo

@@ -11,7 +11,7 @@ from dmp_teach.errors import PageError, TrajectoryError, kind_of
 from dmp_teach.robot.page import Page, finite
 from dmp_teach.trajectory import Array, Trajectory
 
-MARGIN = 0.005
+PAGE_MARGIN = 0.005
 """What stays free of ink along every edge of the page [m]."""
 
 _HUGE = 2.0  # ink larger than this was not measured in metres [m]
@@ -19,7 +19,7 @@ _JUMP = 0.004  # no hand moves this much further in one step than in the steps b
 _JERKED = 50.0  # ... if that asks for more than this [m/s^2]
 
 
-def place(
+def lay_out(
     strokes: Iterable[Trajectory] | Trajectory,
     page: Page,
     at: ArrayLike | None = None,
@@ -44,7 +44,7 @@ def place(
         raise PageError(
             f"page is {page!r}, but must be a Page, such as Page.table() or Page.board()."
         )
-    strokes = checked(strokes)
+    strokes = check_strokes(strokes)
     points = np.concatenate([stroke.position for stroke in strokes])
     low, high = points.min(axis=0), points.max(axis=0)
     _check_metres(high - low)
@@ -55,8 +55,8 @@ def place(
     return tuple(Trajectory(s.t, (s.position - (low + high) / 2) * scale + middle) for s in strokes)
 
 
-def checked(strokes: Iterable[Trajectory] | Trajectory) -> tuple[Trajectory, ...]:
-    """The strokes as a tuple, each of them a 2-D Trajectory; see `place`."""
+def check_strokes(strokes: Iterable[Trajectory] | Trajectory) -> tuple[Trajectory, ...]:
+    """The strokes as a tuple, each of them a 2-D Trajectory; see `lay_out`."""
     try:
         strokes = (strokes,) if isinstance(strokes, Trajectory) else tuple(strokes)
     except TypeError:
@@ -108,7 +108,7 @@ def _check_jump(number: int, stroke: Trajectory) -> None:
 
 def _scale(extent: Array, page: Page, size: float | None) -> float:
     """By how much the ink must grow, or a PageError that says what would fit."""
-    room = page.size - 2 * MARGIN
+    room = page.size - 2 * PAGE_MARGIN
     if size is not None and extent[1] < 1e-9:
         raise PageError(
             "The ink has no height (a dot, or a level line), so size cannot set it; leave size out."
@@ -142,7 +142,7 @@ def _spot(at: ArrayLike | None, extent: Array, page: Page) -> Array:
         raise PageError(
             f"at is {at!r}, but must be two numbers: right and up from the page's centre [m]."
         )
-    free = np.maximum(page.size / 2 - MARGIN - extent / 2, 0)
+    free = np.maximum(page.size / 2 - PAGE_MARGIN - extent / 2, 0)
     if (np.abs(spot) > free + 1e-9).any():
         # Rounded to the nearest tenth of a millimetre inwards, so that what is named works.
         x, y = np.floor(free * 1e4 + 1e-6) / 1e4

@@ -1,4 +1,4 @@
-"""What the robot will do: joints, pen tip and ink on one clock."""
+"""A planned movement of the robot: joints, pen tip and ink on one clock."""
 
 from __future__ import annotations
 
@@ -6,10 +6,14 @@ from dataclasses import dataclass, fields
 from functools import cached_property
 
 import numpy as np
+from numpy.typing import NDArray
 
-from dmp_teach.robot.arm import torques
+from dmp_teach.robot.model.kinematics import Model
+from dmp_teach.robot.model.reduced import reduced_robot
 from dmp_teach.robot.page import Page
 from dmp_teach.trajectory import Array, Trajectory, locked
+
+BoolArray = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, eq=False)
@@ -20,12 +24,14 @@ class Motion:
         t: Times from 0, evenly spaced, shape (T,) [s].
         q: Joint positions, shape (T, J) [rad, m].
         joint_names: J names, in the order of the columns of `q`.
-        tip: Where the nib is, by forward kinematics of `assets/fetch.urdf`, in the world, shape (T, 3) [m].
-        target: Where the nib was asked to be, in the world, shape (T, 3) [m].
+        tip: Where the nib is, by forward kinematics of `assets/fetch.urdf`, in the world, shape
+            (T, 3) [m].
+        target: Where the nib should be, in the world, shape (T, 3) [m].
         pen_down: True exactly while the nib is meant to be on the letter, shape (T,).
         page: The sheet.
         strokes: The strokes as they were placed on the page (page frame, origin at its centre) [m].
-        notes: What was changed on the way, in sentences ("slowed from 1.83 s to 2.10 s: elbow_flex_joint").
+        notes: What was changed on the way, in sentences ("slowed from 1.83 s to 2.10 s:
+            elbow_flex_joint").
     """
 
     t: Array
@@ -33,7 +39,7 @@ class Motion:
     joint_names: tuple[str, ...]
     tip: Array
     target: Array
-    pen_down: Array
+    pen_down: BoolArray
     page: Page
     strokes: tuple[Trajectory, ...]
     notes: tuple[str, ...] = ()
@@ -56,22 +62,52 @@ class Motion:
 
     @property
     def tip_error(self) -> float:
-        """Root mean square distance of the nib from where it was asked to be [m]."""
+        """Root mean square distance of the nib from where it should be [m]."""
         return float(np.sqrt(np.mean(np.sum((self.tip - self.target) ** 2, axis=1))))
 
     @cached_property
     def torque(self) -> Array:
-        """What the joints' motors must give, without friction, shape (T, J) [N m, N]: see `arm.torques`.
+        """The torques of the joints' motors, without friction, shape (T, J) [N m, N].
 
-        Computed when first asked for, with velocities and accelerations by central differences.
+        By `ReducedRobot.torques`, when first used, with velocities and accelerations by central
+        differences.
 
         Raises:
             MissingPartError: PlaCo, which brings pinocchio, is not on this platform.
         """
         v = np.gradient(self.q, self.t, axis=0)
-        return locked(torques(self.q, v, np.gradient(v, self.t, axis=0), self.joint_names))
+        a = np.gradient(v, self.t, axis=0)
+        return locked(reduced_robot(self.joint_names).torques(self.q, v, a))
 
     def __repr__(self) -> str:
-        """In one line, without the numbers."""
+        """Show it in one line, without the numbers."""
         error = f"tip error {1000 * self.tip_error:.3f} mm rms"
         return f"Motion({self.duration:.2f} s, {len(self.joint_names)} joints, {error})"
+
+
+def describe_overloads(motion: Motion, model: Model) -> tuple[str, ...]:
+    """Return a sentence for each joint that needs more than its motor gives, with the cure."""
+    limits = np.array([model.joint(name).effort for name in motion.joint_names])
+    share = np.abs(motion.torque) / limits
+    overloaded = np.flatnonzero(share.max(axis=0) > 1)
+    return tuple(_describe_overload(motion, joint, limits[joint]) for joint in overloaded)
+
+
+def _describe_overload(motion: Motion, joint: int, limit: float) -> str:
+    """Return the sentence for one joint, about the moment at which it needs most."""
+    row = int(np.abs(motion.torque[:, joint]).argmax())
+    q = motion.q[row : row + 1]
+    needed = abs(motion.torque[row, joint])
+    weight = abs(reduced_robot(motion.joint_names).torques(q, 0 * q, 0 * q)[0, joint])
+    if weight < limit:
+        # What is not weight goes with the square of the speed.
+        longer = np.ceil(10 * np.sqrt((needed - weight) / (limit - weight))) / 10
+        cure = f"Write slower: there the pen must take {longer:g} times as long"
+    else:
+        cure = "The weight of the arm alone is too much: move the page nearer"
+    name = motion.joint_names[joint]
+    unit = "N" if name == "torso_lift_joint" else "N m"
+    return (
+        f"{name} needs {needed:.1f} {unit} after {motion.t[row]:.2f} s, but its motor gives "
+        f"{limit:g} {unit}. {cure}."
+    )

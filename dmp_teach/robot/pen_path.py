@@ -20,10 +20,10 @@ RATE = 240
 HOVER = 0.025
 """How high the nib waits and travels over the paper [m]."""
 
-RAMP = 0.2
+STROKE_RAMP = 0.2
 """How long a stroke takes to get from rest to the speed of the recording, and back at its end [s]."""
 
-LIFT = 0.3
+LIFT_TIME = 0.3
 """How long the pen takes up to the hover, or down [s]."""
 
 LONGEST_LIFT = 1.5
@@ -60,7 +60,7 @@ class PenPlan:
 
 
 @dataclass(frozen=True, eq=False)
-class Piece:
+class Segment:
     """A part of the pen's way, from rest to rest.
 
     Args:
@@ -75,19 +75,19 @@ class Piece:
 
 
 @dataclass(frozen=True, eq=False)
-class Way:
-    """The pen's way, which can be followed on any clock. At rest between two pieces, it stands on a sample.
+class PenPath:
+    """The pen's way, which can be followed on any clock. At rest between two segments, it stands on a sample.
 
     Args:
-        pieces: One after the other.
+        segments: One after the other.
     """
 
-    pieces: tuple[Piece, ...]
+    segments: tuple[Segment, ...]
 
     @property
     def rests(self) -> Array:
-        """Numbers of the samples at which the pen is at rest: where pieces begin, and the end, shape (P + 1,)."""
-        return np.cumsum([0, *(piece.steps for piece in self.pieces)])
+        """Numbers of the samples at which the pen is at rest: where segments begin, and the end, shape (P + 1,)."""
+        return np.cumsum([0, *(segment.steps for segment in self.segments)])
 
     def plan(self, samples: Array | None = None) -> PenPlan:
         """The way, sampled at `RATE`.
@@ -99,53 +99,48 @@ class Way:
         rests = self.rests
         samples = np.arange(rests[-1] + 1.0) if samples is None else samples
         position, down = np.empty((len(samples), 3)), np.zeros(len(samples), bool)
-        for piece, start in zip(self.pieces, rests[:-1], strict=True):
+        for segment, start in zip(self.segments, rests[:-1], strict=True):
             first, stop = (
                 np.searchsorted(samples, start),
-                np.searchsorted(samples, start + piece.steps, side="right"),
+                np.searchsorted(samples, start + segment.steps, side="right"),
             )
             rows = slice(
                 first + down[first], stop
             )  # a sample between a stroke and the air is the stroke's
-            position[rows] = piece.at((samples[rows] - start) / piece.steps)
-            down[rows] = piece.down
+            position[rows] = segment.at((samples[rows] - start) / segment.steps)
+            down[rows] = segment.down
         return PenPlan(np.arange(len(samples)) / RATE, position, down)
 
 
-def plan_pen(strokes: tuple[Trajectory, ...]) -> PenPlan:
-    """The pen's plan over strokes that lie on the page, as fast as they were written: see `way_over`."""
-    return way_over(strokes).plan()
-
-
-def way_over(strokes: tuple[Trajectory, ...]) -> Way:
+def connect_strokes(strokes: tuple[Trajectory, ...]) -> PenPath:
     """The pen's way over strokes that lie on the page.
 
-    A stroke takes its own duration and `RAMP` more. A lift takes as long as it did on the recording's clock,
+    A stroke takes its own duration and `STROKE_RAMP` more. A lift takes as long as it did on the recording's clock,
     but no less than the pen needs and no more than `LONGEST_LIFT`.
 
     Args:
-        strokes: On the page, as `place` gives them [m].
+        strokes: On the page, as `lay_out` gives them [m].
     """
     first, last = strokes[0].position[0], strokes[-1].position[-1]
-    pieces = [_move(_above(first), _on(first), LIFT)]
+    segments = [_move(_above(first), _on(first), LIFT_TIME)]
     for before, stroke in zip((None, *strokes), strokes, strict=False):
-        pieces += [] if before is None else _over(before, stroke)
-        pieces.append(_written(stroke))
-    return Way((*pieces, _move(_on(last), _above(last), LIFT)))
+        segments += [] if before is None else _lift_over(before, stroke)
+        segments.append(_draw(stroke))
+    return PenPath((*segments, _move(_on(last), _above(last), LIFT_TIME)))
 
 
-def _written(stroke: Trajectory) -> Piece:
+def _draw(stroke: Trajectory) -> Segment:
     """A stroke on the paper, at rest on its ends."""
-    curve = interpolated(stroke)
-    lasts, clock = from_rest_to_rest(stroke.duration)
+    curve = interpolate(stroke)
+    lasts, clock = ease_in_and_out(stroke.duration)
 
     def at(part: Array) -> Array:
         return _on(curve(np.clip(stroke.t[0] + clock(part * lasts), stroke.t[0], stroke.t[-1])))
 
-    return Piece(_steps(lasts), at, down=True)
+    return Segment(_steps(lasts), at, down=True)
 
 
-def interpolated(stroke: Trajectory) -> Callable[[Array], Array]:
+def interpolate(stroke: Trajectory) -> Callable[[Array], Array]:
     """A smooth curve through every sample of a stroke.
 
     A cubic spline (Fritsch and Carlson's monotone one where the times are so uneven that the cubic would swing
@@ -164,8 +159,8 @@ def interpolated(stroke: Trajectory) -> Callable[[Array], Array]:
     return cubic
 
 
-def from_rest_to_rest(
-    duration: float, ramp: float = RAMP
+def ease_in_and_out(
+    duration: float, ramp: float = STROKE_RAMP
 ) -> tuple[float, Callable[[Array], Array]]:
     """A clock that starts and stops gently: its speed rises from 0 as 3 u^2 - 2 u^3, u = t / ramp, and falls so too.
 
@@ -192,32 +187,32 @@ def _risen(u: Array) -> Array:
     return u**3 - u**4 / 2
 
 
-def _over(before: Trajectory, after: Trajectory) -> list[Piece]:
+def _lift_over(before: Trajectory, after: Trajectory) -> list[Segment]:
     """Lift, travel, touch between two strokes."""
     start, end = before.position[-1], after.position[0]
     far = float(np.linalg.norm(end - start))
     # A move with least jerk peaks at 1.875 of its mean speed, and at 5.77 distances over its duration squared.
     travel = max(1.875 * far / _TRAVEL_SPEED, np.sqrt(5.77 * far / _TRAVEL_PUSH))
-    needed = 2 * LIFT + travel
+    needed = 2 * LIFT_TIME + travel
     longer = np.clip(after.t[0] - before.t[-1], needed, max(needed, LONGEST_LIFT)) / needed
     return [
-        _move(_on(start), _above(start), LIFT * longer),
+        _move(_on(start), _above(start), LIFT_TIME * longer),
         _move(_above(start), _above(end), travel * longer),
-        _move(_above(end), _on(end), LIFT * longer),
+        _move(_above(end), _on(end), LIFT_TIME * longer),
     ]
 
 
-def _move(start: Array, end: Array, duration: float) -> Piece:
+def _move(start: Array, end: Array, duration: float) -> Segment:
     """A straight move in the air from rest to rest with least jerk (Flash and Hogan 1985)."""
 
     def at(s: Array) -> Array:
         return start + (end - start) * (10 * s**3 - 15 * s**4 + 6 * s**5)[:, None]
 
-    return Piece(_steps(duration), at)
+    return Segment(_steps(duration), at)
 
 
 def _steps(duration: float) -> int:
-    """How many samples a piece of the plan takes, at least one; it lasts no less than asked."""
+    """How many samples a segment of the plan takes, at least one; it lasts no less than asked."""
     return max(1, int(np.ceil(duration * RATE - 1e-6)))
 
 

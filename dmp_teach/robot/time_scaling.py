@@ -1,8 +1,8 @@
-"""No faster than the joints can: where one would have to hurry, the pen goes slower, and only there.
+"""Slow the pen where a joint would exceed its speed limit, and only there.
 
-The path stays and the clock changes: path and speed along it are found apart, and the most hurried joint limits the
-speed at each place (Bobrow, Dubowsky and Gibson 1985). Between limited and unlimited places the clock changes its rate
-smoothly; how it does is ours.
+The path stays and the clock changes: path and speed along it are found apart, and the most hurried
+joint limits the speed at each place (Bobrow, Dubowsky and Gibson 1985). Between limited and
+unlimited places the clock changes its rate smoothly; how it does is ours.
 """
 
 from __future__ import annotations
@@ -14,79 +14,85 @@ import numpy as np
 from scipy.interpolate import CubicHermiteSpline
 from scipy.ndimage import convolve1d, find_objects, label, minimum_filter1d
 
-from dmp_teach.robot.pen_path import RATE, Way
+from dmp_teach.robot.pen_path import RATE, PenPath
 from dmp_teach.trajectory import Array
 
-FASTEST = 0.9
+SPEED_SHARE = 0.9
 """No joint goes faster than this part of its limit; where one would, the pen is slowed."""
 
 EASING = 0.1
-"""The clock needs so long, on the unhurried plan, to change its rate, and is done so long before it must be [s]."""
+"""The clock needs so long, on the unhurried plan, to change its rate, and as long before [s]."""
 
-_SPARE = 0.995  # the part of FASTEST that is aimed at: the joints are solved anew on the new clock
-_TOLD = 3  # so many slowed places are described
+# The part of SPEED_SHARE that is aimed at: the joints are solved anew on the new clock.
+_SPARE = 0.995
+# So many slowed places are described.
+_DESCRIBED = 3
 
 
-class Clock:
+class TimeScaling:
     """When each sample of an unhurried plan is due.
 
     Args:
-        way: The pen's way; wherever it rests there stays a sample, so that a stroke still begins and ends on one.
+        path: The pen's way; wherever it rests there stays a sample, so that a stroke still begins
+            and ends on one.
         joint_names: Joints that may hurry.
     """
 
-    def __init__(self, way: Way, joint_names: Sequence[str]) -> None:
-        self._way, self._names = way, joint_names
-        self._needed = np.ones((way.rests[-1] + 1, len(joint_names)))
-        self._late: list[Array] = [np.zeros(piece.steps + 1) for piece in way.pieces]
-        self.samples = np.arange(way.rests[-1] + 1.0)
-        """Which sample of the unhurried plan is due at each sample now, in fractions too, shape (T,)."""
+    def __init__(self, path: PenPath, joint_names: Sequence[str]) -> None:
+        self._path = path
+        self._names = joint_names
+        self._needed = np.ones((path.rests[-1] + 1, len(joint_names)))
+        self._late: list[Array] = [np.zeros(segment.steps + 1) for segment in path.segments]
+        self.samples = np.arange(path.rests[-1] + 1.0)
+        """Which sample of the unhurried plan is due at each sample, in fractions too, (T,)."""
 
-    def slowed(self, speeds: Array) -> bool:
-        """Slow the clock where a joint is too fast; says whether there was such a place.
+    def slow_down(self, speeds: Array) -> bool:
+        """Slow the clock where a joint is too fast; return whether there was such a place.
 
         Args:
-            speeds: Of the joints from each of the present samples to the next, in parts of their limits, (T - 1, J).
+            speeds: Of the joints from each of the present samples to the next, in parts of their
+                limits, (T - 1, J).
         """
-        rows, joints = np.nonzero(speeds > FASTEST)
+        rows, joints = np.nonzero(speeds > SPEED_SHARE)
+        if not len(rows):
+            return False
         before, after = self.samples[rows], self.samples[rows + 1]
-        wanted = speeds[rows, joints] / (after - before) / (_SPARE * FASTEST)
+        wanted = speeds[rows, joints] / (after - before) / (_SPARE * SPEED_SHARE)
         for beside in (np.floor(before), np.ceil(after)):
             np.maximum.at(self._needed, (beside.astype(int), joints), wanted)
-        if len(rows):
-            needed = self._needed.max(axis=1)
-            self._late = [
-                late(needed[start : stop + 1]) for start, stop in pairwise(self._way.rests)
-            ]
-            parts = [
-                start + due(late) for start, late in zip(self._way.rests, self._late, strict=False)
-            ]
-            self.samples = np.concatenate([*(part[:-1] for part in parts), parts[-1][-1:]])
-        return bool(len(rows))
+        needed, rests = self._needed.max(axis=1), self._path.rests
+        self._late = [lateness(needed[start : stop + 1]) for start, stop in pairwise(rests)]
+        parts = [
+            start + due_samples(late) for start, late in zip(rests[:-1], self._late, strict=True)
+        ]
+        self.samples = np.concatenate([*(part[:-1] for part in parts), parts[-1][-1:]])
+        return True
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What was slowed, why, and from what to what: one sentence, or none where nothing was."""
+        """What was slowed, by which joint, and from what to what: one sentence, or none."""
         places = sorted(self._places(), reverse=True)
         if not places:
             return ()
         worst = self._needed.max(axis=0)
         names = ", ".join(self._names[joint] for joint in np.argsort(-worst) if worst[joint] > 1)
-        told = ", ".join(text for *_, text in places[:_TOLD])
-        more = f" and {len(places) - _TOLD} more places" if len(places) > _TOLD else ""
-        before, after = self._way.rests[-1] / RATE, (len(self.samples) - 1) / RATE
+        told = ", ".join(text for *_, text in places[:_DESCRIBED])
+        more = f" and {len(places) - _DESCRIBED} more places" if len(places) > _DESCRIBED else ""
+        before, after = self._path.rests[-1] / RATE, (len(self.samples) - 1) / RATE
         return (
-            f"slowed from {before:.2f} s to {after:.2f} s: {names}, so that none goes faster than {FASTEST} of its "
-            f"limit. Slower is {told}{more}",
+            f"slowed from {before:.2f} s to {after:.2f} s: {names}, so that none goes faster than "
+            f"{SPEED_SHARE} of its limit. Slower is {told}{more}",
         )
 
     def _places(self) -> Iterator[tuple[float, str]]:
-        """Every slowed place: what it costs in samples, and in words."""
+        """Yield every slowed place: what it costs in samples, and in words."""
         strokes = 0
-        for piece, start, late in zip(self._way.pieces, self._way.rests, self._late, strict=False):
-            where = f"stroke {strokes}" if piece.down else f"the air before stroke {strokes}"
-            strokes += piece.down
-            if piece is self._way.pieces[-1]:
+        for segment, start, late in zip(
+            self._path.segments, self._path.rests[:-1], self._late, strict=True
+        ):
+            where = f"stroke {strokes}" if segment.down else f"the air before stroke {strokes}"
+            strokes += segment.down
+            if segment is self._path.segments[-1]:
                 where = "the last lift"
             for (run,) in find_objects(label(late > 0)[0]):
                 needed = self._needed[start + run.start : start + run.stop].max(axis=0)
@@ -102,15 +108,17 @@ class Clock:
                 )
 
 
-def late(needed: Array) -> Array:
-    """How much longer than usual each sample lasts, at least `needed` - 1, changing smoothly, shape (n,).
+def lateness(needed: Array) -> Array:
+    """Return how much longer than usual each sample lasts, at least `needed` - 1, shape (n,).
 
-    The clock's rate is the least of 1 / needed within `EASING` of each sample, then averaged over as much (a Hann
-    window): so it is nowhere more than 1 / needed. The time lost in each slowed place is rounded up to whole samples,
-    so that those after it are the same as before.
+    The clock's rate is the least of 1 / needed within `EASING` of each sample, then averaged over
+    as much (a Hann window): so it is nowhere more than 1 / needed, and changes smoothly. The time
+    lost in each slowed place is rounded up to whole samples, so that those after it are the same as
+    before.
 
     Args:
-        needed: How many times slower than usual each sample of a piece from rest to rest must be, shape (n,).
+        needed: How many times slower than usual each sample of a segment from rest to rest must be,
+            shape (n,).
     """
     reach = round(EASING * RATE)
     window = np.hanning(2 * reach + 3)[1:-1]
@@ -124,8 +132,8 @@ def late(needed: Array) -> Array:
     return late
 
 
-def due(late: Array) -> Array:
-    """Which sample is due at each whole time when sample i lasts 1 + late[i], shape (m,); both ends are whole."""
+def due_samples(late: Array) -> Array:
+    """Return which sample is due at each whole time when sample i lasts 1 + late[i], shape (m,)."""
     times = np.append(0, np.cumsum(1 + (late[1:] + late[:-1]) / 2))
     samples = CubicHermiteSpline(times, np.arange(len(late)), 1 / (1 + late))(
         np.arange(round(times[-1]) + 1)

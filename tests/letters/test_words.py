@@ -26,7 +26,7 @@ from dmp_teach.letters.text.handwriting import Hand, plain_text
 from dmp_teach.letters.text.lines import write_lines
 from dmp_teach.letters.text.spacing import connected_spacing, letter_spacing
 from dmp_teach.robot.fetch import Fetch
-from dmp_teach.robot.layout import place
+from dmp_teach.robot.layout import lay_out
 from dmp_teach.robot.page import Page
 from dmp_teach.trajectory import Trajectory
 
@@ -651,7 +651,7 @@ def test_what_does_not_fit_is_said():
 
 def test_text_is_written_on_the_page_where_it_stands():
     text = write_lines("two\nlines", x_height=0.01, joined=True)
-    for placed, own in zip(place(text, Page.table(), at=text.middle), text, strict=True):
+    for placed, own in zip(lay_out(text, Page.table(), at=text.middle), text, strict=True):
         np.testing.assert_allclose(placed.position, own.position, atol=1e-12)
     assert repr(text).startswith("Text(")
 
@@ -659,5 +659,5 @@ def test_text_is_written_on_the_page_where_it_stands():
 @pytest.mark.parametrize("name", alphabets())
 @pytest.mark.parametrize("joined", [False, True])
 def test_a_long_word_fits_a_sheet_of_a4_unless_another_size_is_asked_for(name, joined):
-    placed_there = place(words.word("programming", name, joined=joined), Page.table())
+    placed_there = lay_out(words.word("programming", name, joined=joined), Page.table())
     assert np.ptp(np.concatenate([s.position for s in placed_there])[:, 0]) > 0.1

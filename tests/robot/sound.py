@@ -5,7 +5,7 @@ import numpy as np
 from dmp_teach.robot.arm import JOINTS
 from dmp_teach.robot.model.kinematics import Model
 from dmp_teach.robot.pen_path import RATE
-from dmp_teach.robot.time_scaling import FASTEST
+from dmp_teach.robot.time_scaling import SPEED_SHARE
 
 MODEL = Model.load()
 LIMITS = [MODEL.joint(name) for name in JOINTS]
@@ -26,7 +26,7 @@ def assert_sound(motion):
     speed = (
         np.abs(np.diff(motion.q, axis=0)).max(axis=0) * RATE / [joint.velocity for joint in LIMITS]
     )
-    assert speed.max() <= FASTEST + 1e-9
+    assert speed.max() <= SPEED_SHARE + 1e-9
     np.testing.assert_allclose(motion.t, np.arange(len(motion.t)) / RATE)
     assert (
         len(motion.q)

@@ -2,17 +2,17 @@ import gc
 import itertools
 import sys
 import threading
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
 from hypothesis import strategies as st
 
 from dmp_teach.errors import JointError, MissingPartError, ReachError
-from dmp_teach.robot import arm
 from dmp_teach.robot.arm import JOINTS, Solver, solver_here
 from dmp_teach.robot.fetch import Fetch
 from dmp_teach.robot.page import Page
-from dmp_teach.robot.pen_path import RATE, plan_pen
+from dmp_teach.robot.pen_path import RATE, connect_strokes
 from dmp_teach.trajectory import Trajectory
 from tests.recordings import RECORDINGS, needs_recordings
 from tests.robot import ink
@@ -39,7 +39,7 @@ def test_too_fast_is_slowed_and_said(letter, faster, page):
     hasty = tuple(Trajectory(s.t / faster, s.position) for s in letter)
     motion = Fetch().write(hasty, page, size=ink.fitting(hasty, page))
     assert_sound(motion)
-    hurried = motion.duration > plan_pen(motion.strokes).duration
+    hurried = motion.duration > connect_strokes(motion.strokes).plan().duration
     assert hurried == any(note.startswith("slowed from ") for note in motion.notes)
     if hurried:
         assert f"to {motion.duration:.2f} s: " in motion.notes[0]
@@ -165,7 +165,7 @@ def test_nothing_is_printed(capfd):
     solver = Solver()  # not this thread's own, which has been built
     solver.stand(np.zeros(8), np.array([0.0, 0, 1]), torso=True)
     solver.approach(np.array([3.0, 0, 0]))
-    solver.touching()
+    solver.proximity.touching(solver.joints())
     Fetch().write(LETTER, Page.table())
     del solver
     gc.collect()
@@ -220,12 +220,14 @@ def test_joints_that_turn_for_ever_do_not_jump_at_half_a_turn():
 
 def test_where_placo_is_missing_the_sentence_says_what_to_do(monkeypatch):
     monkeypatch.setitem(sys.modules, "placo", None)
-    monkeypatch.setattr(arm, "_here", threading.local())
-    with pytest.raises(
-        MissingPartError,
-        match=r"Letters, sliders and plots work without it\..*pip install placo.*WSL",
+    with (
+        ThreadPoolExecutor(1) as new_thread,
+        pytest.raises(
+            MissingPartError,
+            match=r"Letters, sliders and plots work without it\..*pip install placo.*WSL",
+        ),
     ):
-        Fetch()
+        new_thread.submit(Fetch).result()
 
 
 @needs_recordings

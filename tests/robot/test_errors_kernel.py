@@ -14,14 +14,14 @@ ROOT = Path(__file__).parents[2]
 WALK = """
 import gc, hashlib, random, signal, sys, threading
 import numpy as np
-from dmp_teach.robot import arm
-from dmp_teach.robot.arm import Solver, solver_here
+from dmp_teach.robot.arm import Solver
 from dmp_teach.robot.fetch import Fetch
 from dmp_teach.robot.page import Page
 from tests.robot.ink import LETTER
 
 def digest(motion):
-    return hashlib.sha256(motion.q.tobytes() + motion.tip.tobytes() + repr(motion.notes).encode()).hexdigest()
+    numbers = motion.q.tobytes() + motion.tip.tobytes()
+    return hashlib.sha256(numbers + repr(motion.notes).encode()).hexdigest()
 
 def write():
     assert digest(Fetch().write(LETTER, Page.table())) == fresh
@@ -31,13 +31,14 @@ def drop():
     gc.collect()
 
 def make_again():
-    arm._here.__dict__.clear()
+    thread = threading.Thread(target=lambda: robots.append(Fetch()))
+    thread.start()
+    thread.join()
     gc.collect()
-    robots.append(Fetch())
 
 def hold_a_part():
     solver = Solver()
-    robots.append((solver._tip, solver._axis, solver.joints()))
+    robots.append((solver.pen(), solver.jacobian(), solver.proximity))
     del solver
     gc.collect()
 

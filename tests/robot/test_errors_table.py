@@ -5,7 +5,7 @@ Row, column and value of a file that cannot be read: see the tests of the reader
 
 import re
 import sys
-import threading
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
@@ -19,10 +19,10 @@ from dmp_teach.errors import (
     ReachWarning,
     TrajectoryError,
 )
-from dmp_teach.robot import arm
 from dmp_teach.robot.arm import JOINTS
 from dmp_teach.robot.fetch import Fetch
 from dmp_teach.robot.model.kinematics import Model
+from dmp_teach.robot.model.reduced import reduced_robot
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.simulation.simulate import simulate
 from dmp_teach.trajectory import Trajectory
@@ -147,11 +147,16 @@ def test_without_placo_what_is_missing_what_still_works_how_to_get_it_and_the_re
     monkeypatch, motion
 ):
     monkeypatch.setitem(sys.modules, "placo", None)
-    monkeypatch.setattr(arm, "_here", threading.local())
-    with pytest.raises(
-        MissingPartError, match=r"PlaCo, which is not here.*work without it\..*pip install placo"
+    monkeypatch.setitem(sys.modules, "pinocchio", None)
+    reduced_robot.cache_clear()
+    with (
+        ThreadPoolExecutor(1) as new_thread,
+        pytest.raises(
+            MissingPartError,
+            match=r"PlaCo, which is not here.*work without it\..*pip install placo",
+        ),
     ):
-        Fetch()
+        new_thread.submit(Fetch).result()
     again = type(motion)(**{name: getattr(motion, name) for name in motion.__dataclass_fields__})
     with pytest.raises(MissingPartError, match="PlaCo"):
         _ = again.torque

@@ -6,10 +6,10 @@ from hypothesis import strategies as st
 
 from dmp_teach.robot.arm import JOINTS
 from dmp_teach.robot.fetch import Fetch
-from dmp_teach.robot.layout import place
+from dmp_teach.robot.layout import lay_out
 from dmp_teach.robot.page import Page
-from dmp_teach.robot.pen_path import RATE, plan_pen, way_over
-from dmp_teach.robot.time_scaling import EASING, FASTEST, Clock, due, late
+from dmp_teach.robot.pen_path import RATE, connect_strokes
+from dmp_teach.robot.time_scaling import EASING, SPEED_SHARE, TimeScaling, due_samples, lateness
 from dmp_teach.trajectory import Trajectory
 from tests.robot import ink
 from tests.robot.ink import LETTER, law
@@ -33,7 +33,7 @@ def needed_at(hurry, n=400):
 @law(hurry=HURRY)
 def test_every_sample_lasts_as_long_as_it_must_and_those_far_from_a_hurry_no_longer(hurry):
     needed = needed_at(hurry)
-    longer = late(needed)
+    longer = lateness(needed)
     assert (1 + longer >= needed - 1e-9).all()
     near = np.convolve(needed > 1, np.ones(4 * REACH + 1), "same") > 0
     assert (longer[~near] == 0).all()
@@ -41,9 +41,9 @@ def test_every_sample_lasts_as_long_as_it_must_and_those_far_from_a_hurry_no_lon
 
 @law(hurry=HURRY)
 def test_the_clock_never_jumps(hurry):
-    rate = 1 / (1 + late(needed_at(hurry)))
+    rate = 1 / (1 + lateness(needed_at(hurry)))
     assert np.abs(np.diff(rate)).max() <= 1.5 / REACH
-    samples = due(late(needed_at(hurry)))
+    samples = due_samples(lateness(needed_at(hurry)))
     assert (np.diff(samples) > 0).all()
     assert np.diff(samples).max() <= 1 + 1e-9
     assert np.abs(np.diff(samples, n=2)).max() <= 1.5 / REACH
@@ -51,8 +51,8 @@ def test_the_clock_never_jumps(hurry):
 
 @law(hurry=HURRY)
 def test_samples_after_a_slowed_place_are_those_of_the_unhurried_plan(hurry):
-    longer = late(needed_at(hurry))
-    samples = due(longer)
+    longer = lateness(needed_at(hurry))
+    samples = due_samples(longer)
     assert samples[0] == 0
     assert samples[-1] == len(longer) - 1
     untouched = np.flatnonzero(longer == 0)
@@ -61,19 +61,19 @@ def test_samples_after_a_slowed_place_are_those_of_the_unhurried_plan(hurry):
 
 @pytest.mark.parametrize("length", [2, 3, 10])
 def test_a_piece_of_few_samples_can_be_slowed_too(length):
-    samples = due(late(np.full(length, 7.3)))
+    samples = due_samples(lateness(np.full(length, 7.3)))
     assert len(samples) >= 7.3 * (length - 1) + 1
     np.testing.assert_allclose(np.diff(samples), np.diff(samples)[0])
 
 
 def test_a_clock_heeds_the_joint_that_hurries_and_says_where():
-    way = way_over(place(LETTER, Page.table()))
-    clock = Clock(way, ("slow", "fast"))
-    assert not clock.slowed(np.full((way.rests[-1], 2), FASTEST))
+    way = connect_strokes(lay_out(LETTER, Page.table()))
+    clock = TimeScaling(way, ("slow", "fast"))
+    assert not clock.slow_down(np.full((way.rests[-1], 2), SPEED_SHARE))
     assert clock.notes == ()
     speeds = np.zeros((way.rests[-1], 2))
-    speeds[way.rests[1] + 100, 1] = 2 * FASTEST
-    assert clock.slowed(speeds)
+    speeds[way.rests[1] + 100, 1] = 2 * SPEED_SHARE
+    assert clock.slow_down(speeds)
     (note,) = clock.notes
     assert note.startswith(
         f"slowed from {way.rests[-1] / RATE:.2f} s to {(len(clock.samples) - 1) / RATE:.2f} s: fast,"
@@ -91,7 +91,7 @@ def test_a_clock_heeds_the_joint_that_hurries_and_says_where():
 def test_slowed_ink_is_the_same_ink_at_rest_at_both_ends_of_every_stroke(letter, faster):
     motion = Fetch().write(hasty(faster, letter), Page.board(width=0.5), size=0.19)
     assert_sound(motion)
-    plain = plan_pen(motion.strokes)
+    plain = connect_strokes(motion.strokes).plan()
     position, speed = (
         motion.page.to_page(motion.target),
         np.linalg.norm(np.diff(motion.target, axis=0), axis=1) * RATE,
@@ -115,25 +115,25 @@ def test_far_from_a_hurry_the_pace_stays_and_the_ink_is_nowhere_else():
         tuple(map(float, span)) for span in re.findall(r"from (\d[\d.]*) s to ([\d.]+) s \(", note)
     ]
     assert not more
-    plain, position = plan_pen(motion.strokes), motion.page.to_page(motion.target)
+    plain, position = connect_strokes(motion.strokes).plan(), motion.page.to_page(motion.target)
     before, after = int(start * RATE) - 1, len(motion.t) - int(np.ceil(end * RATE)) - 1
     assert before > 50
     assert after > 200
     np.testing.assert_allclose(position[:before], plain.position[:before], atol=1e-12)
     np.testing.assert_allclose(position[-after:], plain.position[-after:], atol=1e-12)
     np.testing.assert_array_equal(motion.pen_down[-after:], plain.pen_down[-after:])
-    fine = way_over(motion.strokes).plan(np.arange(0, len(plain.t) - 0.99, 0.05)).position
+    fine = connect_strokes(motion.strokes).plan(np.arange(0, len(plain.t) - 0.99, 0.05)).position
     missed = [np.linalg.norm(fine - spot, axis=1).min() for spot in position]
     assert max(missed) < 1e-4
     speed = np.abs(np.diff(motion.q, axis=0)).max(axis=0) * RATE
     hurried = JOINTS.index(note.partition(": ")[2].split(", ")[0])
-    assert speed[hurried] > 0.95 * FASTEST * LIMITS[hurried].velocity
+    assert speed[hurried] > 0.95 * SPEED_SHARE * LIMITS[hurried].velocity
 
 
 def test_slowing_locally_costs_less_than_slowing_all_of_it():
     motion = Fetch().write(hasty(4), Page.table(), size=0.19)
     times = max(map(float, re.findall(r"up to ([\d.]+) times", motion.notes[0])))
-    assert motion.duration < 0.6 * times * plan_pen(motion.strokes).t[-1]
+    assert motion.duration < 0.6 * times * connect_strokes(motion.strokes).plan().t[-1]
 
 
 def test_a_slowed_motion_is_the_same_bit_for_bit_when_it_is_planned_again():

@@ -6,14 +6,15 @@ import pytest
 
 from dmp_teach.errors import JointError
 from dmp_teach.files.writing import ASSETS
-from dmp_teach.robot.arm import JOINTS, torques
+from dmp_teach.robot.arm import JOINTS
 from dmp_teach.robot.fetch import Fetch
 from dmp_teach.robot.model.kinematics import Model
+from dmp_teach.robot.model.reduced import reduced_robot
 from dmp_teach.robot.model.urdf import origin
+from dmp_teach.robot.motion import describe_overloads
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.simulation.bullet import client
-from dmp_teach.robot.simulation.world import SLIDE, Bench
-from dmp_teach.robot.torque import too_heavy
+from dmp_teach.robot.simulation.world import SLIDE, World
 from dmp_teach.trajectory import Trajectory
 from tests.robot.ink import LETTER
 from tests.robot.sound import LIMITS, MODEL
@@ -45,7 +46,7 @@ def height_energy(q):
 def test_at_rest_a_motor_holds_what_lifting_would_gain():
     """Another route: gravity's torque is the slope of the energy of height, by our own kinematics."""
     q, still, step = RNG.uniform(LOW, HIGH, (20, len(JOINTS))), np.zeros((20, len(JOINTS))), 1e-5
-    needed = torques(q, still, still, JOINTS)
+    needed = reduced_robot(JOINTS).torques(q, still, still)
     for joint in range(len(JOINTS)):
         by = step * np.eye(len(JOINTS))[joint]
         slope = (height_energy(q + by) - height_energy(q - by)) / (2 * step)
@@ -59,7 +60,7 @@ def test_in_motion_it_agrees_with_pybullet():
     v = np.gradient(motion.q, motion.t, axis=0)
     a = np.gradient(v, motion.t, axis=0)
     with client() as (bullet, number):
-        felt = Bench(bullet, number, motion, motion.page, "rigid").dynamics(motion.q, v, a)
+        felt = World(bullet, number, motion, motion.page, "rigid").dynamics(motion.q, v, a)
     np.testing.assert_allclose(motion.torque, felt, atol=1e-3 * EFFORTS.min())
 
 
@@ -76,7 +77,7 @@ def test_the_sprung_pens_slide_has_a_force_too():
     sprung = Model.load(ASSETS / "fetch_sprung.urdf")
     names = (*JOINTS, SLIDE)
     q = np.zeros((1, len(names)))
-    needed = torques(q, 0 * q, 0 * q, names)[0]
+    needed = reduced_robot(names).torques(q, 0 * q, 0 * q)[0]
     carried = {sprung.joint(SLIDE).child}
     for joint in sprung.joints:
         carried |= {joint.child} if joint.parent in carried else set()
@@ -104,7 +105,7 @@ def test_a_weight_that_is_too_much_is_not_cured_by_patience():
     feeble = replace(
         MODEL, joints=tuple(replace(joint, effort=joint.effort / 2) for joint in MODEL.joints)
     )
-    (note,) = too_heavy(motion, feeble)
+    (note,) = describe_overloads(motion, feeble)
     assert note.startswith("torso_lift_joint needs ")
     assert note.endswith(
         ", but its motor gives 225 N. The weight of the arm alone is too much: move the page nearer."
@@ -113,4 +114,4 @@ def test_a_weight_that_is_too_much_is_not_cured_by_patience():
 
 def test_an_unknown_joint_is_refused():
     with pytest.raises(JointError, match="elbow_flex_joint"):
-        torques(np.zeros((1, 1)), np.zeros((1, 1)), np.zeros((1, 1)), ("elbow_flex",))
+        reduced_robot(("elbow_flex",))

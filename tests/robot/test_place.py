@@ -3,7 +3,7 @@ import pytest
 from hypothesis import strategies as st
 
 from dmp_teach.errors import PageError, TrajectoryError
-from dmp_teach.robot.layout import MARGIN, place
+from dmp_teach.robot.layout import PAGE_MARGIN, lay_out
 from dmp_teach.robot.page import Page
 from dmp_teach.trajectory import Trajectory
 from tests.robot import ink
@@ -28,7 +28,7 @@ def line(*points, seconds=1.0):
     size=st.floats(0.01, 0.1),
 )
 def test_the_middle_of_the_ink_is_where_it_was_asked_for_and_its_height_too(letter, x, y, size):
-    low, high = box(place(letter, PAGE, at=(x, y), size=size))
+    low, high = box(lay_out(letter, PAGE, at=(x, y), size=size))
     np.testing.assert_allclose((low + high) / 2, (x, y), atol=1e-12)
     assert high[1] - low[1] == pytest.approx(size)
 
@@ -36,13 +36,13 @@ def test_the_middle_of_the_ink_is_where_it_was_asked_for_and_its_height_too(lett
 @law(letter=ink.letters(), right=st.floats(-5, 5), up=st.floats(-5, 5))
 def test_where_the_ink_was_recorded_does_not_matter(letter, right, up):
     shifted = tuple(Trajectory(s.t, s.position + np.array([right, up])) for s in letter)
-    for one, other in zip(place(letter, PAGE), place(shifted, PAGE), strict=True):
+    for one, other in zip(lay_out(letter, PAGE), lay_out(shifted, PAGE), strict=True):
         np.testing.assert_allclose(one.position, other.position, atol=1e-12)
 
 
 @law(letter=ink.letters())
 def test_as_written_nothing_changes_but_the_place(letter):
-    placed = place(letter, PAGE)
+    placed = lay_out(letter, PAGE)
     shift = placed[0].position[0] - letter[0].position[0]
     for before, after in zip(letter, placed, strict=True):
         np.testing.assert_array_equal(before.t, after.t)
@@ -52,7 +52,7 @@ def test_as_written_nothing_changes_but_the_place(letter):
 
 
 def test_one_trajectory_is_one_stroke():
-    assert len(place(ink.LETTER[0], PAGE)) == 1
+    assert len(lay_out(ink.LETTER[0], PAGE)) == 1
 
 
 @law(letter=ink.letters(), size=st.floats(0.3, 2))
@@ -60,12 +60,12 @@ def test_too_large_says_both_sizes_and_what_is_said_to_fit_fits(letter, size):
     with pytest.raises(
         PageError, match=r"would be \d+ x \d+ mm, but the page is 210 x 297 mm"
     ) as caught:
-        place(letter, PAGE, size=size)
+        lay_out(letter, PAGE, size=size)
     largest = float(str(caught.value).rpartition("size=")[2].rstrip("."))
-    low, high = box(place(letter, PAGE, size=largest))
-    assert (high - low <= PAGE.size - 2 * MARGIN + 1e-9).all()
+    low, high = box(lay_out(letter, PAGE, size=largest))
+    assert (high - low <= PAGE.size - 2 * PAGE_MARGIN + 1e-9).all()
     with pytest.raises(PageError):
-        place(letter, PAGE, size=largest + 0.0011)
+        lay_out(letter, PAGE, size=largest + 0.0011)
 
 
 def test_as_written_and_too_large_says_which_size_to_give():
@@ -73,12 +73,12 @@ def test_as_written_and_too_large_says_which_size_to_give():
         PageError,
         match=r"room for 200 x 287 mm inside its margin. The largest that fits is size=0.287",
     ):
-        place(line((0, 0), (0.1, 0.4), seconds=3), PAGE)
+        lay_out(line((0, 0), (0.1, 0.4), seconds=3), PAGE)
 
 
 def test_a_level_line_too_wide_says_how_wide_it_may_be():
     with pytest.raises(PageError, match="The largest that fits is a stroke 200 mm wide"):
-        place(line((0, 0), (0.3, 0), seconds=3), PAGE)
+        lay_out(line((0, 0), (0.3, 0), seconds=3), PAGE)
 
 
 @law(letter=ink.letters())
@@ -86,48 +86,48 @@ def test_over_the_edge_says_where_the_middle_may_be_and_there_it_may_be(letter):
     with pytest.raises(
         PageError, match=r"With at=\(0.2, 0\) the ink of \d+ x \d+ mm would run over"
     ) as caught:
-        place(letter, PAGE, at=(0.2, 0))
+        lay_out(letter, PAGE, at=(0.2, 0))
     x = float(str(caught.value).partition("x must be between -")[2].partition(" ")[0])
     y = float(str(caught.value).partition("y between -")[2].partition(" ")[0])
     for spot in ((x, y), (-x, -y)):
-        place(letter, PAGE, at=spot)
+        lay_out(letter, PAGE, at=spot)
 
 
 @pytest.mark.parametrize("at", [0.1, (1, 2, 3), "middle", (np.nan, 0), [[0, 0]], ("a", "b")])
 def test_a_spot_is_two_numbers(at):
     with pytest.raises(PageError, match="must be two numbers: right and up from the page's centre"):
-        place(ink.LETTER, PAGE, at=at)
+        lay_out(ink.LETTER, PAGE, at=at)
 
 
 @pytest.mark.parametrize("size", [0, -0.1])
 def test_a_size_is_more_than_nothing(size):
     with pytest.raises(PageError, match="must be more than 0"):
-        place(ink.LETTER, PAGE, size=size)
+        lay_out(ink.LETTER, PAGE, size=size)
 
 
 @pytest.mark.parametrize("size", ["big", np.nan, np.inf, (1, 2)])
 def test_a_size_is_one_number(size):
     with pytest.raises(PageError, match="must be a height in metres"):
-        place(ink.LETTER, PAGE, size=size)
+        lay_out(ink.LETTER, PAGE, size=size)
 
 
 def test_a_dot_can_be_placed_but_not_enlarged():
     dot = line((0.02, 0.02), (0.02, 0.02))
-    np.testing.assert_allclose(place(dot, PAGE)[0].position, 0)
+    np.testing.assert_allclose(lay_out(dot, PAGE)[0].position, 0)
     with pytest.raises(PageError, match="has no height"):
-        place(dot, PAGE, size=0.1)
+        lay_out(dot, PAGE, size=0.1)
 
 
 def test_millimetres_are_recognised():
     large = tuple(Trajectory(s.t, 1000 * s.position) for s in ink.LETTER)
     with pytest.raises(PageError, match=r"if yours are in millimetres, divide them by 1000"):
-        place(large, PAGE, size=0.1)
+        lay_out(large, PAGE, size=0.1)
 
 
 @pytest.mark.parametrize("strokes", [(), []])
 def test_no_strokes_are_refused(strokes):
     with pytest.raises(TrajectoryError, match="no strokes to write"):
-        place(strokes, PAGE)
+        lay_out(strokes, PAGE)
 
 
 @pytest.mark.parametrize(("strokes", "kind"), [(3, "an int"), (None, "None")])
@@ -135,23 +135,23 @@ def test_what_cannot_be_strokes_is_refused(strokes, kind):
     with pytest.raises(
         TrajectoryError, match=f"strokes is {kind}, but must be a tuple of Trajectory"
     ):
-        place(strokes, PAGE)
+        lay_out(strokes, PAGE)
 
 
 @pytest.mark.parametrize("page", [None, 5, "table", Page.table])
 def test_what_is_no_page_is_refused(page):
     with pytest.raises(PageError, match=r"page is .* must be a Page, such as Page\.table\(\)"):
-        place(ink.LETTER, page)
+        lay_out(ink.LETTER, page)
 
 
 def test_a_recording_is_answered_with_its_strokes():
     with pytest.raises(TrajectoryError, match=r"strokes is an object.*recording\.strokes\(\)"):
-        place(object(), PAGE)
+        lay_out(object(), PAGE)
 
 
 def test_what_is_no_stroke_is_named_by_its_number():
     with pytest.raises(TrajectoryError, match="Stroke 1 is an ndarray, but must be a Trajectory"):
-        place((ink.LETTER[0], np.zeros((5, 2))), PAGE)
+        lay_out((ink.LETTER[0], np.zeros((5, 2))), PAGE)
 
 
 def test_three_dimensions_are_refused_with_the_cure():
@@ -159,7 +159,7 @@ def test_three_dimensions_are_refused_with_the_cure():
     with pytest.raises(
         TrajectoryError, match=r"3 dimensions, but ink has 2: Trajectory\(stroke.t, stroke.position"
     ):
-        place(deep, PAGE)
+        lay_out(deep, PAGE)
 
 
 @law(letter=ink.letters(), share=st.floats(0.05, 0.95), way=st.floats(0, 6.28))
@@ -175,14 +175,14 @@ def test_a_jump_inside_a_stroke_is_named(letter, share, way):
         TrajectoryError,
         match=rf"Stroke {len(letter) - 1} jumps by .* mm in .* ms at sample {row} \(t =",
     ):
-        place((*letter[:-1], Trajectory(stroke.t, position)), PAGE)
+        lay_out((*letter[:-1], Trajectory(stroke.t, position)), PAGE)
 
 
 @law(letter=ink.letters())
 def test_fast_writing_is_no_jump(letter):
     faster = tuple(Trajectory(s.t / 3, s.position) for s in letter)
-    assert len(place(faster, PAGE)) == len(letter)
+    assert len(lay_out(faster, PAGE)) == len(letter)
 
 
 def test_few_far_points_with_time_between_them_are_no_jump():
-    assert place(line((0, 0), (0.001, 0), (0.1, 0), (0.1, 0.1), seconds=4), PAGE)
+    assert lay_out(line((0, 0), (0.001, 0), (0.1, 0), (0.1, 0.1), seconds=4), PAGE)

@@ -2,17 +2,16 @@ import numpy as np
 import pytest
 from hypothesis import strategies as st
 
-from dmp_teach.robot.layout import place
+from dmp_teach.robot.layout import lay_out
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.pen_path import (
     HOVER,
-    LIFT,
-    RAMP,
+    LIFT_TIME,
     RATE,
-    from_rest_to_rest,
-    interpolated,
-    plan_pen,
-    way_over,
+    STROKE_RAMP,
+    connect_strokes,
+    ease_in_and_out,
+    interpolate,
 )
 from dmp_teach.trajectory import Trajectory
 from tests.robot import ink
@@ -22,8 +21,8 @@ PAGE = Page.table()
 
 
 def planned(letter):
-    placed = place(letter, PAGE)
-    return placed, plan_pen(placed)
+    placed = lay_out(letter, PAGE)
+    return placed, connect_strokes(placed).plan()
 
 
 def pieces(plan):
@@ -58,7 +57,7 @@ def test_the_pen_is_down_exactly_on_the_letter(letter):
 def test_the_pen_stays_on_the_letter_between_its_samples(letter):
     placed, plan = planned(letter)
     for piece, stroke in zip(pieces(plan), placed, strict=True):
-        fine = interpolated(stroke)(np.linspace(stroke.t[0], stroke.t[-1], 20 * len(stroke)))
+        fine = interpolate(stroke)(np.linspace(stroke.t[0], stroke.t[-1], 20 * len(stroke)))
         assert distances(plan.position[piece, :2], fine).max() < 2e-5
         steps = np.linalg.norm(np.diff(stroke.position, axis=0), axis=1)
         assert distances(plan.position[piece, :2], stroke.position).max() < steps.max() / 4
@@ -86,7 +85,7 @@ def test_the_pen_never_goes_faster_than_the_hand_did(letter):
     speed = np.linalg.norm(np.diff(plan.position[:, :2], axis=0), axis=1) * RATE
     for piece, stroke in zip(pieces(plan), placed, strict=True):
         fine = np.linspace(stroke.t[0], stroke.t[-1], 20 * len(stroke))
-        hand = np.linalg.norm(np.diff(interpolated(stroke)(fine), axis=0), axis=1) / (
+        hand = np.linalg.norm(np.diff(interpolate(stroke)(fine), axis=0), axis=1) / (
             fine[1] - fine[0]
         )
         assert speed[piece][:-1].max() <= 1.001 * hand.max()
@@ -105,7 +104,7 @@ def test_the_plan_is_sampled_evenly_and_starts_and_ends_at_the_hover(letter):
 @law(letter=ink.letters())
 def test_the_nib_comes_down_and_goes_up_along_the_normal(letter):
     _, plan = planned(letter)
-    rows = round(LIFT * RATE)
+    rows = round(LIFT_TIME * RATE)
     for piece in pieces(plan):
         for air in (
             plan.position[piece.start - rows : piece.start],
@@ -119,7 +118,11 @@ def test_a_stroke_takes_its_own_time_and_one_ramp(letter):
     placed, plan = planned(letter)
     for piece, stroke in zip(pieces(plan), placed, strict=True):
         lasts = (piece.stop - 1 - piece.start) / RATE
-        assert stroke.duration + RAMP - 1e-6 <= lasts <= stroke.duration + RAMP + 1 / RATE
+        assert (
+            stroke.duration + STROKE_RAMP - 1e-6
+            <= lasts
+            <= stroke.duration + STROKE_RAMP + 1 / RATE
+        )
 
 
 @law(gap=st.floats(0, 60))
@@ -129,15 +132,15 @@ def test_a_lift_takes_its_time_within_reason(gap):
     _, plan = planned((first, second))
     before, after = pieces(plan)
     lift = (after.start - before.stop + 1) / RATE
-    assert 2 * LIFT <= lift <= 1.5 + 3 / RATE
+    assert 2 * LIFT_TIME <= lift <= 1.5 + 3 / RATE
     if 1.2 < gap < 1.5:
         assert lift == pytest.approx(gap, abs=4 / RATE)
 
 
 @law(letter=ink.letters(), seed=st.integers(0, 1000))
 def test_on_any_clock_it_is_the_same_path_and_the_pen_is_down_on_the_letter(letter, seed):
-    placed = place(letter, PAGE)
-    way, plan = way_over(placed), plan_pen(placed)
+    placed = lay_out(letter, PAGE)
+    way, plan = connect_strokes(placed), connect_strokes(placed).plan()
     between = np.random.default_rng(seed).uniform(0, way.rests[-1], 500)
     samples = np.unique(np.concatenate([way.rests, between]))
     odd = way.plan(samples)
@@ -161,18 +164,19 @@ def test_the_pen_does_not_jerk(letter):
     for stroke in placed:
         fine = np.linspace(stroke.t[0], stroke.t[-1], 8 * len(stroke))
         step = fine[1] - fine[0]
-        path = interpolated(stroke)(fine)
+        path = interpolate(stroke)(fine)
         speed = np.linalg.norm(np.diff(path, axis=0), axis=1).max() / step
         hand = max(
             hand,
-            np.linalg.norm(np.diff(path, n=2, axis=0), axis=1).max() / step**2 + 1.5 * speed / RAMP,
+            np.linalg.norm(np.diff(path, n=2, axis=0), axis=1).max() / step**2
+            + 1.5 * speed / STROKE_RAMP,
         )
     assert acceleration.max() < 1.05 * max(hand, 3.0)
 
 
 @law(duration=st.floats(0.001, 20))
 def test_the_gentle_clock_starts_and_stops_at_rest_and_shows_it_all(duration):
-    lasts, clock = from_rest_to_rest(duration)
+    lasts, clock = ease_in_and_out(duration)
     times = np.linspace(0, lasts, 2001)
     shown = clock(times)
     assert shown[0] == pytest.approx(0, abs=1e-12)
@@ -180,8 +184,8 @@ def test_the_gentle_clock_starts_and_stops_at_rest_and_shows_it_all(duration):
     rate = np.diff(shown) / np.diff(times)
     assert rate.min() >= 0
     assert rate.max() <= 1 + 1e-9
-    assert rate[[0, -1]].max() < 0.01 + 3 * lasts / 2000 / RAMP
-    assert lasts >= max(2 * RAMP, duration + RAMP) - 1e-12
+    assert rate[[0, -1]].max() < 0.01 + 3 * lasts / 2000 / STROKE_RAMP
+    assert lasts >= max(2 * STROKE_RAMP, duration + STROKE_RAMP) - 1e-12
 
 
 def test_uneven_times_do_not_make_the_curve_swing_out():
@@ -190,7 +194,7 @@ def test_uneven_times_do_not_make_the_curve_swing_out():
     stroke = Trajectory(
         t, np.column_stack([0.002 * np.arange(40), 0.001 * rng.standard_normal(40)])
     )
-    fine = interpolated(stroke)(np.linspace(t[0], t[-1], 4000))
+    fine = interpolate(stroke)(np.linspace(t[0], t[-1], 4000))
     assert distances(fine, stroke.position).max() < 0.002
     assert fine[:, 0].min() >= 0
     assert fine[:, 0].max() <= 0.078 + 1e-12
@@ -198,12 +202,12 @@ def test_uneven_times_do_not_make_the_curve_swing_out():
 
 def test_two_samples_are_a_straight_stroke():
     stroke = Trajectory([0, 0.5], [[-0.02, 0], [0.02, 0]])
-    plan = plan_pen((stroke,))
+    plan = connect_strokes((stroke,)).plan()
     assert np.abs(plan.position[:, 1]).max() < 1e-12
     assert plan.pen_down.sum() == round(0.7 * RATE) + 1
 
 
 def test_a_dot_is_touched_and_left():
-    plan = plan_pen((Trajectory([0, 0.01], [[0.0, 0.0], [0.0, 0.0]]),))
+    plan = connect_strokes((Trajectory([0, 0.01], [[0.0, 0.0], [0.0, 0.0]]),)).plan()
     assert plan.pen_down.any()
     assert np.abs(plan.position[:, :2]).max() == 0

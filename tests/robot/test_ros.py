@@ -15,14 +15,14 @@ from dmp_teach.errors import (
     SettingError,
     TrajectoryError,
 )
-from dmp_teach.robot.arm import JOINTS, solver_here
+from dmp_teach.robot.arm import JOINTS, SAFETY_SHELL
 from dmp_teach.robot.fetch import Fetch
+from dmp_teach.robot.model.proximity import Proximity
 from dmp_teach.robot.page import Page
-from dmp_teach.robot.reach.posture import _neighbours
 from dmp_teach.robot.ros import bag as ros
 from dmp_teach.robot.ros.bag import GOAL_TOPIC, LEAD, PACE, PATH_TOPIC, schedule, write_rosbag
 from dmp_teach.robot.ros.untuck import TUCKED
-from dmp_teach.robot.time_scaling import FASTEST
+from dmp_teach.robot.time_scaling import SPEED_SHARE
 from tests.conftest import STRICT
 from tests.robot.ink import LETTER
 from tests.robot.ros_world import HAS_ROS, play_on_a_real_roscore
@@ -65,7 +65,7 @@ def bag(motion, tmp_path_factory):
 
 def read(path):
     """All messages of a bag: topic -> (connection, time [ns], message)."""
-    store = ros._typestore()
+    store = ros.ros_types()
     with rosbag1.Reader(path) as reader:
         return {
             line.topic: (line, at, store.deserialize_ros1(raw, line.msgtype))
@@ -135,7 +135,7 @@ def test_the_arm_goes_from_tucked_to_the_page_within_its_limits(page):
     np.testing.assert_array_equal(plan.q[0], TUCKED)
     way, writing = np.split(np.abs(plan.velocity) / SPEEDS, [plan.writing])
     assert way.max() <= PACE + 0.001
-    assert writing.max() <= FASTEST + 0.01
+    assert writing.max() <= SPEED_SHARE + 0.01
     assert (plan.q >= [joint.lower - 1e-9 for joint in LIMITS]).all()
     assert (plan.q <= [joint.upper + 1e-9 for joint in LIMITS]).all()
     assert np.abs(np.diff(plan.q, axis=0)).max() < 0.1, "no joint jumps by a turn"
@@ -144,17 +144,18 @@ def test_the_arm_goes_from_tucked_to_the_page_within_its_limits(page):
 @pytest.mark.parametrize("page", PAGES, ids=repr)
 def test_the_arm_touches_nothing_on_its_way(page):
     plan = schedule(Fetch().write(LETTER, page, size=0.1))
-    solver = solver_here()
+    proximity = Proximity(JOINTS, grown=SAFETY_SHELL)
 
     def touching(q):
-        solver.stand(q, page.normal, torso=True)
-        pairs = {tuple(link.removesuffix("_link") for link in pair) for pair in solver.touching()}
-        return {pair for pair in pairs if not _neighbours(*pair)}
+        pairs = set(proximity.touching(q))
+        return {pair for pair in pairs if not pair[0].startswith(("pen", "r_grip", "l_grip"))}
 
-    tucked = touching(
-        TUCKED
-    )  # the solids are coarse: tucked, they overlap by millimetres where the shells do not
-    assert tucked <= {("torso_lift", "gripper"), ("torso_lift", "shoulder_lift")}
+    # The shapes are coarse: tucked, they overlap by millimetres where the shells do not.
+    tucked = touching(TUCKED)
+    assert tucked <= {
+        ("gripper_link", "torso_lift_link"),
+        ("shoulder_lift_link", "torso_lift_link"),
+    }
     assert all(touching(q) <= tucked for q in plan.q[: plan.writing : 3])
     assert touching(plan.q[plan.writing]) == set()
     places = MODEL.link_poses(plan.q[: plan.writing], JOINTS)
@@ -203,7 +204,7 @@ def test_where_the_coarse_solids_overlap_the_shells_do_not(motion):
 def test_the_controller_takes_its_time_to_the_first_point_from_any_height_of_the_torso():
     torso = LIMITS[0]
     assert 1.5 * (torso.upper - torso.lower) / LEAD <= 1.0 * torso.velocity
-    assert 1.5 * max(torso.upper - TUCKED[0], TUCKED[0]) / LEAD <= FASTEST * torso.velocity
+    assert 1.5 * max(torso.upper - TUCKED[0], TUCKED[0]) / LEAD <= SPEED_SHARE * torso.velocity
 
 
 def test_without_a_start_only_the_letter_is_written(motion):
@@ -257,7 +258,7 @@ def test_the_types_are_those_of_noetic(bag):
     assert found[PATH_TOPIC][0].digest == "6227e2b7e9cce15051f669a5e197bbf7"
     sums = {"FollowJointTrajectoryGoal": "69636787b6ecbde4d61d711979bc7ecb"}
     for name, digest in sums.items():
-        assert ros._typestore().generate_msgdef(f"control_msgs/msg/{name}")[1] == digest
+        assert ros.ros_types().generate_msgdef(f"control_msgs/msg/{name}")[1] == digest
 
 
 def test_the_controller_is_given_no_tolerances_of_ours(bag):
@@ -354,7 +355,7 @@ def test_nothing_beyond_the_robots_limits_is_sent(motion, tmp_path):
 
 def test_where_rosbags_is_missing_the_sentence_says_what_to_do(motion, tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "rosbags.typesys", None)
-    monkeypatch.setattr(ros, "_typestore", ros._typestore.__wrapped__)
+    ros.ros_types.cache_clear()
     with pytest.raises(
         MissingPartError, match=r"written by rosbags, which is not here .*pip install rosbags"
     ):
@@ -378,11 +379,11 @@ def test_a_real_roscore_delivers_every_point(motion, bag, tmp_path):
         PATH.replace("/msg", ""),
         True,
     )
-    goal = ros._typestore().deserialize_ros1(heard[GOAL_TOPIC]["data"], GOAL)
+    goal = ros.ros_types().deserialize_ros1(heard[GOAL_TOPIC]["data"], GOAL)
     plan, (t, q, velocity) = schedule(motion), points_of(goal)
     assert goal.goal.trajectory.joint_names == FETCH_GROUP
     np.testing.assert_allclose(t, plan.t, rtol=0, atol=1e-9)
     np.testing.assert_allclose(q, plan.q, rtol=0, atol=1e-9)
     np.testing.assert_allclose(velocity, plan.velocity, rtol=0, atol=1e-9)
-    path = ros._typestore().deserialize_ros1(heard[PATH_TOPIC]["data"], PATH)
+    path = ros.ros_types().deserialize_ros1(heard[PATH_TOPIC]["data"], PATH)
     assert len(path.poses) == len(motion.t)

@@ -9,7 +9,7 @@ from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.robot.arm import JOINTS
 from dmp_teach.robot.model.kinematics import Model
-from dmp_teach.robot.reach.posture import POSTURES
+from dmp_teach.robot.reach.posture import START_POSTURES
 from dmp_teach.studies.experiments.goal_change import (
     change_goals_1d,
     change_goals_2d,
@@ -107,7 +107,7 @@ def test_joint_speeds_move_the_pen_as_they_should():
     model, arm = Model.load(), arm_at_table()
     limits = np.array([model.joint(name).velocity for name in ARM])
     for k, world in enumerate(([0.0, -1.0, 0.0], [1.0, 0.0, 0.0])):
-        q = np.array([POSTURES[0], POSTURES[0]])
+        q = np.array([START_POSTURES[0], START_POSTURES[0]])
         q[1, 1:] += 1e-4 * arm.speed[:, k] * limits
         X = model.frame("pen_tip", q, JOINTS)
         np.testing.assert_allclose((X[1] - X[0])[:3, 3], 1e-4 * np.array(world), atol=1e-6)

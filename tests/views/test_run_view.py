@@ -12,8 +12,7 @@ from hypothesis.extra import numpy as hnp
 from PIL import Image
 
 from dmp_teach.errors import ViewError
-from dmp_teach.robot.simulation.findings import BAND
-from dmp_teach.robot.simulation.run import Run
+from dmp_teach.robot.simulation.run import FORCE_BAND, Run
 from dmp_teach.robot.simulation.world import SLIDE
 from dmp_teach.views.scene import pen_force
 from dmp_teach.views.scene.commands import record_stage
@@ -76,7 +75,9 @@ def test_the_shades_are_told_apart_without_seeing_colours():
     steps = np.array(light[:-1]) / light[1:]
     assert steps.min() > 1.2
     assert light[0] / light[-1] > 5
-    assert (pen_force.find_shade(np.array(BAND)) == (1, len(pen_force.FORCE_SHADES) - 1)).all()
+    assert (
+        pen_force.find_shade(np.array(FORCE_BAND)) == (1, len(pen_force.FORCE_SHADES) - 1)
+    ).all()
     np.testing.assert_allclose(
         pen_force.shade_rgb(int(pen_force.find_shade(np.array([0.53]))[0])),
         INK_RGBA[:3],

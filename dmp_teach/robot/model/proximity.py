@@ -1,34 +1,55 @@
-"""Whether the arm stays clear of the robot and of what the page lies on, at every sample of a motion.
+"""How near the arm comes to the robot's body, to its own parts and to what the page lies on.
 
-At some samples all pairs of solids are looked at; between them a link moves by so much and no more, which settles most
-pairs. What is left is looked at sample by sample.
+Distances of boxes, cylinders and spheres are coal's, which PlaCo brings with pinocchio.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from operator import attrgetter
+from typing import Any
 
 import numpy as np
 
-from dmp_teach.robot.model.solids import Clearances, balls
+from dmp_teach.robot.model.reduced import load_pinocchio, reduced_robot
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.pen_path import RATE
 from dmp_teach.trajectory import Array
 
-LEAST = 0.010
+LEAST_CLEARANCE = 0.010
 """The arm keeps this far from the robot and from what the page lies on [m]."""
 
-THIN = 0.020
+THIN_CLEARANCE = 0.020
 """Less than this is worth a note [m]."""
 
-AROUND = 0.2
+PAGE_SURROUND = 0.2
 """What the page lies on is thought to go on for so far beyond it, on every side [m]."""
 
-_EVERY = 12  # samples, of which one is looked at first
+_PAGE_DEPTH = 0.7
+"""What the page lies on is this thick [m]: a table down to the floor, a board and its wall."""
+
+_BODY = (
+    "base_link",
+    "torso_fixed_link",
+    "torso_lift_link",
+    "head_pan_link",
+    "head_tilt_link",
+    "shoulder_pan_link",
+)
+_ARM = tuple(
+    f"{name}_link"
+    for name in (
+        "shoulder_lift",
+        "upperarm_roll",
+        "elbow_flex",
+        "forearm_roll",
+        "wrist_flex",
+        "wrist_roll",
+    )
+)
+_HAND = ("gripper_link", "r_gripper_finger_link", "l_gripper_finger_link", "pen_link", "pen_tip")
 
 _WORDS = {
-    "base_link": "base",
     "torso_fixed_link": "torso",
     "torso_lift_link": "torso",
     "head_pan_link": "head",
@@ -40,10 +61,8 @@ _WORDS = {
     "forearm_roll_link": "forearm",
     "wrist_flex_link": "wrist",
     "wrist_roll_link": "wrist",
-    "gripper_link": "gripper",
     "r_gripper_finger_link": "right finger",
     "l_gripper_finger_link": "left finger",
-    "pen_link": "pen",
     "pen_tip": "pen",
     "page": "what the page lies on",
 }
@@ -66,23 +85,26 @@ class Near:
     other: str
 
     def __str__(self) -> str:
-        """A sentence for those who must change something."""
+        """Say what would happen where that must not be."""
         if self.distance < 0:
-            return f"{self._when} would go into {self._what}, {-1000 * self.distance:.0f} mm deep."
-        least = f"; {1000 * LEAST:.0f} mm must stay between them" if self.distance < LEAST else ""
-        return (
-            f"{self._when} would come within {1000 * self.distance:.0f} mm of {self._what}{least}."
-        )
+            happens = f"would go into {self._what}, {-1000 * self.distance:.0f} mm deep"
+        else:
+            happens = f"would come within {1000 * self.distance:.0f} mm of {self._what}"
+        if 0 <= self.distance < LEAST_CLEARANCE:
+            happens += f"; {1000 * LEAST_CLEARANCE:.0f} mm must stay between them"
+        when = f"fter {self.row / RATE:.2f} s the arm's {plain(self.link)} {happens}."
+        if self.other == "page":
+            return f"A{when}"
+        touch = "touch" if self.distance < LEAST_CLEARANCE else "come too near to"
+        return f"The arm would {touch} the robot: a{when}"
 
     @property
     def note(self) -> str:
         """The same where it may stay so."""
-        return f"a{self._when[1:]} comes within {1000 * self.distance:.0f} mm of {self._what}"
-
-    @property
-    def _when(self) -> str:
-        """The moment and the arm's part."""
-        return f"After {self.row / RATE:.2f} s the arm's {plain(self.link)}"
+        return (
+            f"after {self.row / RATE:.2f} s the arm's {plain(self.link)} comes within "
+            f"{1000 * self.distance:.0f} mm of {self._what}"
+        )
 
     @property
     def _what(self) -> str:
@@ -91,80 +113,198 @@ class Near:
 
 
 def plain(link: str) -> str:
-    """What people call a link."""
-    return _WORDS.get(link, link.removesuffix("_link").replace("_", " "))
+    """Return what people call a link."""
+    return _WORDS.get(link, link.removesuffix("_link"))
 
 
-def nearest(
-    poses: Mapping[str, Array], page: Page, within: float = THIN
-) -> tuple[Near | None, Near | None]:
-    """The first moment at which something is nearer than `LEAST`, and the one at which something is nearest.
+class Proximity:
+    """The distances between the arm's links and what each of them could meet.
 
     Args:
-        poses: X_world_link of every link, each of shape (T, 4, 4): see `Model.link_poses`.
+        joint_names: The J joints that move, as for `ReducedRobot`.
+        page: What the arm must not go through; None: nothing but the robot itself.
+        around: How far what the page lies on goes on beyond the page [m].
+        grown: By how much each shape is larger than it is, on every side [m].
+
+    Raises:
+        MissingPartError: PlaCo, which brings coal, is not on this platform.
+    """
+
+    def __init__(
+        self,
+        joint_names: tuple[str, ...],
+        page: Page | None = None,
+        around: float = 0.0,
+        grown: float = 0.0,
+    ) -> None:
+        self._pinocchio = pinocchio = load_pinocchio()
+        self._robot = reduced_robot(joint_names)
+        self._geometry = self._robot.geometry.copy()
+        if grown:
+            for shape in self._geometry.geometryObjects:
+                shape.geometry = _grow(shape.geometry, grown)
+        links = list(self._robot.links)
+        if page is not None:
+            self._geometry.addGeometryObject(_page_block(page, around))
+            links.append("page")
+        pairs = _shape_pairs(links)
+        for one, other in pairs:
+            self._geometry.addCollisionPair(pinocchio.CollisionPair(one, other))
+        self._named = [(links[one], links[other]) for one, other in pairs]
+        self.pairs = tuple(dict.fromkeys(self._named))
+        """The L pairs of a link and what it could meet."""
+        self._firsts = [self._named.index(pair) for pair in self.pairs]
+        reach = self._reach()
+        one, other = reach[[pair[0] for pair in pairs]], reach[[pair[1] for pair in pairs]]
+        # A joint that carries both does not bring them nearer to each other.
+        self._sweep = np.where((one > 0) & (other > 0), 0.0, one + other)
+        self._data = self._robot.model.createData()
+        self._found = pinocchio.GeometryData(self._geometry)
+
+    def distances(self, q: Array) -> Array:
+        """Return the least distance of each of the `pairs`, less than 0 where they overlap.
+
+        Args:
+            q: Joint positions, shape (T, J) [rad, m].
+
+        Returns:
+            Distances, shape (T, L) [m].
+        """
+        everything = np.arange(len(self._named))
+        found = [self._at(moment, everything) for moment in self._robot.configurations(q)]
+        return np.minimum.reduceat(np.array(found), self._firsts, axis=1)
+
+    def touching(self, q: Array) -> list[tuple[str, str]]:
+        """Return those of the `pairs` that overlap at joint positions q (J,) [rad, m]."""
+        overlap = self.distances(q[None])[0] < 0
+        return [pair for pair, overlaps in zip(self.pairs, overlap, strict=True) if overlaps]
+
+    def approaches(self, q: Array, within: float) -> list[Near]:
+        """Find every sample at which a link comes within a distance of what it could meet.
+
+        In a span of samples a point moves no further than its distance from each joint times the
+        turn of that joint: so most spans are settled by the distances in their middle, and only
+        the others are halved. Only the pen may come near to the page.
+
+        Args:
+            q: Joint positions, shape (T, J) [rad, m].
+            within: What is farther away does not count [m].
+        """
+        counts = [
+            number
+            for number, (link, other) in enumerate(self._named)
+            if not (other == "page" and link.startswith("pen"))
+        ]
+        near, configurations = [], self._robot.configurations(q)
+        spans = [(np.arange(len(q)), np.array(counts))]
+        while spans:
+            rows, pairs = spans.pop()
+            middle = len(rows) // 2
+            row = rows[middle]
+            distances = self._at(configurations[row], pairs)
+            for pair in np.flatnonzero(distances < within):
+                near.append(Near(int(row), float(distances[pair]), *self._named[pairs[pair]]))
+            turned = np.abs(q[rows] - q[row]).max(axis=0)
+            doubtful = pairs[distances - self._sweep[pairs] @ turned < within]
+            halves = (rows[:middle], rows[middle + 1 :])
+            spans += [(half, doubtful) for half in halves if len(half) and len(doubtful)]
+        return near
+
+    def _at(self, configuration: Array, pairs: Array) -> Array:
+        """Return the distances of some pairs of shapes in one configuration [m]."""
+        geometry, found, pinocchio = self._geometry, self._found, self._pinocchio
+        pinocchio.updateGeometryPlacements(
+            self._robot.model, self._data, geometry, found, configuration
+        )
+        return np.array(
+            [pinocchio.computeDistance(geometry, found, int(n)).min_distance for n in pairs]
+        )
+
+    def _reach(self) -> Array:
+        """Return how far each joint moves a point of each shape at most, by one unit, (G, J)."""
+        model = self._robot.model
+        reach = np.zeros((self._geometry.ngeoms, len(self._robot.joint_ids)))
+        for number, shape in enumerate(self._geometry.geometryObjects):
+            shape.geometry.computeLocalAABB()
+            middle = shape.placement.act(shape.geometry.aabb_center)
+            far = np.linalg.norm(middle) + shape.geometry.aabb_radius
+            joint = shape.parentJoint
+            while joint:
+                slides = model.joints[joint].shortname().startswith("JointModelP")
+                reach[number, self._robot.joint_ids.index(joint)] = 1.0 if slides else far
+                far += np.linalg.norm(model.jointPlacements[joint].translation)
+                joint = model.parents[joint]
+        return reach
+
+
+def find_nearest(
+    q: Array, joint_names: tuple[str, ...], page: Page, within: float = THIN_CLEARANCE
+) -> tuple[Near | None, Near | None]:
+    """Find the first moment nearer than `LEAST_CLEARANCE`, and the one at which all is nearest.
+
+    Args:
+        q: Joint positions, shape (T, J) [rad, m].
+        joint_names: J names.
         page: The sheet. Only the pen may come near to it.
         within: What is farther away than this does not count [m].
 
     Returns:
-        Both None where nothing counts.
+        Both None where nothing counts. The distance of the first is the least that this pair has
+        at any time.
     """
-    clearances = Clearances(page, AROUND)
-    first = closest = None
-    for number, rows, distances in _near(clearances, poses, within):
-        link, other = clearances.pairs[number]
-        row = int(distances.argmin())
-        if closest is None or distances[row] < closest.distance:
-            closest = Near(int(rows[row]), float(distances[row]), link, other)
-        touching = np.flatnonzero(distances < LEAST)
-        if len(touching) and (first is None or rows[touching[0]] < first.row):
-            first = Near(int(rows[touching[0]]), float(distances[row]), link, other)
-    return first, closest
+    near = Proximity(joint_names, page, PAGE_SURROUND).approaches(q, within)
+    closest = min(near, key=lambda each: (each.distance, each.row), default=None)
+    if closest is None or closest.distance >= LEAST_CLEARANCE:
+        return None, closest
+    first = min((each for each in near if each.distance < LEAST_CLEARANCE), key=attrgetter("row"))
+    same = [each.distance for each in near if (each.link, each.other) == (first.link, first.other)]
+    return replace(first, distance=min(same)), closest
 
 
-def _near(
-    clearances: Clearances, poses: Mapping[str, Array], within: float
-) -> Iterator[tuple[int, Array, Array]]:
-    """For each pair that comes within a distance: its number, at which samples, and how near (n,) [m]."""
-    steps = len(next(iter(poses.values())))
-    starts = np.arange(0, steps, _EVERY)
-    looked = np.minimum(starts + _EVERY // 2, steps - 1)
-    some = {link: X[looked] if X.strides[0] else X[: len(looked)] for link, X in poses.items()}
-    centres, moves = _moves(poses, starts, looked)
-    spared = np.column_stack(
-        [moves[link] + moves.get(other, 0.0) for link, other in clearances.pairs]
-    )
-    doubtful = clearances.at_least(some, centres[looked]) - spared < within
-    for number in np.flatnonzero(doubtful.any(axis=0)):
-        pair = clearances.pairs[number]
-        if pair[1] == "page" and pair[0].startswith("pen"):
-            continue
-        spans = np.flatnonzero(doubtful[:, number])
-        away = clearances.apart(number, {link: some[link][spans] for link in some if link in pair})
-        spans = spans[away - spared[spans, number] < within]
-        rows = (starts[spans, None] + np.arange(_EVERY)).ravel()
-        rows = rows[rows < steps]
-        distances = clearances.apart(
-            number, {link: poses[link][rows] for link in poses if link in pair}
-        )
-        if (distances < within).any():
-            yield int(number), rows, distances
+def _grow(shape: Any, by: float) -> Any:
+    """Return one of coal's shapes, larger on every side [m]."""
+    import coal  # noqa: PLC0415
+
+    if isinstance(shape, coal.Box):
+        return coal.Box(*(2 * (shape.halfSide + by)))
+    if isinstance(shape, coal.Cylinder):
+        return coal.Cylinder(shape.radius + by, 2 * (shape.halfLength + by))
+    return coal.Sphere(shape.radius + by)
 
 
-def _moves(
-    poses: Mapping[str, Array], starts: Array, looked: Array
-) -> tuple[Array, dict[str, Array]]:
-    """The links' middles (T, L, 3), and how far a point of each is at most, in each span, from where it is looked at.
+def _page_block(page: Page, around: float) -> Any:
+    """Return what a page lies on, as pinocchio's geometry, fixed in the world."""
+    import coal  # noqa: PLC0415
 
-    A point at r from the middle goes no further than the middle, and r times the norm of the change of the turn.
+    pinocchio = load_pinocchio()
+    size = (page.width + 2 * around, page.height + 2 * around, _PAGE_DEPTH)
+    middle = page.to_world((0.0, 0.0, -_PAGE_DEPTH / 2))
+    X = pinocchio.SE3(page.X_world_page[:3, :3], middle)
+    return pinocchio.GeometryObject("page", 0, X, coal.Box(*size))
+
+
+def _shape_pairs(links: list[str]) -> list[tuple[int, int]]:
+    """Return the numbers of shapes that could meet, those of a pair of links together.
+
+    Args:
+        links: The link of each shape.
     """
-    centres, moves = [], {}
-    beside = np.repeat(looked, np.diff(np.append(starts, len(next(iter(poses.values()))))))
-    for link, middle, radius in zip(*balls(), strict=True):
-        R = poses[link][:, :3, :3]
-        centres.append(R @ middle + poses[link][:, :3, 3])
-        gone, turned = centres[-1] - centres[-1][beside], R - R[beside]
-        far = np.sqrt(np.einsum("ti,ti->t", gone, gone)) + radius * np.sqrt(
-            np.einsum("tij,tij->t", turned, turned)
-        )
-        moves[link] = np.maximum.reduceat(far, starts)
-    return np.stack(centres, axis=1), moves
+    moving = (*_ARM, *_HAND)
+    met = [(link, other) for link in moving for other in (*_BODY, *moving)]
+    met = [pair for pair in met if _may_meet(*pair)]
+    met += [(link, "page") for link in moving[1:]]
+    shapes = {link: [n for n, each in enumerate(links) if each == link] for link in links}
+    return [
+        (one, another)
+        for link, other in met
+        for one in shapes[link]
+        for another in shapes.get(other, ())
+    ]
+
+
+def _may_meet(link: str, other: str) -> bool:
+    """Whether two links could meet: neighbours always do, and the hand and the pen are one."""
+    chain = ("shoulder_pan_link", *_ARM)
+    place = {name: number for number, name in enumerate(chain)}
+    place |= dict.fromkeys(_HAND, len(chain))
+    return other not in place or place[link] - place[other] > 1

@@ -1,23 +1,21 @@
-"""Can the arm get to the ink: where not, what is missing and which page would do."""
+"""Decide whether the arm gets to the ink on a page, and say what is missing where it does not."""
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from dmp_teach.robot.arm import Solver
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.reach.posture import (
-    POSTURES,
-    STRAINED,
-    TIP,
-    Stance,
-    examined,
-    in_the_body,
+    START_POSTURES,
+    TIP_TOLERANCE,
+    find_posture,
+    overlap_with_body,
     rim,
 )
-from dmp_teach.robot.reach.suggest import Area, Cure, cure_for, in_the_floor, whole
+from dmp_teach.robot.reach.suggest import Area, Suggestion, depth_in_floor, suggest_page, whole
 from dmp_teach.trajectory import Array
 
 
@@ -26,16 +24,32 @@ class Unreachable(Exception):  # noqa: N818 (it is caught inside the robot, neve
 
     Args:
         problem: What is wrong, in a sentence.
-        collides: Whether it is that the arm touches something, so that a plan can say when and how deep.
+        collides: Whether the arm touches something, so that a plan can say when and how deep.
     """
 
     def __init__(self, problem: str, collides: bool = False) -> None:
         super().__init__(problem)
-        self.problem, self.collides = problem, collides
+        self.problem = problem
+        self.collides = collides
 
 
-def stance_for(solver: Solver, page: Page, ink: Array) -> Stance:
-    """A stance from which the arm reaches all of the page, or else all of the ink on it.
+@dataclass(frozen=True, eq=False)
+class Reach:
+    """How the arm gets to the ink on a page.
+
+    Args:
+        q: Joint positions over the middle of the ink, shape (J,) [rad, m].
+        notes: What the writer should know.
+        warning: The one among them that says that the arm is nearly stretched out; else empty.
+    """
+
+    q: Array
+    notes: tuple[str, ...]
+    warning: str = ""
+
+
+def check_reach(solver: Solver, page: Page, ink: Array) -> Reach:
+    """Find how the arm reaches all of a page, or else all of the ink on it.
 
     Args:
         solver: This thread's solver.
@@ -46,31 +60,31 @@ def stance_for(solver: Solver, page: Page, ink: Array) -> Stance:
         Unreachable: A part of the ink is out of reach; says which, and by how much.
     """
     area = ink.min(axis=0), ink.max(axis=0)
-    mistake = in_the_body(page) or in_the_floor(page)
-    everything = examined(solver, page, *whole(page))
-    stance = examined(solver, page, *area) if everything.trouble else everything
-    if mistake or stance.trouble:
-        odd = f"The page {odd}. " if (odd := _astray(page)) else ""
-        short = "" if mistake else _shortfall(solver, page, area)
-        raise Unreachable(
-            mistake or f"{odd}{short or stance.trouble}", stance.collides and not (mistake or short)
-        )
-    notes = ()
-    if stance is not everything:
-        notes += ("the arm reaches this ink, but not all of the page",)
-    if stance.effort >= STRAINED:
-        cure = cure_for(solver, page, area)
-        if cure.moved == 0:  # it is only the rest of the page for which the arm must stand so
-            stance = examined(solver, page, *area, quick=True)
+    if mistake := overlap_with_body(page) or depth_in_floor(page):
+        raise Unreachable(mistake)
+    posture, notes, warning, odd = find_posture(solver, page, *whole(page)), [], "", _oddity(page)
+    if posture.trouble:
+        posture = find_posture(solver, page, *area)
+        notes.append("the arm reaches this ink, but not all of the page")
+    if posture.trouble:
+        short = _shortfall(solver, page, area)
+        problem = f"{f'The page {odd}. ' if odd else ''}{short or posture.trouble}"
+        raise Unreachable(problem, posture.collides and not short)
+    if posture.strained:
+        suggestion = suggest_page(solver, page, area)
+        if suggestion.moved == 0:
+            # It is only the rest of the page for which the arm must stand so.
+            posture = find_posture(solver, page, *area, quick=True)
         else:
-            notes += (_stretched(cure),)
-    if odd := _astray(page):
-        notes += (f"the page {odd}; was it meant so?",)
-    return replace(stance, notes=notes)
+            warning = _strained(suggestion)
+            notes.append(warning)
+    if odd:
+        notes.append(f"the page {odd}; was it meant so?")
+    return Reach(posture.q, tuple(notes), warning)
 
 
 def misses(solver: Solver, page: Page, area: Area, among: str = "") -> dict[str, float]:
-    """How far from each place around a part of a page the tip of an upright pen stays, at best [m].
+    """Return how far the tip of an upright pen stays from each place around an area, at best [m].
 
     Args:
         solver: This thread's solver.
@@ -81,14 +95,15 @@ def misses(solver: Solver, page: Page, area: Area, among: str = "") -> dict[str,
     return {name: _miss(solver, page, place) for name, place in rim(*area).items() if among in name}
 
 
-def _stretched(cure: Cure) -> str:
-    """The warning before the arm is straight."""
-    there = "" if np.isnan(cure.moved) else f"; {1000 * cure.moved:.0f} mm from here it is at ease"
-    return f"the arm is nearly stretched out here, where its joints must hurry{there}. {cure}"
+def _strained(suggestion: Suggestion) -> str:
+    """Warn before the arm is straight."""
+    moved = 1000 * suggestion.moved
+    there = "" if np.isnan(moved) else f"; {moved:.0f} mm from here it is at ease"
+    return f"the arm is nearly stretched out here, where its joints must hurry{there}. {suggestion}"
 
 
-def _astray(page: Page) -> str:
-    """What is odd about how a page lies; empty if nothing is."""
+def _oddity(page: Page) -> str:
+    """Say what is odd about how a page lies; empty if nothing is."""
     x, y, _ = page.X_world_page[:3, 3]
     if page.normal[2] < -0.5:
         return "lies with its face to the floor"
@@ -98,21 +113,22 @@ def _astray(page: Page) -> str:
 
 
 def _shortfall(solver: Solver, page: Page, area: Area) -> str:
-    """Which place is furthest out, a corner rather than an edge, and by how many millimetres with an upright pen."""
+    """Say which place is furthest out, a corner rather than an edge, and by how much."""
     short = misses(solver, page, area)
     name = max(short, key=lambda name: short[name] + (0.005 if "corner" in name else 0.0))
-    if max(short.values()) <= TIP:
+    if max(short.values()) <= TIP_TOLERANCE:
         return ""
     return f"The ink's {name} is {max(1000 * short[name], 1):.0f} mm out of the arm's reach."
 
 
 def _miss(solver: Solver, page: Page, place: Array) -> float:
-    """How far from a place the tip of an upright pen stays, at best [m]."""
-    target, found = page.to_world(place), []
-    for posture in POSTURES:
+    """Return how far from a place the tip of an upright pen stays, at best [m]."""
+    target = page.to_world(place)
+    least = np.inf
+    for posture in START_POSTURES:
         solver.stand(posture, page.normal, torso=True, upright=10.0)
         solver.approach(target, finer=(0.1, 0.02, 0.004, 0.001))
-        found.append(float(np.linalg.norm(solver.pen()[:3, 3] - target)))
-        if found[-1] <= TIP:
+        least = min(least, float(np.linalg.norm(solver.pen()[:3, 3] - target)))
+        if least <= TIP_TOLERANCE:
             break
-    return min(found)
+    return least

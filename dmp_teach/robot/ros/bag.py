@@ -29,7 +29,7 @@ from dmp_teach.files import write_whole
 from dmp_teach.robot.arm import JOINTS
 from dmp_teach.robot.model.kinematics import Model
 from dmp_teach.robot.motion import Motion
-from dmp_teach.robot.ros.untuck import TUCKED, way_to
+from dmp_teach.robot.ros.untuck import TUCKED, find_way
 from dmp_teach.trajectory import Array, Trajectory, locked
 
 GOAL_TOPIC = "/arm_with_torso_controller/follow_joint_trajectory/goal"
@@ -106,7 +106,7 @@ def write_rosbag(
         ReachError: No way from the start to the page.
         PathError: A path that cannot be written; what was there before stays.
     """
-    store = _typestore()
+    store = ros_types()
     points = schedule(motion, start)
     with tempfile.TemporaryDirectory() as folder:
         part = Path(folder) / "part.bag"
@@ -121,7 +121,7 @@ def schedule(motion: Motion, start: str | ArrayLike | None = "tucked") -> Schedu
     if start is None:
         way_t, way_q = np.empty(0), np.empty((0, len(JOINTS)))
     else:
-        way_t, way_q = _timed(way_to(motion, _start(start)))
+        way_t, way_q = _timed(find_way(motion, _start(start)))
         q = q + np.round((way_q[-1] - q[0]) / (2 * np.pi)) * 2 * np.pi
         t = t - t[0] + way_t[-1]
         way_t, way_q = way_t[:-1], way_q[:-1]
@@ -204,7 +204,7 @@ def _check_limits(t: Array, q: Array, velocity: Array) -> None:
 
 
 @cache
-def _typestore() -> Any:
+def ros_types() -> Any:
     """The messages of ROS Noetic, and those of control_msgs that a goal is made of."""
     try:
         from rosbags.typesys import Stores, get_types_from_msg, get_typestore  # noqa: PLC0415

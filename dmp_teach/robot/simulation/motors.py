@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from dmp_teach.robot.motion import Motion
-from dmp_teach.robot.simulation.world import Bench
+from dmp_teach.robot.simulation.world import World
 from dmp_teach.trajectory import Array
 
 _GAIN = 0.5  # which part of an error in position an ideal motor makes good in one step
@@ -30,11 +30,11 @@ _EVERY = 24  # samples for which one mass matrix is good enough
 class IdealMotors:
     """Position motors that know the speed to come and are as strong as they must be."""
 
-    def __init__(self, bench: Bench, motion: Motion) -> None:
+    def __init__(self, world: World, motion: Motion) -> None:
         dt = motion.duration / (len(motion.t) - 1)
-        self._bench, self._targets = bench, motion.q.tolist()
+        self._world, self._targets = world, motion.q.tolist()
         self._speeds = (np.diff(motion.q, axis=0) / dt).tolist()
-        count = len(bench.arm)
+        count = len(world.arm)
         self._fixed = {
             "forces": [_STRONG] * count,
             "positionGains": [_GAIN] * count,
@@ -43,10 +43,10 @@ class IdealMotors:
 
     def push(self, row: int, q: list[float], v: list[float]) -> None:
         """Set out from sample `row` - 1 to sample `row`."""
-        bench = self._bench
-        bench.send(
-            bench.arm,
-            bench.bullet.POSITION_CONTROL,
+        world = self._world
+        world.send(
+            world.arm,
+            world.bullet.POSITION_CONTROL,
             targetPositions=self._targets[row - 1],
             targetVelocities=self._speeds[row - 1],
             **self._fixed,
@@ -60,50 +60,50 @@ class RealMotors:
     model needs for the plan, M its mass matrix, e what the encoders say is missing.
 
     Args:
-        bench: The world; its links get new masses here.
+        world: The world; its links get new masses here.
         motion: The plan.
         rng: Where all that differs from one robot to the next comes from.
     """
 
-    def __init__(self, bench: Bench, motion: Motion, rng: np.random.Generator) -> None:
+    def __init__(self, world: World, motion: Motion, rng: np.random.Generator) -> None:
         dt = motion.duration / (len(motion.t) - 1)
-        self._bench, self._q = bench, motion.q
+        self._world, self._q = world, motion.q
         self._v = np.gradient(motion.q, dt, axis=0)
-        self._needed = bench.dynamics(motion.q, self._v, np.gradient(self._v, dt, axis=0))
-        self._inertia = [bench.inertia(q) for q in motion.q[::_EVERY]]
-        self._off = rng.uniform(-ENCODERS, ENCODERS, len(bench.arm))
-        self._rub(rng.uniform(*DRY, len(bench.arm)) * bench.limits)
-        self._weigh(1 + MASSES * rng.standard_normal(len(bench.links)).clip(-3, 3))
+        self._needed = world.dynamics(motion.q, self._v, np.gradient(self._v, dt, axis=0))
+        self._inertia = [world.inertia(q) for q in motion.q[::_EVERY]]
+        self._off = rng.uniform(-ENCODERS, ENCODERS, len(world.arm))
+        self._rub(rng.uniform(*DRY, len(world.arm)) * world.limits)
+        self._weigh(1 + MASSES * rng.standard_normal(len(world.links)).clip(-3, 3))
 
     def push(self, row: int, q: list[float], v: list[float]) -> Array:
         """The efforts for the way from sample `row` - 1 to sample `row`, shape (J,) [N m, N]."""
-        bench, now = self._bench, row - 1
-        wrong = self._q[now] - q[: len(bench.arm)] - self._off
+        world, now = self._world, row - 1
+        wrong = self._q[now] - q[: len(world.arm)] - self._off
         pull = BANDWIDTH**2 * wrong + 2 * BANDWIDTH * (self._v[now] - v)
         effort = self._needed[now] + self._inertia[now // _EVERY] @ pull
-        effort = np.clip(effort, -bench.limits, bench.limits)
-        bench.send(bench.arm, bench.bullet.TORQUE_CONTROL, forces=effort.tolist())
+        effort = np.clip(effort, -world.limits, world.limits)
+        world.send(world.arm, world.bullet.TORQUE_CONTROL, forces=effort.tolist())
         return effort
 
     def _rub(self, friction: Array) -> None:
         """Dry friction (J,) [N m, N]: a motor that wants to stand still and has no more than that to say."""
-        for number, force in zip(self._bench.arm, friction, strict=True):
-            self._bench.call(
+        for number, force in zip(self._world.arm, friction, strict=True):
+            self._world.call(
                 "setJointMotorControl2",
-                self._bench.robot,
+                self._world.robot,
                 number,
-                self._bench.bullet.VELOCITY_CONTROL,
+                self._world.bullet.VELOCITY_CONTROL,
                 targetVelocity=0.0,
                 force=force,
             )
 
     def _weigh(self, factors: Array) -> None:
         """Other masses than the model's; the shape of each link stays."""
-        for number, factor in zip(self._bench.links, factors, strict=True):
-            mass, _, inertia, *_ = self._bench.call("getDynamicsInfo", self._bench.robot, number)
-            self._bench.call(
+        for number, factor in zip(self._world.links, factors, strict=True):
+            mass, _, inertia, *_ = self._world.call("getDynamicsInfo", self._world.robot, number)
+            self._world.call(
                 "changeDynamics",
-                self._bench.robot,
+                self._world.robot,
                 number,
                 mass=mass * factor,
                 localInertiaDiagonal=[axis * factor for axis in inertia],

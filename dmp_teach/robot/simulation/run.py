@@ -8,13 +8,24 @@ from functools import cached_property
 import numpy as np
 from scipy.spatial import cKDTree
 
-from dmp_teach.robot.motion import Motion
+from dmp_teach.robot.motion import BoolArray, Motion
 from dmp_teach.robot.page import Page
-from dmp_teach.robot.simulation.findings import findings
 from dmp_teach.trajectory import Array, Trajectory, locked
 
-INKED = 0.002
+INK_COVER = 0.002
 """Ink this near to a place of the letter covers it [m]."""
+
+FORCE_BAND = (0.2, 1.2)
+"""Good pressing: between these two forces [N]."""
+
+BREAKING_FORCE = 10.0
+"""A pen does not survive more than this [N]."""
+
+# So much of the letter may lack ink, or be pressed too hard, before anything is said.
+_SPARE = 0.01
+# Ink that is this far from the letter on average is worth a word [m].
+_ASTRAY = 0.002
+_PLAN_AGAIN = "Plan again for the page as it lies: Fetch().write(strokes, run.page)."
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,7 +54,7 @@ class Run:
     ink: tuple[Trajectory, ...]
     nib: Array
     force: Array
-    contact: Array
+    contact: BoolArray
     effort: Array
     limits: Array
     pen: str = "sprung"
@@ -83,25 +94,16 @@ class Run:
         return self.contact & self.motion.pen_down
 
     @cached_property
-    def offsets(self) -> Array:
-        """How far each sample with `writing` is from where the pen was meant to be just then, shape (K,) [m]."""
-        meant = self.planned.page.to_page(self.motion.target[self.writing])[:, :2]
-        return np.linalg.norm(self.nib[self.writing, :2] - meant, axis=1)
-
-    @cached_property
     def distances(self) -> Array:
         """How far each sample with `writing` is from the nearest place of the planned letter, shape (K,) [m]."""
         return distances(self.nib[self.writing, :2], self.planned)
 
     @property
-    def time_error(self) -> float:
-        """Root mean square of `offsets` [m]; nan where there is no ink."""
-        return _rms(self.offsets)
-
-    @property
     def shape_error(self) -> float:
         """Root mean square of `distances` [m]; nan where there is no ink."""
-        return _rms(self.distances)
+        if not self.writing.any():
+            return float("nan")
+        return float(np.sqrt(np.mean(self.distances**2)))
 
     @property
     def force_band(self) -> tuple[float, float]:
@@ -110,26 +112,20 @@ class Run:
         low, high = np.percentile(pressed, [5, 95]) if len(pressed) else (0.0, 0.0)
         return float(low), float(high)
 
-    @property
-    def contact_fraction(self) -> float:
-        """Which part of the time in which the pen was meant to write it did, 0 to 1."""
-        down = self.motion.pen_down
-        return float(self.contact[down].mean()) if down.any() else 0.0
-
     @cached_property
     def missing(self) -> Array:
         """True at each place of `letter` that was to be written by now and has no ink within 2 mm, shape (N,)."""
         places = self.letter[: int(self.motion.pen_down.sum())]
         if not self.writing.any():
             return np.ones(len(places), bool)
-        return cKDTree(self.nib[self.writing, :2]).query(places)[0] > INKED
+        return cKDTree(self.nib[self.writing, :2]).query(places)[0] > INK_COVER
 
     @cached_property
     def ink_in_the_air(self) -> float:
         """How much ink is where none was meant to be: drawn with the pen up, over 2 mm from the letter [m]."""
         drawn = self.contact[1:] & self.contact[:-1] & ~self.motion.pen_down[1:]
         far = drawn.copy()
-        far[drawn] = distances(self.nib[1:][drawn, :2], self.planned) > INKED
+        far[drawn] = distances(self.nib[1:][drawn, :2], self.planned) > INK_COVER
         steps = np.linalg.norm(np.diff(self.nib[:, :2], axis=0), axis=1)
         return float(steps[far].sum())
 
@@ -141,7 +137,15 @@ class Run:
     @property
     def findings(self) -> tuple[str, ...]:
         """What went wrong, in sentences with the cure; empty where nothing did."""
-        return findings(self)
+        told = (
+            _stopped(self),
+            _missing_ink(self),
+            _pressed(self),
+            _astray(self),
+            _stray_ink(self),
+            _tired(self),
+        )
+        return tuple(sentence for sentence in told if sentence)
 
     def __repr__(self) -> str:
         """In one line, without the numbers."""
@@ -175,6 +179,103 @@ def distances(points: Array, planned: Motion) -> Array:
     return np.linalg.norm(offset - part[..., None] * along, axis=-1).min(axis=1)
 
 
-def _rms(values: Array) -> float:
-    """Root mean square; nan of nothing."""
-    return float(np.sqrt(np.mean(values**2))) if len(values) else float("nan")
+def _stopped(run: Run) -> str:
+    """Interrupted."""
+    if not run.stopped:
+        return ""
+    return f"Stopped after {run.duration:.2f} s of {run.planned.duration:.2f} s; what was written until then is kept."
+
+
+def _missing_ink(run: Run) -> str:
+    """No ink, or not everywhere: how far from the paper, and which part."""
+    down = run.motion.pen_down
+    if not down.any():
+        return ""
+    gap = 1000 * np.maximum(run.nib[down, 2], 0.0)
+    if not run.writing.any():
+        return f"No ink: the pen's tip stayed {gap.min():.1f} to {gap.max():.1f} mm over the paper. {_PLAN_AGAIN}"
+    share = run.missing.mean()
+    if share < _SPARE:
+        return ""
+    where = describe_part(run.letter[: len(run.missing)], run.missing)
+    over = gap[run.missing].max(initial=0.0)
+    return (
+        f"{_percent(share)} of the letter has no ink, {where}: there the tip is up to {over:.1f} mm over the paper. "
+        f"{_PLAN_AGAIN}"
+    )
+
+
+def _pressed(run: Run) -> str:
+    """Too hard: how many newtons, and whether the pen survives."""
+    down = run.motion.pen_down
+    hard = run.force[down] > FORCE_BAND[1]
+    most = run.greatest_force
+    if run.pen == "rigid" and most > BREAKING_FORCE:
+        return (
+            f"The pen would break: it is pushed with {most:.0f} N, and {BREAKING_FORCE:.0f} N are enough to break one. "
+            'A rigid pen cannot give way: use pen="sprung".'
+        )
+    if not hard.any() or hard.mean() < _SPARE:
+        return ""
+    where = describe_part(run.letter[: len(hard)], hard)
+    cure = 'Use pen="sprung".' if run.pen == "rigid" else _PLAN_AGAIN
+    fate = f", and {BREAKING_FORCE:.0f} N would break the pen" if most > BREAKING_FORCE else ""
+    return f"Pressed too hard, {where}: up to {most:.1f} N, where {FORCE_BAND[1]} N are enough{fate}. {cure}"
+
+
+def _astray(run: Run) -> str:
+    """Ink beside the letter."""
+    if not run.writing.any() or run.shape_error <= _ASTRAY:
+        return ""
+    return (
+        f"The ink is {1000 * run.shape_error:.1f} mm from the letter on average: the arm could not follow. "
+        "Write more slowly: letter.write(duration=...)."
+    )
+
+
+def _stray_ink(run: Run) -> str:
+    """Ink between the strokes."""
+    if run.ink_in_the_air <= 0.0005:
+        return ""
+    length = 1000 * run.ink_in_the_air
+    return f"{length:.0f} mm of ink lie between the strokes, where the pen was meant to be up. {_PLAN_AGAIN}"
+
+
+def _tired(run: Run) -> str:
+    """Joints that gave all they had, or would have had to give more, and not just for a moment."""
+    share = (np.abs(run.effort) >= 0.999 * run.limits).mean(axis=0)
+    if share.max(initial=0.0) < _SPARE or run.greatest_force > BREAKING_FORCE:
+        return ""
+    worst = int(np.argmax(share))
+    name, most, limit = (
+        run.planned.joint_names[worst],
+        np.abs(run.effort[:, worst]).max(),
+        run.limits[worst],
+    )
+    unit = "N" if name.startswith("torso") else "N m"
+    does = "needs up to" if most > 1.001 * limit else "gives all of"
+    return (
+        f"{name} {does} {most:.0f} {unit} for {_percent(share[worst])} of the time; it has {limit:.0f}. "
+        "Write more slowly, or move the page nearer to the robot."
+    )
+
+
+def describe_part(letter: Array, chosen: Array) -> str:
+    """Where on a letter (N, 2) the chosen points (N,) are: "at its top", "on its left", "all over it"."""
+    low, high = letter.min(axis=0), letter.max(axis=0)
+    side = np.maximum(high - low, 1e-9)
+    middle = (letter[chosen].mean(axis=0) - (low + high) / 2) / side
+    x, y = middle
+    words = []
+    if abs(y) > 0.15:
+        words.append("at its top" if y > 0 else "at its bottom")
+    if abs(x) > 0.15:
+        words.append("on its right" if x > 0 else "on its left")
+    return (
+        " and ".join(words) if words else "all over it" if chosen.mean() > 0.5 else "in its middle"
+    )
+
+
+def _percent(share: float) -> str:
+    """A share, never rounded to nothing."""
+    return f"{max(1, round(100 * share))} %"

@@ -16,7 +16,7 @@ from dmp_teach.robot.page import Page
 from dmp_teach.robot.simulation.bullet import client
 from dmp_teach.robot.simulation.motors import IdealMotors, RealMotors
 from dmp_teach.robot.simulation.run import Run
-from dmp_teach.robot.simulation.world import NIB, PENS, RIGID_PRESS, SLIDE, Bench
+from dmp_teach.robot.simulation.world import NIB, PENS, RIGID_PRESS, SLIDE, World
 from dmp_teach.trajectory import Array, Trajectory
 
 MOTORS = ("ideal", "real")
@@ -71,25 +71,25 @@ def simulate(
     page = _really(
         motion.page, page_height_error + (RIGID_PRESS if pen == "rigid" else 0.0), page_tilt
     )
-    diary = _Diary(motion, pen)
+    recorder = _Recorder(motion, pen)
     failure, stopped = None, False
     with client() as (bullet, number):
         try:
-            bench = Bench(bullet, number, motion, page, pen)
+            world = World(bullet, number, motion, page, pen)
             rng = np.random.default_rng(seed)
             moved = (
-                IdealMotors(bench, motion) if motors == "ideal" else RealMotors(bench, motion, rng)
+                IdealMotors(world, motion) if motors == "ideal" else RealMotors(world, motion, rng)
             )
-            diary.keep(bench, moved, progress or (lambda step, fraction: None))
+            recorder.record(world, moved, progress or (lambda step, fraction: None))
         except KeyboardInterrupt:
-            if diary.rows < 2:
+            if recorder.rows < 2:
                 raise
             stopped = True
         except Exception as error:
-            if diary.rows < 2:
+            if recorder.rows < 2:
                 raise
             failure, stopped = error, True
-    run = diary.read(page, pen, motors, stopped)
+    run = recorder.run(page, pen, motors, stopped)
     if failure is not None:
         with contextlib.suppress(AttributeError):  # some errors take no more words
             failure.run = run
@@ -97,7 +97,7 @@ def simulate(
     return run
 
 
-class _Diary:
+class _Recorder:
     """What was felt at every step; an interruption leaves all steps before it."""
 
     def __init__(self, motion: Motion, pen: str) -> None:
@@ -110,23 +110,23 @@ class _Diary:
         self.effort, self.force = np.zeros((length, joints)), np.zeros(length)
         self.rows = 1
 
-    def keep(
-        self, bench: Bench, motors: IdealMotors | RealMotors, report: Callable[[str, float], Any]
+    def record(
+        self, world: World, motors: IdealMotors | RealMotors, report: Callable[[str, float], Any]
     ) -> None:
         """Let the whole motion happen."""
         last = len(self.motion.t) - 1
-        q, v = self.motion.q[0].tolist(), [0.0] * len(bench.arm)
+        q, v = self.motion.q[0].tolist(), [0.0] * len(world.arm)
         for row in range(1, last + 1):
             if row % _OFTEN == 1:
                 report("physics", (row - 1) / last)
             asked = motors.push(row, q, v)
-            q, v, felt, force = bench.step()
+            q, v, felt, force = world.step()
             self.q[row], self.force[row] = q, force
             self.effort[row] = felt if asked is None else asked
             self.rows = row + 1
         report("physics", 1.0)
 
-    def read(self, page: Page, pen: str, motors: str, stopped: bool) -> Run:
+    def run(self, page: Page, pen: str, motors: str, stopped: bool) -> Run:
         """The run, as far as it went."""
         plan, rows = self.motion, slice(self.rows)
         X = self.model.frame("pen_tip", self.q[rows], self.names)

@@ -39,7 +39,7 @@ _GRAVITY = 9.81
 _TABLE = (0.10, 0.02)  # how far the table reaches beyond the sheet, and how thick it is [m]
 
 
-class Felt(NamedTuple):
+class StepResult(NamedTuple):
     """What can be measured after a step.
 
     Args:
@@ -55,7 +55,7 @@ class Felt(NamedTuple):
     force: float
 
 
-class Bench:
+class World:
     """A Fetch bolted to the floor, its arm where a motion begins, and a page.
 
     Args:
@@ -100,7 +100,7 @@ class Bench:
         """Numbers of the robot's links, without its base."""
         return range(len(self._facts))
 
-    def step(self) -> Felt:
+    def step(self) -> StepResult:
         """Let one step of time pass, after the motors have been told what to do."""
         if self._slide is not None:
             # a motor's torque lasts for one step, and adds up if it is set twice
@@ -119,7 +119,7 @@ class Bench:
         arm = states[: len(self.arm)]
         points = self.call("getContactPoints", self.robot, self._page, self._tip, -1)
         force = sum(point[9] for point in points)
-        return Felt(q, [state[1] for state in arm], [state[3] for state in arm], force)
+        return StepResult(q, [state[1] for state in arm], [state[3] for state in arm], force)
 
     def dynamics(self, q: Array, v: Array, a: Array) -> Array:
         """The efforts that a movement needs by the model, pen in the air, shape (T, J) [N m, N].

@@ -15,7 +15,7 @@ from xml.etree import ElementTree as ET
 
 import numpy as np
 
-from dmp_teach.robot import JOINTS, POSTURES, Model
+from dmp_teach.robot import JOINTS, START_POSTURES, Model
 from dmp_teach.trajectory import Array, Trajectory, locked
 
 ARM = JOINTS[1:]
@@ -59,7 +59,7 @@ def greatest_acceleration(path: Trajectory) -> float:
 @cache
 def arm_at_table() -> ArmAtTable:
     """The arm of `assets/fetch.urdf` in its posture over a table."""
-    model, q = Model.load(), np.asarray(POSTURES[0])
+    model, q = Model.load(), np.asarray(START_POSTURES[0])
     limits = np.array([(joint.velocity, joint.effort) for joint in map(model.joint, ARM)])
     moved = q + STEP * np.vstack([np.zeros((1, len(JOINTS))), np.eye(len(JOINTS))[1:]])
     poses = model.link_poses(moved, JOINTS)

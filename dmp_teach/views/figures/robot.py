@@ -8,7 +8,7 @@ from matplotlib.figure import Figure
 from scipy.spatial import ConvexHull
 
 from dmp_teach.errors import ViewError
-from dmp_teach.robot import TIP, Model, Page, ReachMap, solids_of
+from dmp_teach.robot import TIP_TOLERANCE, Model, Page, ReachMap
 from dmp_teach.trajectory import Array
 from dmp_teach.views.figures.figure_style import Look, add_legend_below, new_figure, style_axes
 from dmp_teach.views.palette import MUTED_COLOR, SHADE_COLOR, STROKE_COLORS, TEXT_COLOR
@@ -32,7 +32,7 @@ REACH_LOOKS: dict[str, Look] = {
     "too far": {"marker": ".", "markersize": 2.5, "color": MUTED_COLOR},
 }
 DRAWN_PARTS = (
-    ("base_link",),
+    ("base_link", "l_wheel_link", "r_wheel_link"),
     ("torso_fixed_link", "torso_lift_link"),
     ("head_pan_link", "head_tilt_link"),
 )
@@ -101,7 +101,7 @@ def _plot_by_tilt(panel: Axes, reach: ReachMap) -> None:
 
 def _plot_marks(panel: Axes, reach: ReachMap, right: Array, up: Array) -> None:
     """Plot a mark for every page at (R, C) places of the panel."""
-    near = ~reach.reached & (reach.residual <= TIP)
+    near = ~reach.reached & (reach.residual <= TIP_TOLERANCE)
     at_ease = reach.at_ease
     kinds = (at_ease, reach.reached & ~at_ease, near, ~reach.reached & ~near)
     for (name, look), where in zip(REACH_LOOKS.items(), kinds, strict=True):
@@ -120,12 +120,13 @@ def _name_place(
 
 
 def _find_outline(links: tuple[str, ...]) -> Array:
-    """Return the hull of some links' solids, seen from above, shape (n, 2) [m]."""
-    poses = Model.load().link_poses(np.empty((1, 0)), ())
-    surfaces = []
-    for solid in solids_of():
-        if solid.link in links:
-            X = poses[solid.link][0]
-            surfaces.append(solid.surface() @ X[:3, :3].T + X[:3, 3])
-    points = np.concatenate(surfaces)[:, :2]
+    """Return the hull of some links' shells, seen from above, shape (n, 2) [m]."""
+    model = Model.load()
+    poses = model.link_poses(np.empty((1, 0)), ())
+    shells = []
+    for piece in model.visuals:
+        if piece.link in links:
+            X = poses[piece.link][0] @ piece.X_link_visual
+            shells.append(piece.vertices @ X[:3, :3].T + X[:3, 3])
+    points = np.concatenate(shells)[:, :2]
     return points[ConvexHull(points).vertices]

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from dmp_teach.robot import BAND, Run
+from dmp_teach.robot import FORCE_BAND, Run
 from dmp_teach.views.palette import MUTED_COLOR, ROBOT_COLOR, TEXT_COLOR
 from dmp_teach.views.scene.pen_force import find_pen_down, select_curve_rows
 
@@ -58,13 +58,13 @@ def _draw_background(panel: Axes, run: Run) -> None:
     """Draw the band of good pressing, and the line where nothing presses."""
     panel.set_xlim(0, max(run.duration, 1e-6))
     panel.set_ylim(-0.42, STRIP_TOP)
-    panel.axhspan(*BAND, color=GOOD_FORCE_COLOR, linewidth=0)
-    for force in BAND:
+    panel.axhspan(*FORCE_BAND, color=GOOD_FORCE_COLOR, linewidth=0)
+    for force in FORCE_BAND:
         panel.axhline(force, color=GOOD_FORCE_EDGE_COLOR, linewidth=1, dashes=(5, 3))
     panel.axhline(0, color=FUTURE_COLOR, linewidth=1)
     panel.text(
         0.995,
-        BAND[1] - 0.06,
+        FORCE_BAND[1] - 0.06,
         "good pressing",
         transform=panel.get_yaxis_transform(),
         ha="right",
@@ -72,8 +72,8 @@ def _draw_background(panel: Axes, run: Run) -> None:
         color=MUTED_COLOR,
         fontsize=9,
     )
-    names = [*(f"{force} N" for force in BAND), "pen down"]
-    panel.set_yticks([*BAND, _PEN_DOWN_HEIGHT], names)
+    names = [*(f"{force} N" for force in FORCE_BAND), "pen down"]
+    panel.set_yticks([*FORCE_BAND, _PEN_DOWN_HEIGHT], names)
     panel.set_xticks([])
     panel.tick_params(length=0, labelcolor=MUTED_COLOR, labelsize=9, pad=6)
     for spine in panel.spines.values():

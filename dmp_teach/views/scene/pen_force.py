@@ -5,14 +5,14 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from dmp_teach.robot import BAND, Run
+from dmp_teach.robot import FORCE_BAND, Run
 from dmp_teach.trajectory import Array
 from dmp_teach.views.scene.ribbon import find_pen_down_rows
 
 FORCE_SHADES = ("#6FB1DA", "#4097CB", "#0072B2", "#00598F", "#0B4068", "#0D2840")
 """Colours of ink from too light to too hard: one blue, so that they differ in grey, too."""
 
-SHADE_BOUNDS = (BAND[0], 0.4, 0.7, 0.95, BAND[1])
+SHADE_BOUNDS = (FORCE_BAND[0], 0.4, 0.7, 0.95, FORCE_BAND[1])
 """Forces between two shades [N]; the middle of good pressing has the robot's own blue."""
 
 SHADE_WIDTHS = (0.0013, 0.0018, 0.0022, 0.0026, 0.0030, 0.0038)
@@ -80,7 +80,7 @@ def describe_force(run: Run) -> dict[str, object]:
     return {
         "curve": np.column_stack([*timed, placed]).tolist(),
         "down": [[round(time, 3) for time in pair] for pair in find_pen_down(run)],
-        "band": list(BAND),
+        "band": list(FORCE_BAND),
         "inked": round(1 - float(run.missing.mean()), 3) if len(run.missing) else 0.0,
         "most": round(run.greatest_force, 1),
         "findings": list(run.findings),

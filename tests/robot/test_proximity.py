@@ -1,0 +1,156 @@
+"""Distances of the arm's parts, beside another route: points on one shape, and the other's surface."""
+
+from functools import cache
+from itertools import product
+from xml.etree import ElementTree as ET
+
+import numpy as np
+import pytest
+
+from dmp_teach.files.writing import ASSETS
+from dmp_teach.robot.arm import JOINTS, SAFETY_SHELL
+from dmp_teach.robot.model.proximity import Proximity, plain
+from dmp_teach.robot.model.urdf import origin
+from dmp_teach.robot.page import Page
+from tests.robot.sound import LIMITS, MODEL
+
+pytest.importorskip("placo", reason="PlaCo is not on this platform")
+
+LOW = np.array([max(joint.lower, -np.pi) for joint in LIMITS])
+HIGH = np.array([min(joint.upper, np.pi) for joint in LIMITS])
+SPACING = 0.03
+
+
+@cache
+def shapes():
+    """Every collision shape of the URDF: its link, kind, size [m] and pose in the link."""
+    found = []
+    for link in ET.parse(ASSETS / "fetch.urdf").getroot().iter("link"):
+        for element in link.findall("collision"):
+            (shape,) = element.find("geometry")
+            sides = [shape.get(name) for name in ("size", "radius", "length") if shape.get(name)]
+            size = np.array(" ".join(sides).split(), dtype=float)
+            found.append((link.attrib["name"], shape.tag, size, origin(element)))
+    return found
+
+
+def surface(kind, size, X):
+    """Points all over a shape's surface, in its link's frame, shape (P, 3) [m]."""
+    if kind == "sphere":
+        points = size[0] * np.vstack([np.eye(3), -np.eye(3)])
+    elif kind == "box":
+        ticks = [np.linspace(-s / 2, s / 2, 1 + int(np.ceil(s / SPACING))) for s in size]
+        points = np.array(list(product(*ticks)))
+        points = points[(np.abs(points) >= size / 2 - 1e-12).any(axis=1)]
+    else:
+        radius, length = size
+        count = max(6, int(np.ceil(2 * np.pi * radius / SPACING)))
+        turns = np.linspace(0, 2 * np.pi, count, endpoint=False)
+        ticks = np.linspace(-length / 2, length / 2, 1 + int(np.ceil(length / SPACING)))
+        points = [(radius * np.cos(a), radius * np.sin(a), z) for a, z in product(turns, ticks)]
+    return np.asarray(points) @ X[:3, :3].T + X[:3, 3]
+
+
+def beside(kind, size, points):
+    """How far points (P, 3) of the shape's frame are from its surface, less than 0 inside [m]."""
+    x, y, z = points.T
+    if kind == "sphere":
+        return np.linalg.norm(points, axis=1) - size[0]
+    if kind == "box":
+        beyond = np.abs(points) - size / 2
+    else:
+        beyond = np.column_stack([np.hypot(x, y) - size[0], np.abs(z) - size[1] / 2])
+    return np.linalg.norm(np.maximum(beyond, 0), axis=1) + np.minimum(beyond.max(axis=1), 0)
+
+
+def by_points(link, other, poses):
+    """The least distance of two links in one posture, from above [m]."""
+    least = np.inf
+    for carrier, kind, size, X in shapes():
+        if carrier == other:
+            seen = np.linalg.inv(poses[other][0] @ X) @ poses[link][0]
+            for carried, *form in shapes():
+                if carried == link:
+                    points = surface(*form) @ seen[:3, :3].T + seen[:3, 3]
+                    least = min(least, beside(kind, size, points).min())
+    return least
+
+
+def test_distances_are_those_of_points_on_the_surfaces():
+    """Points 3 cm apart see a little less than all of a surface, and so never more nearness."""
+    proximity = Proximity(JOINTS)
+    q = np.random.default_rng(2).uniform(LOW, HIGH, (12, len(JOINTS)))
+    near = 0
+    for posture, distances in zip(q, proximity.distances(q), strict=True):
+        poses = MODEL.link_poses(posture, JOINTS)
+        for (link, other), distance in zip(proximity.pairs, distances, strict=True):
+            if distance > 0:
+                assert -1e-4 < by_points(link, other, poses) - distance < SPACING / 2
+                near += distance < 0.1
+            else:
+                assert by_points(link, other, poses) < SPACING / 2
+    assert near > 30
+
+
+def test_overlap_is_as_deep_as_the_way_out_is_long():
+    """The tip of the pen, a small ball, in the block under the page."""
+    q = np.array([0.386, -0.11, -0.45, -0.37, 1.53, -1.39, -0.88, 0.82])
+    tip = MODEL.frame("pen_tip", q, JOINTS)[0, :3, 3]
+    for deep in (0.01, 0.05):
+        page = Page.table(tip[0], tip[1], tip[2] + deep)
+        proximity = Proximity(JOINTS, page)
+        (found,) = proximity.distances(q[None])[:, proximity.pairs.index(("pen_tip", "page"))]
+        assert found == pytest.approx(-deep, abs=0.002)
+
+
+def test_grown_shapes_are_nearer_on_both_sides():
+    q = np.random.default_rng(3).uniform(LOW, HIGH, (20, len(JOINTS)))
+    plain, grown = (
+        Proximity(JOINTS).distances(q),
+        Proximity(JOINTS, grown=SAFETY_SHELL).distances(q),
+    )
+    apart = grown > 0
+    nearer = (plain - grown)[apart]
+    assert nearer.min() >= 2 * SAFETY_SHELL - 1e-5
+    assert nearer.max() <= 2 * np.sqrt(3) * SAFETY_SHELL + 1e-5
+
+
+def test_what_touches_is_what_has_no_distance():
+    proximity = Proximity(JOINTS)
+    for posture in np.random.default_rng(4).uniform(LOW, HIGH, (20, len(JOINTS))):
+        touching = set(proximity.touching(posture))
+        for pair, distance in zip(
+            proximity.pairs, proximity.distances(posture[None])[0], strict=True
+        ):
+            assert (pair in touching) == (distance < 0)
+
+
+def test_no_shape_is_smaller_than_the_real_link():
+    """Judged by the boxes around the real links; wheels and laser are inside the base's cylinder."""
+    text = (ASSETS / "fetch_links.csv").read_text(encoding="utf-8")
+    lines = [line.split(",") for line in text.splitlines()]
+    compared = 0
+    for row in [dict(zip(lines[0], line, strict=True)) for line in lines[1:]]:
+        ours = [surface(*form) for link, *form in shapes() if link == row["link"]]
+        inside = row["link"].startswith(("r_wheel", "l_wheel", "estop", "laser"))
+        if ours and row["xmin"] and not inside:
+            points, compared = np.concatenate(ours), compared + 1
+            for column, axis in enumerate("xyz"):
+                assert points[:, column].min() <= float(row[f"{axis}min"]) + 0.004, row["link"]
+                assert points[:, column].max() >= float(row[f"{axis}max"]) - 0.004, row["link"]
+    assert compared >= 14
+
+
+def test_a_page_is_a_block_that_goes_on_beyond_its_edge():
+    q = np.array([[0.386, -0.11, -0.45, -0.37, 1.53, -1.39, -0.88, 0.82]])
+    tip = MODEL.frame("pen_tip", q, JOINTS)[0, :3, 3]
+    page = Page.table(tip[0], tip[1] + 0.2, tip[2] - 0.02)
+    for around, over in ((0.0, False), (0.3, True)):
+        proximity = Proximity(JOINTS, page, around)
+        distance = proximity.distances(q)[0, proximity.pairs.index(("pen_tip", "page"))]
+        assert (distance == pytest.approx(0.02, abs=0.002)) == over
+
+
+def test_every_part_has_a_plain_name():
+    links = {link for pair in Proximity(JOINTS, Page.table()).pairs for link in pair}
+    assert not [link for link in links if "_" in plain(link) or "link" in plain(link)]
