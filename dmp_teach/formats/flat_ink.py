@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from dmp_teach.errors import RecordingError
 from dmp_teach.files import is_pseudonym
 from dmp_teach.formats.safe_xml import number_of
-from dmp_teach.ink import Recording, with_lifts
+from dmp_teach.ink import Recording, add_lifts
 from dmp_teach.trajectory import Array, Trajectory
 
 LARGEST = 4.0  # no hand that writes moves farther [m]
@@ -36,7 +36,7 @@ def flat_recording(
         **about: The recording's `character`, `writer` and `baseline`.
 
     Raises:
-        RecordingError: The ink is far larger or smaller than a hand's, or as `with_lifts`.
+        RecordingError: The ink is far larger or smaller than a hand's, or as `add_lifts`.
     """
     ink = [stroke.position for stroke in strokes]
     check_size(ink)
@@ -44,7 +44,7 @@ def flat_recording(
     shift = corner if origin is None else np.asarray(origin)
     check_place(corner, shift)
     begin = strokes[0].t[0]
-    return with_lifts(
+    return add_lifts(
         [Trajectory(stroke.t - begin, stroke.position - shift) for stroke in strokes],
         pressures,
         **about,

@@ -14,7 +14,7 @@ from dmp_teach.formats.mat.reader import read_sets
 from dmp_teach.formats.motive.reader import read_motive
 from dmp_teach.formats.safe_xml import local, parsed
 from dmp_teach.formats.svg.reader import read_svg
-from dmp_teach.ink import Recording, from_json
+from dmp_teach.ink import Recording, recording_from_json
 
 XML = {"ink": read_inkml, "svg": read_svg}
 SHOWN = 60  # letters that an error names
@@ -83,7 +83,7 @@ def read_recordings(
     if kind == "csv":
         return (read_motive(data, name, marker, up, right),)
     if kind == "json":
-        return (from_json(data, name),)
+        return (recording_from_json(data, name),)
     try:
         return read_sets(data, name) if kind == "mat" else _read_xml(data)
     except RecordingError as error:

@@ -16,7 +16,7 @@ import numpy as np
 from dmp_teach.errors import PathError, RecordingError, kind_of
 from dmp_teach.files import write_whole
 from dmp_teach.formats.flat_ink import check_place, check_size
-from dmp_teach.ink import Recording, check_pseudonym, to_json, with_lifts
+from dmp_teach.ink import Recording, add_lifts, check_pseudonym, recording_to_json
 from dmp_teach.trajectory import Trajectory
 
 MARGIN = 0.005  # round the ink of a drawing [m]
@@ -65,7 +65,7 @@ def _recording(ink: Iterable[Trajectory]) -> Recording:
         raise RecordingError(
             f"{kind_of(ink, first=True)} cannot be written as ink; give a Recording, or strokes (Trajectory)."
         )
-    return with_lifts(strokes)
+    return add_lifts(strokes)
 
 
 def _check_flat(recording: Recording, suffix: str) -> None:
@@ -161,4 +161,4 @@ def _held(text: str) -> str:
     return NO_XML.sub("?", text)
 
 
-FORMATS = {".json": to_json, ".inkml": _inkml, ".svg": _svg}
+FORMATS = {".json": recording_to_json, ".inkml": _inkml, ".svg": _svg}

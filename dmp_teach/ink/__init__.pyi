@@ -6,11 +6,11 @@ from .alphabet import signs as signs
 from .pad import PadStroke as PadStroke
 from .pad import pad_recording as pad_recording
 from .pad import pad_stroke as pad_stroke
-from .pen_lifts import with_lifts as with_lifts
+from .pen_lifts import add_lifts as add_lifts
 from .recording import Recording as Recording
 from .recording_json import check_pseudonym as check_pseudonym
-from .recording_json import from_json as from_json
-from .recording_json import to_json as to_json
+from .recording_json import recording_from_json as recording_from_json
+from .recording_json import recording_to_json as recording_to_json
 from .recording_json import write_json as write_json
-from .svg_repr import MARK as MARK
-from .svg_repr import svg_of as svg_of
+from .svg_repr import INK_CLASS as INK_CLASS
+from .svg_repr import draw_svg as draw_svg

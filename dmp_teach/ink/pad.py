@@ -1,8 +1,9 @@
-"""Ink from a pad: the events of a mouse, a finger or a stylus become strokes, and strokes a recording.
+"""Make recordings of the events of a pad: a mouse, a finger or a stylus.
 
-A pad tells where its pointer is about 60 times a second, unevenly, sometimes twice at one time, and not at all while
-the pointer rests; it knows nothing of the pen in the air. So each stroke is cleaned and sampled evenly, and gets a
-lift before it. The curve goes through every point that was caught and nowhere beyond them: nothing is smoothed.
+A pad tells where its pointer is about 60 times a second, unevenly, sometimes twice at one time, and
+not at all while the pointer rests; it knows nothing of the pen in the air. So each stroke is
+cleaned and sampled evenly, and gets a lift before it. The curve goes through every point that was
+caught and nowhere beyond them: nothing is smoothed.
 """
 
 from __future__ import annotations
@@ -15,25 +16,36 @@ from numpy.typing import ArrayLike
 from scipy.interpolate import PchipInterpolator
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.ink.pen_lifts import with_lifts
+from dmp_teach.ink.pen_lifts import add_lifts
 from dmp_teach.ink.recording import Recording
 from dmp_teach.trajectory import Array, Trajectory
 
-RATE = 120.0  # samples of a stroke, as even as those of motion capture [Hz]
-FRAME = 1 / 60  # a pad tells where its pointer is about so often [s]
-REST = 0.15  # a pointer that is silent for longer stood still, and moved within the last frame [s]
-JUMP = 2.0  # a longer silence is the clock's, not the hand's [s]
-BACK = 0.02  # events overtake each other by no more than this [s]
-LIFT = (0.15, 2.0)  # between two strokes the pen is in the air for at least, and at most [s]
-DOT = 0.0015  # a pen that goes no farther than this made a dot [m] ...
-DOWN = 0.1  # ... and was down for at least this long [s]
-FEWEST = 6  # fewer points show no curve ...
-SMALL = 0.01  # ... unless it is as small as a comma [m]
-CUT = 0.0015  # a corner or a bend of which more than this is cut off is not what was written [m]
-SPARSE = 30.0  # fewer points in a second do not show how fast the pen went, only where [Hz]
-LARGEST = 1.0  # no pad is larger [m]
-LONGEST = 60.0  # nor does a stroke take longer [s]
-MOST = 20_000  # nor has it more points
+# Samples of a stroke, as even as those of motion capture [Hz].
+PAD_SAMPLE_RATE = 120.0
+# A pad tells where its pointer is about so often [s].
+PAD_FRAME = 1 / 60
+# A pointer that is silent for longer stood still, and moved within the last frame [s].
+LONGEST_MOVING_SILENCE = 0.15
+# A longer silence is the clock's, not the hand's [s].
+LONGEST_SILENCE = 2.0
+# Events overtake each other by no more than this [s].
+LONGEST_OVERTAKING = 0.02
+# Between two strokes the pen is in the air for at least, and at most [s].
+PAD_LIFT_DURATION = (0.15, 2.0)
+# A pen that goes no farther than this made a dot [m], and was down for at least this long [s].
+DOT_RADIUS = 0.0015
+DOT_PRESS = 0.1
+# Fewer points show no curve, unless it is as small as a comma [m].
+FEWEST_CURVE_POINTS = 6
+COMMA_SIZE = 0.01
+# A corner or a bend of which more than this is cut off is not what was written [m].
+LARGEST_CUT_OFF = 0.0015
+# Fewer points in a second do not show how fast the pen went, only where [Hz].
+LEAST_POINT_RATE = 30.0
+# No pad is larger [m], no stroke takes longer [s] or has more points.
+PAD_REACH = 1.0
+LONGEST_PAD_STROKE = 60.0
+MOST_PAD_POINTS = 20_000
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,9 +54,10 @@ class PadStroke:
 
     Args:
         path: 2-D, evenly sampled, on the pad's clock, in metres of its sheet.
-        pressure: How hard the pen was pressed, 0 to 1, shape (T,), or None where the pad cannot tell.
+        pressure: How hard the pen was pressed, 0 to 1, shape (T,), or None where unknown.
         points: How many points were caught.
-        unseen: How far the pen may have been from the line between two points, where the line turns most [m].
+        unseen: How far the pen may have been from the line between two points, where the line
+            turns most [m].
     """
 
     path: Trajectory
@@ -55,58 +68,62 @@ class PadStroke:
     @property
     def is_dot(self) -> bool:
         """Whether the pen was put down and hardly moved."""
-        return bool(np.linalg.norm(self.path.position - self.path.position[0], axis=1).max() <= DOT)
+        return bool(
+            np.linalg.norm(self.path.position - self.path.position[0], axis=1).max() <= DOT_RADIUS
+        )
 
     @property
     def is_blurred(self) -> bool:
-        """Whether the pen was too fast for the pad: bends are cut off, or there are hardly any points.
+        """Whether the pen was too fast for the pad: bends are cut off, or points are few.
 
         A quick straight line is seen well by few points; a quick bow is not.
         """
-        is_small = bool(np.ptp(self.path.position, axis=0).max() <= SMALL)
-        return not is_small and (self.points < FEWEST or self.unseen > CUT)
+        is_small = bool(np.ptp(self.path.position, axis=0).max() <= COMMA_SIZE)
+        return not is_small and (self.points < FEWEST_CURVE_POINTS or self.unseen > LARGEST_CUT_OFF)
 
     @property
     def is_coarse(self) -> bool:
         """Whether too few points were caught to tell how fast the pen went on its way."""
-        return not self.is_dot and self.points < SPARSE * self.path.duration
+        return not self.is_dot and self.points < LEAST_POINT_RATE * self.path.duration
 
 
 def pad_stroke(points: ArrayLike, pressed: bool = False) -> PadStroke:
-    """A stroke from the events of a pad.
+    """Make a stroke of the events of a pad.
 
     Args:
         points: A row for each event: time [s], right and up [m], pressure 0 to 1; shape (K, 4).
         pressed: Whether the pad can tell how hard the pen is pressed.
 
     Raises:
-        RecordingError: No points, too many, values that are not finite or not on a pad, a clock that runs backwards,
-            or a stroke that takes too long.
+        RecordingError: No points, too many, values that are not finite or not on a pad, a clock
+            that runs backwards, or a stroke that takes too long.
     """
     events = _checked(points)
     order = np.argsort(events[:, 0], kind="stable")
     t, rows = events[order, 0], events[order, 1:]
-    last = np.append(np.diff(t) > 0, True)  # of two events at one time the later one holds
+    # Of two events at one time the later one holds.
+    last = np.append(np.diff(t) > 0, True)
     t, rows = t[last], rows[last]
     caught, unseen = len(t), _unseen(rows[:, :2])
-    t = t[0] + np.concatenate([[0.0], np.cumsum(np.minimum(np.diff(t), JUMP))])
-    t, rows = _with_rests(t, rows)
-    if t[-1] - t[0] > LONGEST:
+    t = t[0] + np.concatenate([[0.0], np.cumsum(np.minimum(np.diff(t), LONGEST_SILENCE))])
+    t, rows = _add_rests(t, rows)
+    if t[-1] - t[0] > LONGEST_PAD_STROKE:
         raise RecordingError(
-            f"The stroke took {t[-1] - t[0]:.0f} s, but one stroke takes at most {LONGEST:.0f} s."
+            f"The stroke took {t[-1] - t[0]:.0f} s, but one stroke takes at most "
+            f"{LONGEST_PAD_STROKE:.0f} s."
         )
-    t, rows = _held(t, rows)
-    even = np.linspace(t[0], t[-1], round((t[-1] - t[0]) * RATE) + 1)
+    t, rows = _hold(t, rows)
+    even = np.linspace(t[0], t[-1], round((t[-1] - t[0]) * PAD_SAMPLE_RATE) + 1)
     drawn = PchipInterpolator(t, rows)(even)
     pressure = np.clip(drawn[:, 2], 0.0, 1.0) if pressed else None
     return PadStroke(Trajectory(even, drawn[:, :2]), pressure, caught, unseen)
 
 
 def pad_recording(strokes: Sequence[PadStroke], **about: str | float | None) -> Recording:
-    """A recording of strokes in the order in which they came, on a clock that begins at 0.
+    """Make a recording of strokes in the order in which they came, on a clock that begins at 0.
 
-    The time between two strokes is kept where a hand could have been in the air for so long, and bounded where a
-    clock has jumped or somebody thought for a while.
+    The time between two strokes is kept where a hand could have been in the air for so long, and
+    bounded where a clock has jumped or somebody thought for a while.
 
     Args:
         strokes: As the pad caught them.
@@ -118,15 +135,15 @@ def pad_recording(strokes: Sequence[PadStroke], **about: str | float | None) -> 
     placed, before, clock = [], None, 0.0
     for stroke in strokes:
         if before is not None:
-            clock += float(np.clip(stroke.path.t[0] - before.path.t[-1], *LIFT))
+            clock += float(np.clip(stroke.path.t[0] - before.path.t[-1], *PAD_LIFT_DURATION))
         placed.append(Trajectory(clock + stroke.path.t - stroke.path.t[0], stroke.path.position))
         before, clock = stroke, float(placed[-1].t[-1])
     pressures = [stroke.pressure for stroke in strokes if stroke.pressure is not None]
-    return with_lifts(placed, pressures if len(pressures) == len(placed) else None, **about)
+    return add_lifts(placed, pressures if len(pressures) == len(placed) else None, **about)
 
 
 def _checked(points: ArrayLike) -> Array:
-    """The events as numbers (K, 4), or a sentence."""
+    """Return the events as numbers (K, 4); a RecordingError says why they are none."""
     try:
         events = np.asarray(points, dtype=float)
     except (TypeError, ValueError):
@@ -135,19 +152,20 @@ def _checked(points: ArrayLike) -> Array:
         raise RecordingError(
             f"A stroke is rows of t, x, y and pressure, at least one, but got shape {events.shape}."
         )
-    if len(events) > MOST:
+    if len(events) > MOST_PAD_POINTS:
         raise RecordingError(
-            f"The stroke has {len(events)} points, but one stroke has at most {MOST}."
+            f"The stroke has {len(events)} points, but one stroke has at most {MOST_PAD_POINTS}."
         )
     if not np.isfinite(events).all():
         raise RecordingError("The stroke has points that are no numbers; write it again.")
     farthest = float(np.abs(events[:, 1:3]).max())
-    if farthest > LARGEST:
+    if farthest > PAD_REACH:
         raise RecordingError(
-            f"The stroke has a point {farthest:.3g} m away, but a pad reaches {LARGEST} m at most."
+            f"The stroke has a point {farthest:.3g} m away, but a pad reaches {PAD_REACH} m "
+            "at most."
         )
     back = float((np.maximum.accumulate(events[:, 0]) - events[:, 0]).max())
-    if back > BACK:
+    if back > LONGEST_OVERTAKING:
         raise RecordingError(
             f"The pad's clock ran backwards by {back:.3g} s within a stroke; write it again."
         )
@@ -155,7 +173,7 @@ def _checked(points: ArrayLike) -> Array:
 
 
 def _unseen(places: Array) -> float:
-    """How much of the bends may be cut off by straight lines between points, shape (K, 2) [m].
+    """Return how much of the bends straight lines between points (K, 2) may cut off [m].
 
     A bow that turns by an angle a over a chord of length h rises h a / 8 above it.
     """
@@ -169,22 +187,19 @@ def _unseen(places: Array) -> float:
     return float((np.maximum(lengths[1:], lengths[:-1]) * turns).max() / 8)
 
 
-def _with_rests(t: Array, rows: Array) -> tuple[Array, Array]:
-    """The same with a point more where the pointer was silent: it stood still until a frame before it moved."""
-    silent = np.flatnonzero(np.diff(t) > REST)
-    return np.insert(t, silent + 1, t[silent + 1] - FRAME), np.insert(
-        rows, silent + 1, rows[silent], axis=0
-    )
+def _add_rests(t: Array, rows: Array) -> tuple[Array, Array]:
+    """Add a point where the pointer was silent: it stood still until a frame before it moved."""
+    silent = np.flatnonzero(np.diff(t) > LONGEST_MOVING_SILENCE)
+    moved = np.insert(t, silent + 1, t[silent + 1] - PAD_FRAME)
+    return moved, np.insert(rows, silent + 1, rows[silent], axis=0)
 
 
-def _held(t: Array, rows: Array) -> tuple[Array, Array]:
-    """The same, at least as long as a pen needs to make a dot."""
-    if t[-1] - t[0] >= DOWN:
+def _hold(t: Array, rows: Array) -> tuple[Array, Array]:
+    """Return the same, at least as long as a pen needs to make a dot."""
+    if t[-1] - t[0] >= DOT_PRESS:
         return t, rows
-    if len(t) > 1 and np.linalg.norm(rows[:, :2] - rows[0, :2], axis=1).max() > DOT:
-        return (
-            (t, rows)
-            if t[-1] - t[0] >= 2 / RATE
-            else (t[0] + np.linspace(0, 2 / RATE, len(t)), rows)
-        )
-    return np.append(t, t[0] + DOWN), np.vstack([rows, rows[-1]])
+    if len(t) > 1 and np.linalg.norm(rows[:, :2] - rows[0, :2], axis=1).max() > DOT_RADIUS:
+        if t[-1] - t[0] < 2 / PAD_SAMPLE_RATE:
+            t = t[0] + np.linspace(0, 2 / PAD_SAMPLE_RATE, len(t))
+        return t, rows
+    return np.append(t, t[0] + DOT_PRESS), np.vstack([rows, rows[-1]])

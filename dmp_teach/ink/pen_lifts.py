@@ -1,4 +1,4 @@
-"""Strokes of flat ink with the lifts between them, as a hand makes them: up, over and down again."""
+"""Add pen lifts between strokes of flat ink, as a hand makes them: up, over and down again."""
 
 from __future__ import annotations
 
@@ -12,29 +12,34 @@ from dmp_teach.errors import RecordingError
 from dmp_teach.ink.recording import Recording
 from dmp_teach.trajectory import Array, Trajectory
 
-HEIGHT = 0.02  # how high a pen goes between two strokes [m]
-RISE = 0.25  # how long it takes to get there, where there is time [s]
-MOST = 6000  # more samples than this are not given to one lift, however long it was
+# How high a pen goes between two strokes [m], and how long it takes to get there [s].
+LIFT_HEIGHT = 0.02
+LIFT_RISE = 0.25
+# However long a lift was, it gets no more samples than this.
+MOST_LIFT_SAMPLES = 6000
 
 
-def with_lifts(
+def add_lifts(
     strokes: Sequence[Trajectory], pressures: Sequence[Any] | None = None, **about: Any
 ) -> Recording:
-    """A recording of strokes that were written on a flat pad, which saw nothing of the pen in the air.
+    """Make a recording of strokes from a flat pad, which saw nothing of the pen in the air.
 
-    On the paper the height is 0. Between two strokes, where there is time, the pen goes over with a minimum jerk
-    (Flash and Hogan 1985), up to 20 mm high; its samples are as far apart as those of the strokes.
+    On the paper the height is 0. Between two strokes, where there is time, the pen goes over with
+    minimum jerk (Flash and Hogan 1985), up to 20 mm high; its samples are as far apart as those of
+    the strokes.
 
     Args:
         strokes: 2-D, on one clock, each after the one before [m].
-        pressures: How hard the pen was pressed, 0 to 1, shape (T,) for each stroke; None where nobody knows.
+        pressures: How hard the pen was pressed, 0 to 1, shape (T,) for each stroke; None where
+            unknown.
         **about: The recording's `character`, `writer` and `baseline`.
 
     Returns:
         A recording that keeps the strokes as they are given; the pressure of a lift is 0.
 
     Raises:
-        RecordingError: No stroke, one that is not 2-D, strokes that overlap in time, or a pressure that cannot be.
+        RecordingError: No stroke, one that is not 2-D, strokes that overlap in time, or a pressure
+            that cannot be.
     """
     _check(strokes, pressures)
     step = float(np.median(np.concatenate([np.diff(stroke.t) for stroke in strokes])))
@@ -57,19 +62,19 @@ def with_lifts(
 
 
 def _lift(before: Trajectory, after: Trajectory, step: float) -> Array:
-    """The samples (K, 4), t x y z, between two strokes; none where there is no time for one."""
+    """Return the samples (K, 4), t x y z, between two strokes; none where there is no time."""
     begin, end = before.t[-1], after.t[0]
-    count = round(min((end - begin) / step, MOST)) - 1
+    count = round(min((end - begin) / step, MOST_LIFT_SAMPLES)) - 1
     t = np.linspace(begin, end, max(count, 0) + 2)[1:-1]
     share = (t - begin) / (end - begin)
-    rise = min(RISE, (end - begin) / 2)
+    rise = min(LIFT_RISE, (end - begin) / 2)
     xy = before.position[-1] + _eased(share)[:, None] * (after.position[0] - before.position[-1])
-    height = HEIGHT * _eased(np.minimum(np.minimum(t - begin, end - t) / rise, 1.0))
+    height = LIFT_HEIGHT * _eased(np.minimum(np.minimum(t - begin, end - t) / rise, 1.0))
     return np.column_stack([t, xy, height])
 
 
 def _eased(share: Array) -> Array:
-    """From 0 to 1 with a minimum jerk, starting and ending at rest."""
+    """Return shares of a minimum-jerk movement from 0 to 1."""
     return share**3 * (10 - 15 * share + 6 * share**2)
 
 
@@ -85,8 +90,8 @@ def _check(strokes: Sequence[Trajectory], pressures: Sequence[Any] | None) -> No
     for number, (before, after) in enumerate(pairwise(strokes), start=1):
         if after.t[0] <= before.t[-1]:
             raise RecordingError(
-                f"Stroke {number} begins at {after.t[0]} s, but stroke {number - 1} ends at {before.t[-1]} s; strokes "
-                "must follow each other on one clock."
+                f"Stroke {number} begins at {after.t[0]} s, but stroke {number - 1} ends at "
+                f"{before.t[-1]} s; strokes must follow each other on one clock."
             )
     lengths = [len(stroke) for stroke in strokes]
     if pressures is not None and [np.size(pressure) for pressure in pressures] != lengths:

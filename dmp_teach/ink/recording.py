@@ -1,7 +1,8 @@
-"""What a person wrote: where the pen was, and when, before anybody smooths or cuts it."""
+"""A recording of handwriting: where the pen was, and when, neither smoothed nor cut."""
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Self
@@ -10,32 +11,42 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.ink.svg_repr import svg_of
-from dmp_teach.segmentation import manual_cuts as cuts
-from dmp_teach.segmentation import rule_named
+from dmp_teach.ink.svg_repr import draw_svg
+from dmp_teach.segmentation import (
+    Spans,
+    cut_at_times,
+    drop_stroke,
+    get_rule,
+    merge_with_next,
+    move_cut,
+    split_stroke,
+)
 from dmp_teach.trajectory import Array, Trajectory, locked
 
 
 @dataclass(frozen=True, eq=False)
 class Recording:
-    """One letter as it was written, in the frame of its page: x to the right, y up the page, z out of it.
+    """One letter as it was written, in the frame of its page: x right, y up the page, z out of it.
 
-    It carries no name, no date and no time of day: only a pseudonym, and seconds since the take began.
+    It carries no name, no date and no time of day: only a pseudonym, and seconds since the take
+    began.
 
     Args:
         t: Times, strictly increasing, shape (T,), T at least 2 [s].
-        position: The pen, gap-filled and cropped but never smoothed, shape (T, 3); z is about 0 while writing [m].
+        position: The pen, gap-filled and cropped but never smoothed, shape (T, 3); z is about 0
+            while writing [m].
         character: The letter that was meant, such as "a", or None.
         writer: A pseudonym, such as "w01", or None.
-        baseline: The y of the line that the letter stands on [m], or None where nobody knows.
+        baseline: The y of the line that the letter stands on [m], or None where unknown.
         given_strokes: Where the source knows its strokes: pairs (start, end), a stroke being the
             samples `start:end` (end not included). None: strokes are found from the height.
-        pressure: How hard the pen was pressed, as a share of the hardest press that the device can tell, shape (T,),
-            0 in the air and at most 1; or None where nobody knows.
+        pressure: How hard the pen was pressed, as a share of the hardest press that the device can
+            tell, shape (T,), 0 in the air and at most 1; or None where unknown.
 
     Raises:
         RecordingError: Shapes that do not match, values that are not finite, times that do not
-            increase, strokes that are not increasing runs of at least 2 samples, or a pressure out of its range.
+            increase, strokes that are not increasing runs of at least 2 samples, or a pressure out
+            of its range.
     """
 
     t: Array
@@ -43,7 +54,7 @@ class Recording:
     character: str | None = None
     writer: str | None = None
     baseline: float | None = None
-    given_strokes: tuple[tuple[int, int], ...] | None = None
+    given_strokes: Spans | None = None
     pressure: Array | None = None
 
     def __post_init__(self) -> None:
@@ -54,8 +65,8 @@ class Recording:
             raise RecordingError(f"A recording needs a clean path. {error}") from None
         if path.dimensions != 3:
             raise RecordingError(
-                f"position has shape {path.position.shape}, but must be (T, 3): right, up and height [m]. "
-                "Ink from a flat pad has height 0."
+                f"position has shape {path.position.shape}, but must be (T, 3): right, up and "
+                "height [m]. Ink from a flat pad has height 0."
             )
         object.__setattr__(self, "t", locked(path.t))
         object.__setattr__(self, "position", locked(path.position))
@@ -68,26 +79,27 @@ class Recording:
 
     @property
     def duration(self) -> float:
-        """From the first sample to the last [s]."""
+        """Time from the first sample to the last [s]."""
         return float(self.t[-1] - self.t[0])
 
     def strokes(
         self, theta: float = 0.10, sigma: float = 0.006, rule: str = "foot"
     ) -> tuple[Trajectory, ...]:
-        """The parts that left ink, in the order in which they were written.
+        """Find the parts that left ink, in the order in which they were written.
 
-        Strokes that the file or the pad gave, or that were cut by hand, are kept as they are, whatever theta, sigma and
-        rule say; `with_strokes(None)` gives a recording that has them found again.
+        Strokes that the file or the pad gave, or that were cut by hand, are kept as they are,
+        whatever theta, sigma and rule say; `with_strokes(None)` gives a recording that has them
+        found again.
 
         Args:
             theta: How fast the pen must rise to leave the paper [m/s].
-            sigma: How high it must rise to have left the paper: by the rule "foot" over the foot of its own lift, by
-                the other two over the mean height of the recording [m].
-            rule: "foot" (works), or the paper's: "printed" to the letter, "authors" as they meant it
-                (`dmp_teach.segmentation.paper_rules` says what we take them to be).
+            sigma: How high it must rise to have left the paper: by the rule "foot" over the foot
+                of its own lift, by the other two over the mean height of the recording [m].
+            rule: "foot" (works), or the paper's: "printed" to the letter, "authors" as they meant
+                it (`dmp_teach.segmentation.paper_rules` says what we take them to be).
 
         Returns:
-            2-D trajectories on this recording's clock: the raw samples, never smoothed.
+            Trajectories in 2-D on this recording's clock: the raw samples, never smoothed.
 
         Raises:
             SettingError: theta or sigma is not a positive number, or there is no such rule.
@@ -99,19 +111,20 @@ class Recording:
         )
 
     def with_strokes(self, times: Sequence[tuple[float, float]] | None) -> Self:
-        """The recording with its strokes cut by hand, and kept so from now on: learned, and written to files.
+        """Return the recording with its strokes cut by hand: so they are learned and kept.
 
         Args:
-            times: The first and the last moment of each stroke on this recording's clock, in order, such as
-                `[(0.66, 2.39), (3.67, 8.20)]` [s]; None lets the rule find them again.
+            times: The first and the last moment of each stroke on this recording's clock, in
+                order, such as `[(0.66, 2.39), (3.67, 8.20)]` [s]; None lets the rule find them
+                again.
 
         Raises:
             RecordingError: Not such pairs, a time outside the recording, or strokes that overlap.
         """
-        return replace(self, given_strokes=None if times is None else cuts.timed(self.t, times))
+        return replace(self, given_strokes=None if times is None else cut_at_times(self.t, times))
 
     def moved_cut(self, stroke: int, end: str, time: float) -> Self:
-        """One end of a stroke moved by hand, the others kept as they are.
+        """Return the recording with one end of a stroke moved by hand.
 
         Args:
             stroke: Counted from 0.
@@ -121,45 +134,53 @@ class Recording:
         Raises:
             RecordingError: No such stroke or time, or it would meet another stroke.
         """
-        return replace(self, given_strokes=cuts.moved(self.t, self._spans(), stroke, end, time))
+        return replace(self, given_strokes=move_cut(self.t, self._spans(), stroke, end, time))
 
     def split(self, stroke: int, time: float) -> Self:
-        """A stroke cut in two at a time [s]; refused where a part would have fewer than 2 samples."""
-        return replace(self, given_strokes=cuts.split(self.t, self._spans(), stroke, time))
+        """Cut a stroke in two at a time [s]; refused where a part has fewer than 2 samples."""
+        return replace(self, given_strokes=split_stroke(self.t, self._spans(), stroke, time))
+
+    def merge_strokes(self, stroke: int) -> Self:
+        """Merge a stroke and the next one, with what lies between; refused for the last one."""
+        return replace(self, given_strokes=merge_with_next(self._spans(), stroke))
 
     def joined(self, stroke: int) -> Self:
-        """A stroke and the next one as one, with what lies between; refused for the last one."""
-        return replace(self, given_strokes=cuts.joined(self._spans(), stroke))
+        """Merge strokes under the old name of `merge_strokes`, which stays for one version."""
+        warnings.warn(
+            "Recording.joined is now called Recording.merge_strokes.",
+            DeprecationWarning,
+            stacklevel=2,
+        )
+        return self.merge_strokes(stroke)
 
     def without(self, stroke: int) -> Self:
-        """The recording without one of its strokes; refused for the only one."""
-        return replace(self, given_strokes=cuts.without(self._spans(), stroke))
+        """Return the recording without one of its strokes; refused for the only one."""
+        return replace(self, given_strokes=drop_stroke(self._spans(), stroke))
 
-    def _spans(
-        self, theta: float = 0.10, sigma: float = 0.006, rule: str = "foot"
-    ) -> tuple[tuple[int, int], ...]:
-        """The strokes as pairs (start, end) of samples."""
-        found_by = rule_named(rule)
+    def _spans(self, theta: float = 0.10, sigma: float = 0.006, rule: str = "foot") -> Spans:
+        """Return the strokes as pairs (start, end) of samples."""
+        find_by_rule = get_rule(rule)
         if self.given_strokes is not None:
             return self.given_strokes
-        return found_by(self.t, self.position, theta, sigma)
+        return find_by_rule(self.t, self.position, theta, sigma)
 
     def __repr__(self) -> str:
-        """In one line, without the numbers."""
+        """Return one line, without the numbers."""
         letter = "" if self.character is None else f"{self.character!r}, "
         writer = "" if self.writer is None else f"by {self.writer}, "
         return f"Recording({letter}{writer}{len(self.t)} samples, {self.duration:.3f} s)"
 
     def _repr_svg_(self) -> str | None:
-        """Its strokes as a small picture, for a notebook."""
+        """Draw the strokes as a small picture, for a notebook."""
         try:
-            return svg_of(self.strokes(), repr(self), dotted=True, baseline=self.baseline)
-        except RecordingError:  # nothing was written: its one line says more
+            return draw_svg(self.strokes(), repr(self), dotted=True, baseline=self.baseline)
+        except RecordingError:
+            # Nothing was written: the one line of `repr` says more.
             return None
 
 
-def _checked(spans: tuple[tuple[int, int], ...], samples: int) -> tuple[tuple[int, int], ...]:
-    """The strokes as plain integers, or an error that names the one that cannot be."""
+def _checked(spans: Spans, samples: int) -> Spans:
+    """Return the strokes as plain integers; a RecordingError names the one that cannot be."""
     pairs = tuple((int(a), int(b)) for a, b in spans)
     if not pairs:
         raise RecordingError(
@@ -168,14 +189,14 @@ def _checked(spans: tuple[tuple[int, int], ...], samples: int) -> tuple[tuple[in
     ends = np.array([0, *(edge for pair in pairs for edge in pair), samples])
     if (np.diff(ends) < 0).any() or min(b - a for a, b in pairs) < 2:
         raise RecordingError(
-            f"given_strokes is {pairs}, but strokes must be pairs (start, end) of at least 2 samples, "
-            f"one after the other, within {samples} samples."
+            f"given_strokes is {pairs}, but strokes must be pairs (start, end) of at least 2 "
+            f"samples, one after the other, within {samples} samples."
         )
     return pairs
 
 
 def _checked_pressure(pressure: ArrayLike, samples: int) -> Array:
-    """The pressure as a locked array, or an error that names the first value that cannot be."""
+    """Return the pressure, locked; a RecordingError names the first value that cannot be."""
     try:
         values = np.asarray(pressure, dtype=float)
     except (TypeError, ValueError, OverflowError):
@@ -187,6 +208,7 @@ def _checked_pressure(pressure: ArrayLike, samples: int) -> Array:
     odd = np.flatnonzero(~((values >= 0) & (values <= 1)))
     if len(odd):
         raise RecordingError(
-            f"pressure[{odd[0]}] is {values[odd[0]]}, but must be between 0 and 1: a share of the hardest press."
+            f"pressure[{odd[0]}] is {values[odd[0]]}, but must be between 0 and 1: a share of the "
+            "hardest press."
         )
     return locked(values)

@@ -1,11 +1,12 @@
-"""Recordings as plain JSON: what a pad saves, and what our alphabets are made of.
+"""Read and write recordings as plain JSON: what a pad saves, and what our alphabets are made of.
 
-The format is one object: what it is, its version, the letter, the writer's pseudonym, the writing line [m], the
-strokes as pairs of samples (or null: found from the height), the pen's pressure, one number from 0 to 1 for every
-sample (or null), and a row t [s], x, y, z [m] a sample. It has no place for a name, a date or a time of day.
+The format is one object: what it is, its version, the letter, the writer's pseudonym, the writing
+line [m], the strokes as pairs of samples (or null: found from the height), the pen's pressure, one
+number from 0 to 1 for every sample (or null), and a row t [s], x, y, z [m] for each sample. It has
+no place for a name, a date or a time of day.
 
-Version 2 begins its times at 0 and refuses a writer that is no pseudonym. Version 1 did neither, and said nothing of
-what its pressure meant: it is read, without pressure.
+Version 2 begins its times at 0 and refuses a writer that is no pseudonym. Version 1 did neither,
+and said nothing of what its pressure meant: it is read, without pressure.
 """
 
 from __future__ import annotations
@@ -20,12 +21,13 @@ from dmp_teach.errors import RecordingError, kind_of
 from dmp_teach.files import contents, is_number, is_pseudonym, loaded, must, write_whole
 from dmp_teach.ink.recording import Recording
 
-FORMAT = "dmp_teach recording"
-VERSION = 2
-VERSIONS = (1, VERSION)
-FARTHEST = 1e6  # larger numbers are no places [m]
-UNITS = {"t": "s", "x": "m", "y": "m", "z": "m"}
-FIELDS = (
+RECORDING_FORMAT = "dmp_teach recording"
+RECORDING_VERSION = 2
+RECORDING_VERSIONS = (1, RECORDING_VERSION)
+# Larger numbers are no places [m].
+FARTHEST_PLACE = 1e6
+SAMPLE_UNITS = {"t": "s", "x": "m", "y": "m", "z": "m"}
+RECORDING_FIELDS = (
     "format",
     "version",
     "character",
@@ -39,41 +41,41 @@ FIELDS = (
 
 
 def read_json(path: str | os.PathLike[str]) -> Recording:
-    """A recording from a file that `write_json` wrote, in this version or an older one.
+    """Read a recording from a file that `write_json` wrote, in this version or an older one.
 
     Raises:
-        RecordingError: No such file, another format or version, or a field that cannot be; says which.
+        RecordingError: No such file, another format or version, or a field that cannot be.
     """
     data, name = contents(path)
-    return from_json(data, name)
+    return recording_from_json(data, name)
 
 
-def from_json(data: bytes, name: str) -> Recording:
-    """A recording from the bytes of a file of that name.
+def recording_from_json(data: bytes, name: str) -> Recording:
+    """Read a recording from the bytes of a file of that name.
 
     Raises:
         RecordingError: As `read_json`.
     """
     try:
-        return _recording(loaded(data, FORMAT, VERSIONS, FIELDS))
+        return _read_recording(loaded(data, RECORDING_FORMAT, RECORDING_VERSIONS, RECORDING_FIELDS))
     except RecordingError as error:
         raise RecordingError(f"{name}: {error}") from None
 
 
 def write_json(recording: Recording, path: str | os.PathLike[str]) -> None:
-    """Write a recording as plain JSON, whole or not at all: a file that was there stays until the new one is complete.
+    """Write a recording as plain JSON, with times that begin at 0.
 
-    Its times begin at 0.
+    A file that was there stays until the new one is complete.
 
     Raises:
         RecordingError: Not a recording, or its writer is no pseudonym.
         PathError: The file cannot be written there.
     """
-    write_whole(path, to_json(recording).encode(), ".json")
+    write_whole(path, recording_to_json(recording).encode(), ".json")
 
 
-def to_json(recording: Recording) -> str:
-    """A recording as JSON: a field a line, a sample a line, every digit kept.
+def recording_to_json(recording: Recording) -> str:
+    """Return a recording as JSON: a field a line, a sample a line, every digit kept.
 
     Raises:
         RecordingError: As `write_json`.
@@ -84,14 +86,14 @@ def to_json(recording: Recording) -> str:
         )
     check_pseudonym(recording.writer)
     far = float(np.abs(recording.position).max())
-    must(far <= FARTHEST, "the farthest place", far, f"at most {FARTHEST:.0f} m away")
+    must(far <= FARTHEST_PLACE, "the farthest place", far, f"at most {FARTHEST_PLACE:.0f} m away")
     head = {
-        "format": FORMAT,
-        "version": VERSION,
+        "format": RECORDING_FORMAT,
+        "version": RECORDING_VERSION,
         "character": recording.character,
         "writer": recording.writer,
         "baseline": recording.baseline,
-        "units": UNITS,
+        "units": SAMPLE_UNITS,
         "strokes": recording.given_strokes,
         "pressure": None if recording.pressure is None else recording.pressure.tolist(),
     }
@@ -102,7 +104,7 @@ def to_json(recording: Recording) -> str:
 
 
 def check_pseudonym(writer: str | None) -> None:
-    """Raise a RecordingError that says what a pseudonym is, where the writer is none."""
+    """Raise a RecordingError that says what a pseudonym is, unless the writer is one."""
     fits = writer is None or (isinstance(writer, str) and is_pseudonym(writer))
     rule = (
         "a pseudonym such as 'w01' or null: at most 20 letters, digits, - and _, no name, no date"
@@ -110,9 +112,9 @@ def check_pseudonym(writer: str | None) -> None:
     must(fits, "writer", writer, rule)
 
 
-def _recording(content: dict[str, Any]) -> Recording:
-    """What the JSON says, every field checked."""
-    must(content["units"] == UNITS, "units", content["units"], repr(UNITS))
+def _read_recording(content: dict[str, Any]) -> Recording:
+    """Return what the JSON says, every field checked."""
+    must(content["units"] == SAMPLE_UNITS, "units", content["units"], repr(SAMPLE_UNITS))
     for name in ("character", "writer"):
         must(
             content[name] is None or isinstance(content[name], str),
@@ -144,8 +146,8 @@ def _recording(content: dict[str, Any]) -> Recording:
             "0: no clock is kept",
         )
     return Recording(
-        [row[0] for row in samples],
-        [row[1:] for row in samples],
+        np.array([row[0] for row in samples], dtype=float),
+        np.array([row[1:] for row in samples], dtype=float),
         content["character"],
         content["writer"],
         baseline,
@@ -155,22 +157,22 @@ def _recording(content: dict[str, Any]) -> Recording:
 
 
 def _samples(rows: Any) -> list[list[float]]:
-    """The rows t, x, y, z, all numbers."""
+    """Return the rows t, x, y, z, all numbers."""
     must(isinstance(rows, list), "samples", rows, "rows [t, x, y, z]")
     for k, row in enumerate(rows):
-        good = isinstance(row, list) and len(row) == len(UNITS) and all(map(is_number, row))
+        good = isinstance(row, list) and len(row) == len(SAMPLE_UNITS) and all(map(is_number, row))
         must(good, f"samples[{k}]", row, "four finite numbers [t, x, y, z]")
         must(
-            max(map(abs, row[1:])) <= FARTHEST,
+            max(map(abs, row[1:])) <= FARTHEST_PLACE,
             f"samples[{k}]",
             row,
-            f"at most {FARTHEST:.0f} m away",
+            f"at most {FARTHEST_PLACE:.0f} m away",
         )
     return rows
 
 
 def _are_pairs(strokes: Any) -> bool:
-    """A list of pairs of whole numbers."""
+    """Return whether this is a list of pairs of whole numbers."""
     return isinstance(strokes, list) and all(
         isinstance(pair, list)
         and len(pair) == 2

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from dmp_teach.classroom import RESTING
-from dmp_teach.ink import MARK
+from dmp_teach.ink import INK_CLASS
 
 
 def without_ink(model: dict[str, Any], **_: Any) -> None:
@@ -33,7 +33,7 @@ def without_ink(model: dict[str, Any], **_: Any) -> None:
             each["buffers"] = []
         # Notebooks of format 3 say "svg".
         for name in ("image/svg+xml", "svg"):
-            if MARK in "".join(_words(each.get(name))):
+            if INK_CLASS in "".join(_words(each.get(name))):
                 del each[name]
 
 

@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike
 from dmp_teach.dmp import DMP, Settings, chain
 from dmp_teach.errors import LetterError, kind_of
 from dmp_teach.files import write_whole
-from dmp_teach.ink import svg_of
+from dmp_teach.ink import draw_svg
 from dmp_teach.letters.compose.piece import Piece
 from dmp_teach.letters.kernel_choice import imitate_strokes
 from dmp_teach.letters.letter_json import letter_parts, letter_to_json
@@ -206,7 +206,7 @@ class Letter:
 
     def _repr_svg_(self) -> str | None:
         """Return what it writes as a small picture, for a notebook."""
-        return svg_of(self.write(), repr(self), dotted=False)
+        return draw_svg(self.write(), repr(self), dotted=False)
 
     def _stretched(self, drawn: list[Trajectory], duration: float) -> tuple[Trajectory, ...]:
         """Return the strokes on an evenly stretched clock, from the same beginning."""

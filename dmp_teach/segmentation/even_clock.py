@@ -1,20 +1,27 @@
-"""A pen's motion on an even clock, without what is faster than a hand."""
+"""Put a pen's motion on an even clock, without what is faster than a hand."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.filtering import lowpass
 from dmp_teach.trajectory import Array
 
-UNEVEN = 100  # a clock with more holes than this many samples to each that is there is broken
+Spans = tuple[tuple[int, int], ...]
+"""Strokes as pairs (start, end) of samples, the end not included."""
+
+Flags = NDArray[np.bool_]
+
+# A clock that needs more even samples than this for each of its own is broken.
+MOST_EVEN_SAMPLES_EACH = 100
 
 
 @dataclass(frozen=True)
-class Motion:
+class PenMotion:
     """A recording on an even clock.
 
     Args:
@@ -34,21 +41,25 @@ class Motion:
     path: Array
 
 
-def on_even_clock(t: Array, position: Array) -> Motion:
-    """The motion on an even clock from `t[0]` on, whatever the jitter of the recording's own."""
+def to_even_clock(t: Array, position: Array) -> PenMotion:
+    """Resample a recording on an even clock from `t[0]` on, and low-pass it.
+
+    Raises:
+        RecordingError: Its own clock is too uneven.
+    """
     dt = float(np.median(np.diff(t)))
     samples = round((t[-1] - t[0]) / dt) + 1
-    if samples > UNEVEN * len(t):
+    if samples > MOST_EVEN_SAMPLES_EACH * len(t):
         raise RecordingError(
-            f"{len(t)} samples, mostly {dt:.3g} s apart, are spread over {t[-1] - t[0]:.6g} s: too uneven to find "
-            "strokes. Cut the recording at its longest break."
+            f"{len(t)} samples, mostly {dt:.3g} s apart, are spread over {t[-1] - t[0]:.6g} s: too "
+            "uneven to find strokes. Cut the recording at its longest break."
         )
     clock = np.linspace(t[0], t[-1], max(2, samples))
     dt = float(clock[1] - clock[0])
     even = np.column_stack([np.interp(clock, t, axis) for axis in position.T])
     z, path = lowpass_hertz(even[:, 2], dt, 12.0), lowpass_hertz(even[:, :2], dt, 10.0)
     speed = np.linalg.norm(np.gradient(path, dt, axis=0), axis=1)
-    return Motion(dt, even[:, 2], z, np.gradient(z, dt), speed, path)
+    return PenMotion(dt, even[:, 2], z, np.gradient(z, dt), speed, path)
 
 
 def lowpass_hertz(values: Array, dt: float, cutoff: float) -> Array:
@@ -58,7 +69,7 @@ def lowpass_hertz(values: Array, dt: float, cutoff: float) -> Array:
     return lowpass(values, min(cutoff * dt, 0.4), padding=9)
 
 
-def runs(flags: Array) -> list[tuple[int, int]]:
-    """Where `flags` (K,) stay true: pairs (start, end), end not included."""
+def find_runs(flags: Flags) -> list[tuple[int, int]]:
+    """Find where `flags` (K,) stay true: pairs (start, end), the end not included."""
     edges = np.flatnonzero(np.diff(np.concatenate([[False], flags, [False]]).astype(int)))
     return [(int(a), int(b)) for a, b in edges.reshape(-1, 2)]

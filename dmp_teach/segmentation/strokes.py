@@ -1,17 +1,18 @@
-"""Where the pen touched the paper, told from its height and its speed.
+"""Find where the pen touched the paper, from its height and its speed.
 
-No fixed height tells a lift from writing: the marker rides on a finger, 16 to 85 mm over the paper, and wanders.
-So a lift is measured from its own foot. In order:
+No fixed height tells a lift from writing: the marker rides on a finger, 16 to 85 mm over the
+paper, and wanders. So a lift is measured from its own foot. In order:
 
 1. height low-passed at 12 Hz, path at 10 Hz, on an even clock;
-2. a lift begins where the height rises faster than `theta`, walked back to the foot of that rise, and counts if it
-   gets `sigma` above that foot; it lasts until the height is back near the foot and falls no more, or has fallen by
-   half and stands, for a marker may ride higher where it lands;
-3. between lifts the pen is on the paper; each such span is cut to the part where it moves, after the last fall of
-   the landing (people hover and pause while they land), and a span that never moves like writing is dropped.
+2. a lift begins where the height rises faster than `theta`, walked back to the foot of that rise,
+   and counts if it gets `sigma` above that foot; it lasts until the height is back near the foot
+   and falls no more, or has fallen by half and stands, for a marker may ride higher where it lands;
+3. between lifts the pen is on the paper; each such span is trimmed to the part where it moves,
+   after the last fall of the landing (people hover and pause while they land), and a span that
+   never moves like writing is dropped.
 
-So a stroke is what left a line, and not how long the pen lay on the paper: of the rest between a touch and the first
-move only a moment is kept, and so before a lift.
+So a stroke is what left a line, and not how long the pen lay on the paper: of the rest between a
+touch and the first move only a moment is kept, and so before a lift.
 """
 
 from __future__ import annotations
@@ -21,20 +22,22 @@ from numbers import Real
 import numpy as np
 
 from dmp_teach.errors import RecordingError, SettingError
-from dmp_teach.segmentation.even_clock import Motion, on_even_clock, runs
-from dmp_teach.segmentation.trim import CREEP, written
+from dmp_teach.segmentation.even_clock import PenMotion, Spans, find_runs, to_even_clock
+from dmp_teach.segmentation.trim import STILL_RISE, trim_to_writing
 from dmp_teach.trajectory import Array
 
-NEAR = 0.005  # a landed pen is this near to the foot of its lift, or nearer than a quarter of the lift [m]
-HIGHER = 0.015  # nor does the marker stand higher than this over that foot, where the hand has turned meanwhile [m] ...
-STANDS = 0.08  # ... and a height that stands for so long is no flight [s]
-SKIN = 0.0007  # a foot is walked up again while the pen is less than this above it [m]
+# A landed pen is this near the foot of its lift, or nearer than a quarter of the lift [m] ...
+LANDED_HEIGHT = 0.005
+# ... or at most this much higher, where the hand has turned meanwhile [m] ...
+LANDED_HEIGHT_OF_STAND = 0.015
+# ... and stands there for so long [s].
+LANDED_STAND = 0.08
+# A foot is walked up again while the pen is less than this above it [m].
+FOOT_HEIGHT = 0.0007
 
 
-def find_strokes(
-    t: Array, position: Array, theta: float = 0.10, sigma: float = 0.006
-) -> tuple[tuple[int, int], ...]:
-    """The strokes of a recording, in the order in which they were written.
+def find_strokes(t: Array, position: Array, theta: float = 0.10, sigma: float = 0.006) -> Spans:
+    """Find the strokes of a recording, in the order in which they were written.
 
     Args:
         t: Times, strictly increasing, shape (T,) [s].
@@ -50,9 +53,11 @@ def find_strokes(
         RecordingError: Nothing was written.
     """
     check_thresholds(theta, sigma)
-    motion = on_even_clock(t, position)
-    lifted = _between_lifts(motion.z, motion.rise, theta, sigma, round(STANDS / motion.dt))
-    spans = written(motion, _landings_out(motion, lifted, theta, sigma)) or written(motion, lifted)
+    motion = to_even_clock(t, position)
+    hold = round(LANDED_STAND / motion.dt)
+    lifted = _find_between_lifts(motion.z, motion.rise, theta, sigma, hold)
+    landed = _without_landings(motion, lifted, theta, sigma, hold)
+    spans = trim_to_writing(motion, landed) or trim_to_writing(motion, lifted)
     edges = np.searchsorted(t, t[0] + motion.dt * (np.array(spans).reshape(-1, 2) - 0.5)).tolist()
     strokes = tuple((a, b) for a, b in edges if b - a >= 2)
     if not strokes:
@@ -69,64 +74,62 @@ def check_thresholds(theta: float, sigma: float) -> None:
             raise SettingError(f"{name} is {value!r}, but it must be a positive number [{unit}].")
 
 
-def _landings_out(
-    motion: Motion, spans: list[tuple[int, int]], theta: float, sigma: float
+def _without_landings(
+    motion: PenMotion, spans: list[tuple[int, int]], theta: float, sigma: float, hold: int
 ) -> list[tuple[int, int]]:
-    """The spans between lifts without landings: a second look runs backwards in time.
+    """Return the spans between lifts without their landings, by a look backwards in time.
 
-    A landing is a lift seen backwards, and may be the only fast part of it. Where the first look saw the pen land, the
-    second takes no beginning away.
+    A landing is a lift seen backwards, and may be the only fast part of it. Where the first look
+    saw the pen land, the second takes no beginning away.
     """
     touching = []
-    hold = round(STANDS / motion.dt)
     for a, b in spans:
-        back = _between_lifts(
-            motion.z[a:b][::-1], -motion.rise[a:b][::-1], theta, sigma, hold, down=a > 0
-        )
+        z, rise = motion.z[a:b][::-1], -motion.rise[a:b][::-1]
+        back = _find_between_lifts(z, rise, theta, sigma, hold, down=a > 0)
         touching += [(b - end, b - start) for start, end in reversed(back)]
     return touching
 
 
-def _between_lifts(
+def _find_between_lifts(
     z: Array, rise: Array, theta: float, sigma: float, hold: int, *, down: bool = False
 ) -> list[tuple[int, int]]:
-    """Spans of height (K,) between the rises that are lifts; `down`: the pen is known to be down at the end."""
+    """Find the spans of height (K,) between lifts; `down`: the pen is known to end down."""
     spans, landed = [], 0
-    for start, end in runs(rise > theta):
+    for start, end in find_runs(rise > theta):
         if start < landed:
             continue
-        foot = _foot(z, rise, start, landed)
-        peak, landing = _landing(z, rise, foot, end, hold)
+        foot = _find_foot(z, rise, start, landed)
+        peak, landing = _find_landing(z, rise, foot, end, hold)
         if z[peak] - z[foot] > sigma and not (down and landing == len(z)):
             spans.append((landed, foot + 1))
             landed = landing
     return [*spans, (landed, len(z))] if landed < len(z) else spans
 
 
-def _foot(z: Array, rise: Array, start: int, earliest: int) -> int:
-    """The last sample on the paper before the rise that is fast at `start`."""
+def _find_foot(z: Array, rise: Array, start: int, earliest: int) -> int:
+    """Return the last sample on the paper before the rise that is fast at `start`."""
     foot = start
-    while foot > earliest and rise[foot] > CREEP:
+    while foot > earliest and rise[foot] > STILL_RISE:
         foot -= 1
-    skin = z[foot] + SKIN
-    while foot < start and z[foot + 1] < skin:
+    top = z[foot] + FOOT_HEIGHT
+    while foot < start and z[foot + 1] < top:
         foot += 1
     return foot
 
 
-def _landing(z: Array, rise: Array, foot: int, risen: int, hold: int) -> tuple[int, int]:
-    """The highest sample of a lift, and the first on the paper after it (the end, if it flies away).
+def _find_landing(z: Array, rise: Array, foot: int, risen: int, hold: int) -> tuple[int, int]:
+    """Return the highest sample of a lift, and the first on the paper after it, or the end.
 
-    The pen has landed where the height is near the foot and falls no more; or where it fell by half and then stands
-    for `hold` samples, for the paper may seem higher there.
+    The pen has landed where the height is near the foot and falls no more; or where it fell by
+    half and then stands for `hold` samples, for the paper may seem higher there.
     """
     peak, still = foot, 0
     for k in range(foot, len(z)):
         peak = k if z[k] > z[peak] else peak
         lift = z[peak] - z[foot]
-        still = still + 1 if k > max(peak, risen) and abs(rise[k]) < CREEP else 0
-        if still and z[k] < z[foot] + max(NEAR, 0.25 * lift):
+        still = still + 1 if k > max(peak, risen) and abs(rise[k]) < STILL_RISE else 0
+        if still and z[k] < z[foot] + max(LANDED_HEIGHT, 0.25 * lift):
             return peak, k
-        if still >= hold and z[k] < z[foot] + min(HIGHER, 0.5 * lift):
+        if still >= hold and z[k] < z[foot] + min(LANDED_HEIGHT_OF_STAND, 0.5 * lift):
             return peak, k - still + 1
     return peak, len(z)

@@ -19,7 +19,7 @@ from dmp_teach.errors import PathError, RecordingError
 from dmp_teach.formats.read import read_recording, read_recordings
 from dmp_teach.formats.write import write_recording
 from dmp_teach.ink.alphabet import recording_of
-from dmp_teach.ink.pen_lifts import with_lifts
+from dmp_teach.ink.pen_lifts import add_lifts
 from dmp_teach.ink.recording import Recording
 from dmp_teach.letters.letter import Letter
 from dmp_teach.trajectory import Trajectory
@@ -52,7 +52,7 @@ def recordings(draw):
         "writer": draw(st.sampled_from([None, "w01"])),
         "baseline": draw(st.none() | coordinate),
     }
-    return with_lifts(strokes, pressures if draw(st.booleans()) else None, **about)
+    return add_lifts(strokes, pressures if draw(st.booleans()) else None, **about)
 
 
 @pytest.mark.parametrize("suffix", TOLERANCE)

@@ -361,7 +361,9 @@ def test_the_script_writes_all_letters_and_the_same_bytes_twice(tmp_path):
         {p.relative_to(r): p.read_bytes() for p in r.rglob("*.json")} for r in tmp_path.iterdir()
     )
     assert once == twice
-    assert set(once) == {p.relative_to(alphabet.FOLDER) for p in alphabet.FOLDER.rglob("*.json")}
+    assert set(once) == {
+        p.relative_to(alphabet.ALPHABETS_FOLDER) for p in alphabet.ALPHABETS_FOLDER.rglob("*.json")
+    }
 
 
 @pytest.mark.parametrize("letter", ["ж", "", "ab", "a\u0300\u0301", "../round/a", 3, None, ["a"]])
@@ -382,13 +384,13 @@ def test_an_unknown_alphabet_is_answered_with_those_that_exist(name):
 
 
 def test_where_there_is_no_alphabet_the_script_is_named(tmp_path, monkeypatch):
-    monkeypatch.setattr(alphabet, "FOLDER", tmp_path)
+    monkeypatch.setattr(alphabet, "ALPHABETS_FOLDER", tmp_path)
     with pytest.raises(RecordingError, match=r"There is no alphabet in .*make_alphabets\.py"):
         alphabets()
 
 
 def test_files_of_another_kind_in_an_alphabet_are_no_letters(tmp_path, monkeypatch):
-    monkeypatch.setattr(alphabet, "FOLDER", tmp_path)
+    monkeypatch.setattr(alphabet, "ALPHABETS_FOLDER", tmp_path)
     (tmp_path / "mine").mkdir()
     odd = (
         "small_u0062.json",

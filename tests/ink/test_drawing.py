@@ -38,22 +38,26 @@ def test_every_letter_lies_on_its_sheet_with_a_circle_where_each_stroke_begins(c
 
 def test_a_person_is_dots_and_the_robot_a_line_in_the_colours_of_the_panels():
     strokes = dmp_teach.recording_of("D").strokes()
-    person, robot = (drawing.svg_of(strokes, "D", dotted=dotted) for dotted in (True, False))
-    assert drawing.CHILD in person
+    person, robot = (drawing.draw_svg(strokes, "D", dotted=dotted) for dotted in (True, False))
+    assert drawing.PERSON_COLOR in person
     assert "dasharray" in person
-    assert drawing.ROBOT in robot
+    assert drawing.ROBOT_COLOR in robot
     assert "dasharray" not in robot
     tokens = (ROOT / "dmp_teach" / "views" / "scene" / "tokens.css").read_text()
     for name in ("child", "robot", "ink", "paper", "paper-edge"):
         color = re.search(rf"--dt-{name}: (#[0-9a-f]+)", tokens)[1]
-        assert color in (drawing.CHILD, drawing.ROBOT, drawing.INK, drawing.PAPER, drawing.EDGE), (
-            name
-        )
+        assert color in (
+            drawing.PERSON_COLOR,
+            drawing.ROBOT_COLOR,
+            drawing.START_COLOR,
+            drawing.SHEET_COLOR,
+            drawing.SHEET_EDGE_COLOR,
+        ), name
 
 
 def test_up_is_up_and_the_shape_is_kept():
     stroke = Trajectory(np.arange(3.0), [[0.0, 0.0], [0.02, 0.0], [0.02, 0.06]])
-    (path,) = fromstring(drawing.svg_of([stroke], "a corner", dotted=False)).iter(f"{NAMES}path")
+    (path,) = fromstring(drawing.draw_svg([stroke], "a corner", dotted=False)).iter(f"{NAMES}path")
     (x0, y0), (x1, y1), (x2, y2) = numbers(path).reshape(-1, 2)
     assert y0 == y1 > y2
     assert (y1 - y2) / (x1 - x0) == pytest.approx(3, rel=0.01)
@@ -62,7 +66,7 @@ def test_up_is_up_and_the_shape_is_kept():
 
 def test_a_long_line_of_text_is_not_wider_than_a_notebook_and_a_very_long_stroke_has_few_points():
     t = np.arange(20_000.0)
-    long = drawing.svg_of(
+    long = drawing.draw_svg(
         [Trajectory(t, np.column_stack([t, 0.01 * np.sin(t)]))], "long", dotted=True
     )
     assert int(fromstring(long).get("width")) < 1000
@@ -70,8 +74,8 @@ def test_a_long_line_of_text_is_not_wider_than_a_notebook_and_a_very_long_stroke
 
 
 def test_no_ink_is_no_picture_and_a_title_may_be_any_text():
-    assert drawing.svg_of([], "nothing", dotted=True) is None
+    assert drawing.draw_svg([], "nothing", dotted=True) is None
     still = Trajectory([0.0, 0.1], [[0.0, 0.0], [0.0, 0.0]])
-    picture = fromstring(drawing.svg_of([still], "<a> & b", dotted=True))
+    picture = fromstring(drawing.draw_svg([still], "<a> & b", dotted=True))
     assert picture.find(f"{NAMES}title").text == "<a> & b"
-    assert drawing.MARK in picture.get("class")
+    assert drawing.INK_CLASS in picture.get("class")

@@ -1,4 +1,4 @@
-"""Our JSON keeps what it was given, whole or not at all, and refuses everything else in a sentence."""
+"""Our JSON keeps what it was given, or refuses it in a sentence."""
 
 import json
 import os
@@ -12,7 +12,12 @@ from hypothesis import strategies as st
 from dmp_teach.errors import PathError, RecordingError
 from dmp_teach.ink.alphabet import recording_of
 from dmp_teach.ink.recording import Recording
-from dmp_teach.ink.recording_json import from_json, read_json, to_json, write_json
+from dmp_teach.ink.recording_json import (
+    read_json,
+    recording_from_json,
+    recording_to_json,
+    write_json,
+)
 
 FILES = Path(__file__).parent / "files"
 numbers = st.floats(-1e6, 1e6, allow_nan=False)
@@ -32,13 +37,17 @@ def test_what_is_written_is_read_again_bit_for_bit(steps, begin, about, data):
         data.draw(st.lists(numbers, min_size=3 * len(t), max_size=3 * len(t))), (-1, 3)
     )
     strokes, force = (((0, len(t)),), t / t[-1]) if data.draw(st.booleans()) else (None, None)
-    again = from_json(to_json(Recording(t, position, *about, strokes, force)).encode(), "ink.json")
+    again = recording_from_json(
+        recording_to_json(Recording(t, position, *about, strokes, force)).encode(), "ink.json"
+    )
     assert np.array_equal(again.t, t)
     assert np.array_equal(again.position, position)
     assert (again.character, again.writer, again.baseline) == about
     assert again.given_strokes == strokes
     assert again.pressure is None if force is None else np.array_equal(again.pressure, force)
-    later = from_json(to_json(Recording(t + begin, position)).encode(), "ink.json")
+    later = recording_from_json(
+        recording_to_json(Recording(t + begin, position)).encode(), "ink.json"
+    )
     assert later.t[0] == 0.0, "no clock is kept"
     assert np.allclose(later.t, t, atol=1e-9)
 
@@ -197,7 +206,7 @@ def test_a_good_file_is_read(tmp_path):
 
 
 def test_version_1_is_read_for_ever():
-    """Written by the first program that wrote any; it began where it liked and its pressure meant nothing."""
+    """By the first program that wrote any; it began where it liked, its pressure meant nothing."""
     recording = read_json(FILES / "version_1.json")
     assert (recording.character, recording.writer, recording.baseline) == ("l", "writer-1", -0.01)
     assert recording.t.tolist() == [0.5, 0.6, 0.7]

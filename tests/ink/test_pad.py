@@ -1,4 +1,4 @@
-"""Ink from a pad: uneven events become an even stroke that goes through every point, and a recording like any other."""
+"""Ink from a pad: uneven events become an even stroke through every point, and a recording."""
 
 from dataclasses import replace
 from itertools import pairwise
@@ -11,7 +11,15 @@ from hypothesis import strategies as st
 import dmp_teach
 from dmp_teach.errors import RecordingError
 from dmp_teach.ink.alphabet import characters
-from dmp_teach.ink.pad import DOT, FEWEST, LIFT, LONGEST, RATE, pad_recording, pad_stroke
+from dmp_teach.ink.pad import (
+    DOT_RADIUS,
+    FEWEST_CURVE_POINTS,
+    LONGEST_PAD_STROKE,
+    PAD_LIFT_DURATION,
+    PAD_SAMPLE_RATE,
+    pad_recording,
+    pad_stroke,
+)
 
 
 def events(seed=0, seconds=1.2, begin=5.0, size=0.05, pressure=0.5):
@@ -34,7 +42,7 @@ def test_a_stroke_is_even_and_begins_and_ends_where_the_pen_did(rows):
     path = pad_stroke(rows).path
     steps = np.diff(path.t)
     assert np.allclose(steps, steps[0], atol=1e-6)
-    assert steps[0] == pytest.approx(1 / RATE, rel=0.05)
+    assert steps[0] == pytest.approx(1 / PAD_SAMPLE_RATE, rel=0.05)
     assert np.allclose(path.position[[0, -1]], rows[[0, -1], 1:3])
     assert path.duration == pytest.approx(np.ptp(rows[:, 0]))
 
@@ -53,7 +61,7 @@ def test_every_point_that_was_caught_lies_on_the_stroke_and_nothing_lies_beyond_
 
 
 def test_an_even_stroke_stays_as_it_is():
-    t = np.arange(121) / RATE
+    t = np.arange(121) / PAD_SAMPLE_RATE
     rows = np.column_stack([t, 0.05 * np.cos(3 * t), 0.05 * np.sin(3 * t), 0 * t])
     assert np.allclose(pad_stroke(rows).path.position, rows[:, 1:3], atol=1e-9)
 
@@ -104,7 +112,7 @@ def test_a_tap_is_a_dot_that_can_be_learned_and_written():
 def test_a_pen_that_trembles_makes_a_dot_and_one_that_goes_further_a_stroke():
     tremble = np.array([[0, 0, 0, 0.5], [0.02, 0.0008, 0, 0.5], [0.05, 0, 0.0008, 0.5]])
     assert pad_stroke(tremble).is_dot
-    tremble[1, 1] = 2 * DOT
+    tremble[1, 1] = 2 * DOT_RADIUS
     assert not pad_stroke(tremble).is_dot
 
 
@@ -137,7 +145,9 @@ def test_a_bow_is_too_fast_where_its_points_cut_it_off_however_many_there_are():
 def test_no_letter_at_its_own_tempo_is_too_fast_also_for_a_slow_pad(rate):
     for character in characters():
         for stroke in dmp_teach.recording_of(character).strokes():
-            caught = pad_stroke(sparsely(stroke, max(FEWEST, round(rate * stroke.duration))))
+            caught = pad_stroke(
+                sparsely(stroke, max(FEWEST_CURVE_POINTS, round(rate * stroke.duration)))
+            )
             assert not caught.is_blurred, character
 
 
@@ -176,7 +186,9 @@ def test_a_lift_lasts_as_long_as_a_hand_needs_whatever_the_clock_says(begins):
     assert recording.t[0] == 0
     assert [len(stroke) for stroke in ink] == [len(stroke.path) for stroke in strokes]
     for before, after in pairwise(ink):
-        assert LIFT[0] - 1e-9 <= after.t[0] - before.t[-1] <= LIFT[1] + 1e-9
+        assert (
+            PAD_LIFT_DURATION[0] - 1e-9 <= after.t[0] - before.t[-1] <= PAD_LIFT_DURATION[1] + 1e-9
+        )
 
 
 def test_a_lift_of_ordinary_length_is_kept():
@@ -208,7 +220,7 @@ def nan(rows):
         (events()[::-1], "ran backwards"),
         (np.zeros((100_000, 4)), "100000 points"),
         (events(size=7.0), "a pad reaches 1.0 m"),
-        (events(seconds=LONGEST + 3, size=0.1), "takes at most 60 s"),
+        (events(seconds=LONGEST_PAD_STROKE + 3, size=0.1), "takes at most 60 s"),
     ],
 )
 def test_what_cannot_be_a_stroke_is_refused_with_a_sentence(rows, words):

@@ -1,4 +1,4 @@
-"""Real recordings, cut where a person who looked at them would cut them, and writers drawn by lot."""
+"""Real recordings, cut where a person would cut them, and writers drawn by lot."""
 
 import csv
 from itertools import groupby
@@ -55,7 +55,7 @@ def test_a_recording_is_cut_where_a_person_would_cut_it(path):
 
 
 def ends(drawn):
-    """How far each end lies from the time between touch and first move, or last move and lift, shape (E,) [s]."""
+    """How far ends lie from the time between touch and first move, or last move and lift [s]."""
     found = find_strokes(drawn.t, drawn.page)
     if len(found) != len(drawn.ink):
         return np.array([np.inf])
@@ -69,7 +69,7 @@ def ends(drawn):
 
 @pytest.mark.parametrize("habit", HABITS)
 def test_writers_drawn_by_lot_are_cut_where_their_pens_wrote(habit):
-    """Dots (i) left out: one who rests beside a dot that is smaller than the marker's noise made no stroke for us."""
+    """No dots (i): who rests beside a dot smaller than the marker's noise made no stroke."""
     off = [ends(take(seed, habit=habit, letters="aDBePM")) for seed in range(25)]
     assert np.mean([each.max() < np.inf for each in off]) >= 0.97
     off = np.concatenate([each for each in off if each.max() < np.inf])

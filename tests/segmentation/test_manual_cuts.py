@@ -54,7 +54,7 @@ def test_joining_undoes_splitting_and_when_it_was_written_does_not_matter(stroke
         parts = recording.split(stroke, at)
         assert len(parts.strokes()) == 3
         assert sum(map(len, parts.strokes())) == sum(map(len, recording.strokes()))
-        assert ends(parts.joined(stroke)) == ends(recording)
+        assert ends(parts.merge_strokes(stroke)) == ends(recording)
         assert len(parts.without(stroke).strokes()) == 2
         np.testing.assert_allclose(ends(parts)[stroke + 1][0] - at, 0, atol=0.006)
 
@@ -71,6 +71,12 @@ def test_a_moved_cut_moves_one_end_and_moves_back(stroke, end, by):
         e for k, e in enumerate(np.ravel(old)) if k != 2 * stroke + side
     ]
     assert ends(moved.moved_cut(stroke, end, old[stroke][side])) == old
+
+
+def test_the_old_name_of_merging_stays_for_one_version():
+    parts = D.split(0, 0.9)
+    with pytest.warns(DeprecationWarning, match=r"now called Recording\.merge_strokes"):
+        assert ends(parts.joined(0)) == ends(parts.merge_strokes(0))
 
 
 def test_cuts_are_learned_and_saved(tmp_path):
@@ -108,7 +114,7 @@ def test_cuts_are_learned_and_saved(tmp_path):
             lambda d: d.split(0, 0.1),
             "Stroke 0 lasts from .* cannot be split at 0.100 s: both parts need 2 samples",
         ),
-        (lambda d: d.joined(1), "Stroke 1 is the last one"),
+        (lambda d: d.merge_strokes(1), "Stroke 1 is the last one"),
         (lambda d: d.without(0).without(0), "the only stroke"),
     ],
 )

@@ -1,8 +1,9 @@
-"""Writers drawn by lot: letters of our alphabets written with other sizes, speeds, habits of lifting and markers.
+"""Writers drawn by lot: our letters in other sizes, speeds, habits of lifting and markers.
 
-Unlike the scripts of `motive_csv.Pen`, whose steps are chosen, everything here is drawn from a seed: how the hand
-lands (at once, hovering, pausing over or on the paper), how it lifts (low, slowly, high), how it rests, hops before it
-writes or flies away, how the marker wanders and trembles. What the pen did is known: `Take.ink`.
+Unlike the scripts of `motive_csv.Pen`, whose steps are chosen, everything here is drawn from a
+seed: how the hand lands (at once, hovering, pausing over or on the paper), how it lifts (low,
+slowly, high), how it rests, hops before it writes or flies away, how the marker wanders and
+trembles. What the pen did is known: `Take.ink`.
 """
 
 from dataclasses import dataclass

@@ -32,7 +32,7 @@ from dmp_teach.formats.inkml.views import LABELS, Piece, Shown, annotation, lett
 from dmp_teach.formats.safe_xml import local
 from dmp_teach.formats.svg.pace import in_time
 from dmp_teach.ink import Recording
-from dmp_teach.segmentation import runs
+from dmp_teach.segmentation import find_runs
 from dmp_teach.trajectory import Array, Trajectory
 
 Context = tuple[Element | str, ...]
@@ -165,7 +165,7 @@ def _down(values: Array, form: Format, trace: Element) -> list[_Stroke]:
         t = times_of(column.get("T"), form, trace.get("timeOffset"), trace.get("duration"), len(xy))
     force = _pressure(column["F"], form.find("F")) if "F" in column else None
     seen = np.isfinite(xy).all(axis=1) & (True if t is None else np.isfinite(t))
-    parts = runs(column["S"] != 0) if "S" in column else [(0, len(xy))]
+    parts = find_runs(column["S"] != 0) if "S" in column else [(0, len(xy))]
     whole = _Stroke(t, xy, force, known, np.arange(1, len(xy) + 1))
     kept = [np.flatnonzero(seen[a:b]) + a for a, b in parts]
     return [whole.part(k) for k in kept if len(k)]

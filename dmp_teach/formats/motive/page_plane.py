@@ -12,7 +12,7 @@ from typing import Self
 import numpy as np
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.segmentation import find_strokes, lowpass_hertz, runs
+from dmp_teach.segmentation import find_runs, find_strokes, lowpass_hertz
 from dmp_teach.trajectory import Array
 
 AXES = {
@@ -101,7 +101,9 @@ def _check_side(t: Array, z: Array, up: str) -> None:
     """
     dt = float(np.median(np.diff(t)))
     rise = np.gradient(lowpass_hertz(z, dt, 12.0), t)
-    falls = [(a, b) for a, b in runs(rise < 0) if rise[a:b][z[a:b] < 0].min(initial=0.0) < -DIVE]
+    falls = [
+        (a, b) for a, b in find_runs(rise < 0) if rise[a:b][z[a:b] < 0].min(initial=0.0) < -DIVE
+    ]
     dives = any(z[a] < UNDER / 2 for a, _ in falls)
     if dives and np.mean(z < -UNDER) > 0.05 and np.mean(z > UNDER) < 0.01:
         other = {"+": "-", "-": "+"}[up[0]] + up[1]
