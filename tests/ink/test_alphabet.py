@@ -17,10 +17,12 @@ from dmp_teach.files.writing import ASSETS
 from dmp_teach.ink import alphabet
 from dmp_teach.ink.alphabet import SIGNS, alphabets, characters, file_name, recording_of, signs
 from dmp_teach.letters.letter import Letter
+from tests.laws import for_every
 
 EVERY = [(name, letter) for name in alphabets() for letter in characters(name)]
 PUNCTUATION = [(name, sign) for name in alphabets() for sign in signs(name)]
-STROKES = (  # how many strokes a letter has in the round hand, and in the slanted one; one where nothing is said
+# How many strokes a letter has in the round hand, and in the slanted one; else one.
+STROKES = (
     dict.fromkeys("fijtx457BDKMNPQRTXYkæœ", 2)
     | dict.fromkeys("AFHI", 3)
     | {"E": 4, "Æ": 5, "Œ": 5},
@@ -35,10 +37,8 @@ LANGUAGES = {  # what each wants beside a to z
     "Italian": "àèéìíîòóùú",
     "Swedish": "åäö",
 }
-every_sign = pytest.mark.parametrize(("name", "sign"), PUNCTUATION)
-every_letter = pytest.mark.parametrize(
-    ("name", "letter"), EVERY, ids=["-".join(pair) for pair in EVERY]
-)
+every_letter = for_every(EVERY)
+every_sign = for_every(PUNCTUATION)
 
 
 @cache
@@ -59,7 +59,7 @@ def written(name, letter):
 
 
 def strokes_taught(name, letter):
-    """In how many strokes a letter is written: those of its base, without the dot of an i, and those of its mark."""
+    """In how many strokes a letter is written: its base, without the dot of an i, and its mark."""
     base, *mark = normalize("NFD", letter)
     count = STROKES[alphabets().index(name)].get(base, 1)
     if not mark:
@@ -282,15 +282,16 @@ def test_every_sign_is_a_recording_that_is_found_stroke_by_stroke_and_learned(na
 
 @every_sign
 def test_a_sign_is_at_its_height(name, sign):
-    """Dots and commas at the line, a hyphen in the middle, apostrophes at the top of stems, brackets over all.
+    """Dots and commas at the line, a hyphen in the middle, apostrophes at the top of stems.
 
-    Signs on their heads begin where a small letter ends, and hang as deep as a g.
+    Brackets go over all. Signs on their heads begin where a small letter ends, and hang as deep as
+    a g.
     """
     ink = ink_of(recording_of(sign, name))[:, 1] / script().ALPHABETS[name][0].size
     low, high = {
-        **dict.fromkeys(".", (0, 0.1)), **dict.fromkeys(",", (-0.25, 0.1)), **dict.fromkeys(";", (-0.25, 0.7)),
-        **dict.fromkeys(":", (0, 0.7)), **dict.fromkeys("!?", (0, 1.85)), **dict.fromkeys("'\"", (1.55, 1.9)),
-        "-": (0.5, 0.5), **dict.fromkeys("()/", (-0.25, 1.95)), **dict.fromkeys("¿¡", (-0.84, 1.0)),
+        ".": (0, 0.1), ",": (-0.25, 0.1), ";": (-0.25, 0.7), ":": (0, 0.7), "-": (0.5, 0.5),
+        **dict.fromkeys("!?", (0, 1.85)), **dict.fromkeys("'\"", (1.55, 1.9)),
+        **dict.fromkeys("()/", (-0.25, 1.95)), **dict.fromkeys("¿¡", (-0.84, 1.0)),
         **dict.fromkeys("«»", (0.17, 0.84)), "+": (0.5, 1.22), "=": (0.66, 1.05),
     }[sign]  # fmt: skip
     assert ink.min() == pytest.approx(low, abs=0.06)

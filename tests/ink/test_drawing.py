@@ -11,6 +11,7 @@ import dmp_teach
 from dmp_teach.ink import svg_repr as drawing
 from dmp_teach.ink.alphabet import characters, signs
 from dmp_teach.trajectory import Trajectory
+from tests.laws import for_every
 
 ROOT = Path(__file__).parents[2]
 NAMES = "{http://www.w3.org/2000/svg}"
@@ -20,7 +21,7 @@ def numbers(path):
     return np.array(re.findall(r"-?[0-9.]+", path.get("d")), float)
 
 
-@pytest.mark.parametrize("character", [*characters(), *signs()])
+@for_every([(character,) for character in [*characters(), *signs()]])
 def test_every_letter_lies_on_its_sheet_with_a_circle_where_each_stroke_begins(character):
     recording = dmp_teach.recording_of(character)
     picture = fromstring(recording._repr_svg_())
