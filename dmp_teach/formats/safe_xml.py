@@ -1,58 +1,71 @@
-"""XML from strangers: no entities, nothing from elsewhere, no more elements and no deeper than ink needs."""
+"""XML from strangers: no entities, nothing from elsewhere, no more elements than ink needs."""
 
 from __future__ import annotations
 
 import math
+import re
 from xml.etree.ElementTree import Element, ParseError, TreeBuilder
+from xml.sax.saxutils import escape
 
 from defusedxml.common import DefusedXmlException, EntitiesForbidden
 from defusedxml.ElementTree import DefusedXMLParser
 
 from dmp_teach.errors import RecordingError
 
-LARGEST = 16_000_000  # [bytes]
-MOST = 100_000  # elements
-DEEPEST = 60  # elements inside one another
+LARGEST_XML = 16_000_000  # [bytes]
+MOST_ELEMENTS = 100_000
+DEEPEST_ELEMENT = 60  # elements inside one another
 CHUNK = 65_536  # [bytes]
+FIRST_TAG = re.compile(rb"<(?:[\w.-]+:)?([A-Za-z][\w.-]*)")
+NOT_IN_XML = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
 
-class _Counted(TreeBuilder):
+class _BoundedTree(TreeBuilder):
     """A tree that stops growing."""
 
-    def __init__(self):
+    def __init__(self) -> None:
         super().__init__()
         self.count = self.depth = 0
 
-    def start(self, tag: str, attrs: dict) -> Element:
-        """Count on the way in."""
-        self.count, self.depth = self.count + 1, self.depth + 1
-        if self.count > MOST or self.depth > DEEPEST:
+    def start(self, tag: str, attrs: dict[str, str]) -> Element:  # type: ignore[override]
+        """Count an element on the way in."""
+        self.count += 1
+        self.depth += 1
+        if self.count > MOST_ELEMENTS or self.depth > DEEPEST_ELEMENT:
             raise RecordingError(
-                f"has more than {MOST} elements, or more than {DEEPEST} inside one another; cut it."
+                f"has more than {MOST_ELEMENTS} elements, or more than {DEEPEST_ELEMENT} inside "
+                "one another; cut it."
             )
         return super().start(tag, attrs)
 
     def end(self, tag: str) -> Element:
-        """And on the way out."""
+        """Count it on the way out."""
         self.depth -= 1
         return super().end(tag)
 
 
-def parsed(data: bytes) -> Element:
-    """The root element of a file.
+def parse_xml(data: bytes, root_tag: str, what: str) -> Element:
+    """Return the root element of a file.
+
+    Args:
+        data: The file.
+        root_tag: The name that its root must have.
+        what: Names such files in a sentence.
 
     Raises:
-        RecordingError: Not well-formed XML, larger or deeper than ink needs, or with entities of its own.
+        RecordingError: Not well-formed XML, larger or deeper than ink needs, with entities of its
+            own, or with another root.
     """
-    if len(data) > LARGEST:
+    if len(data) > LARGEST_XML:
         raise RecordingError(
-            f"has {len(data) / 1e6:.0f} MB, but ink in XML has at most {LARGEST / 1e6:.0f}; cut it."
+            f"has {len(data) / 1e6:.0f} MB, but ink in XML has at most {LARGEST_XML / 1e6:.0f}; "
+            "cut it."
         )
-    parser = DefusedXMLParser(target=_Counted())
+    parser = DefusedXMLParser(target=_BoundedTree())
     try:
         for k in range(0, len(data), CHUNK):
             parser.feed(data[k : k + CHUNK])
-        return parser.close()
+        root = parser.close()
     except RecordingError:
         raise
     except EntitiesForbidden as error:
@@ -61,17 +74,40 @@ def parsed(data: bytes) -> Element:
         ) from None
     except (ParseError, DefusedXmlException, ValueError, LookupError) as error:
         raise RecordingError(f"is not well-formed XML: {error}. Save or export it again.") from None
+    if local_tag(root) != root_tag:
+        raise RecordingError(
+            f"is XML of the kind {local_tag(root)[:40]!r}, but must be {what} ({root_tag})."
+        )
+    return root
 
 
-def local(element: Element) -> str:
-    """An element's name without its namespace; nothing for what is no element."""
+def has_root(data: bytes, tag: str) -> bool:
+    """Tell from the beginning of a file whether it is XML with a root of this name."""
+    begin = data[:CHUNK].replace(b"\0", b"").lstrip(b"\xef\xbb\xbf\xff\xfe \t\r\n")
+    plain = b"".join(part.partition(b"<!--")[0] for part in begin.split(b"-->"))
+    first = FIRST_TAG.search(plain)
+    return begin.startswith(b"<") and first is not None and first[1] == tag.encode()
+
+
+def local_tag(element: Element) -> str:
+    """Return an element's name without its namespace; nothing for what is no element."""
     return element.tag.rpartition("}")[2] if isinstance(element.tag, str) else ""
 
 
-def number_of(text: str | None) -> float | None:
-    """The number that an attribute says; None where it says none."""
+def finite_number(text: str | None) -> float | None:
+    """Return the number in a text; None where there is none, or a far too large one."""
     try:
         value = float((text or "").replace("_", "x"))
     except ValueError:
         return None
     return value if math.isfinite(value) and abs(value) < 1e100 else None
+
+
+def only_xml_signs(text: str) -> str:
+    """Return text with a question mark for what XML cannot hold: signs for machines, half signs."""
+    return NOT_IN_XML.sub("?", text)
+
+
+def xml_text(text: str) -> str:
+    """Return text as XML has it between its elements."""
+    return escape(only_xml_signs(text), {"\r": "&#13;"})

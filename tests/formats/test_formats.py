@@ -17,6 +17,7 @@ from hypothesis import strategies as st
 
 from dmp_teach.errors import PathError, RecordingError
 from dmp_teach.formats.read import read_recording, read_recordings
+from dmp_teach.formats.registry import known_formats
 from dmp_teach.formats.write import write_recording
 from dmp_teach.ink.alphabet import recording_of
 from dmp_teach.ink.pen_lifts import add_lifts
@@ -26,6 +27,8 @@ from dmp_teach.trajectory import Trajectory
 from tests.formats.ink_files import d_inkml, loop, mat, uci
 from tests.formats.motive_csv import Pen, bar, lab, motive
 
+WRITTEN = [each.suffixes[0] for each in known_formats() if each.write]
+README = Path(__file__).parents[2] / "README.md"
 TOLERANCE = {
     ".json": (0.0, 0.0, 0.0),
     ".inkml": (1e-7, 1e-6, 1e-6),
@@ -79,7 +82,7 @@ def test_strokes_times_and_pressure_come_back(tmp_path_factory, suffix, once):
             )
 
 
-@pytest.mark.parametrize("suffix", [".json", ".inkml", ".svg"])
+@pytest.mark.parametrize("suffix", WRITTEN)
 def test_a_letter_that_was_learned_is_written_like_a_recording(tmp_path, suffix):
     strokes = Letter.learn(recording_of("D")).write(goal_shifts={1: (0.02, 0.0)})
     again = read_recording(write_recording(strokes, tmp_path / f"d{suffix}"))
@@ -124,7 +127,7 @@ text = st.text(
 @given(label=st.sampled_from(LABELS) | text, writer=st.sampled_from(["w01", "by", None]))
 def test_every_label_comes_back_as_it_was(tmp_path, label, writer):
     once = replace(recording_of("l"), character=label, writer=writer)
-    for suffix in (".json", ".inkml", ".svg"):
+    for suffix in WRITTEN:
         again = read_recording(write_recording(once, tmp_path / f"l{suffix}"))
         assert (again.character, again.writer) == (label, writer)
 
@@ -154,7 +157,7 @@ def test_ink_that_no_reader_takes_for_a_letter_is_not_written(tmp_path, suffix):
         assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.parametrize("suffix", [".json", ".inkml", ".svg"])
+@pytest.mark.parametrize("suffix", WRITTEN)
 @pytest.mark.parametrize("began", [41_000.25, 1.7e9])  # seconds since midnight, and since 1970
 def test_no_time_of_day_is_written(tmp_path, suffix, began):
     D = recording_of("D")
@@ -184,6 +187,18 @@ def test_what_is_in_a_file_decides_and_not_its_name(tmp_path):
         ):
             (tmp_path / name).write_bytes(data)
             assert len(read_recordings(tmp_path / name)) == 1
+
+
+def test_a_file_of_no_known_format_hears_which_ones_are_read(tmp_path):
+    (tmp_path / "a.pdf").write_bytes(b"%PDF-1.7 ...")
+    with pytest.raises(RecordingError, match=r"a\.pdf is in none of the formats that") as caught:
+        read_recording(tmp_path / "a.pdf")
+    assert [each.name for each in known_formats() if str(each) not in str(caught.value)] == []
+
+
+def test_the_readme_names_every_format():
+    text = README.read_text(encoding="utf-8")
+    assert [each.name for each in known_formats() if f"{each}" not in text] == []
 
 
 def test_files_of_one_letter_are_chosen_from_like_any_other(tmp_path):
@@ -243,7 +258,7 @@ def test_only_ink_is_written(tmp_path, ink):
         write_recording(ink, tmp_path / "a.svg")
 
 
-@pytest.mark.parametrize("suffix", [".json", ".inkml", ".svg"])
+@pytest.mark.parametrize("suffix", WRITTEN)
 def test_names_of_people_are_not_written(tmp_path, suffix):
     once = recording_of("l")
     with pytest.raises(
@@ -253,7 +268,7 @@ def test_names_of_people_are_not_written(tmp_path, suffix):
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.mark.parametrize("suffix", [".json", ".inkml", ".svg"])
+@pytest.mark.parametrize("suffix", WRITTEN)
 def test_a_disk_that_fails_leaves_what_was_there(tmp_path, monkeypatch, suffix):
     path = write_recording(recording_of("l"), tmp_path / f"a{suffix}")
     before = path.read_bytes()

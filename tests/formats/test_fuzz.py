@@ -10,7 +10,10 @@ import pickle
 import re
 import subprocess
 import sys
+import tempfile
 import zlib
+from importlib import import_module
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -19,11 +22,9 @@ from hypothesis import strategies as st
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.formats.read import read_recordings
+from dmp_teach.formats.registry import known_formats
 from dmp_teach.formats.write import write_recording
 from dmp_teach.ink.alphabet import recording_of
-from tests.formats.ink_files import d_strokes, inkml, lasa, loop, mat, trace, uci
-from tests.formats.motive_csv import Pen, bar, lab, motive
-from tests.formats.test_mat import VALUES
 
 HUGE = [
     "1e308",
@@ -42,82 +43,27 @@ QUIET = settings(max_examples=60, deadline=None, suppress_health_check=list(Heal
 THOROUGH = settings(max_examples=5000, deadline=None, suppress_health_check=list(HealthCheck))
 
 
-def good(folder):
-    """One small good file of every kind, by name."""
-    t, page = Pen().rest(0.3).draw(bar()).fly((0.2, 0.0), 0.1, 0.5).sampled(60)
-    files = {"a.csv": motive(folder / "x.csv", t, lab(page)).read_bytes()}
-    for name in ("a.json", "a.svg", "b.inkml"):
-        files[name] = write_recording(recording_of("i"), folder / name).read_bytes()
-    groups = "".join(
-        f'<traceGroup><annotation type="truth">D</annotation>{trace(s[::8])}</traceGroup>'
-        for s in d_strokes()
-    )
-    files["a.inkml"] = inkml(groups).encode()
-    files["c.inkml"] = inkml(
-        "<trace>10 20 0 100, 11'1\"2 7, * * * ?, 12 2 9 #1F</trace>" + trace(d_strokes()[0][::9])
-    ).encode()
-    body = '<g transform="rotate(9) scale(2)"><path d="M1 2c3 4 5 6 7 8s9 9 1 1q1 2 3 4t5 6a7 8 9 0 1 5 5z"/></g>'
-    body += '<circle r="4"/><rect width="9" height="3"/><polyline points="1 2 3,4"/>'
-    body += '<svg viewBox="0 0 9 9"><line x2="3"/></svg>'
-    files["b.svg"] = (
-        f'<svg width="9cm" viewBox="0 0 90 60"><title>a by w01</title>{body}</svg>'.encode()
-    )
-    small = [loop(1.0, 40), loop(1.2, 50)]
-    files["a.mat"] = mat(uci(small, labels=(1, 2), pad=(1, 2)), compressed=False)
-    files["b.mat"] = mat(lasa(small), compressed=True)
-    files["c.mat"] = mat(VALUES | {"mixout": uci(small)["mixout"]}, compressed=False)
-    return files | rich(folder, t, lab(page))
+def good_files():
+    """What is written of a letter in every format, and the `good_files` of the formats' own tests, by name."""
+    files, here = {}, Path(__file__).parent
+    with tempfile.TemporaryDirectory() as folder:
+        for suffix in WRITTEN:
+            path = write_recording(recording_of("i"), Path(folder) / f"written{suffix}")
+            files[path.name] = path.read_bytes()
+        for path in sorted(here.glob("test_*.py")):
+            if path.name != Path(__file__).name and "def good_files" in path.read_text("utf-8"):
+                files |= import_module(f"tests.formats.{path.stem}").good_files(Path(folder))
+    return files
 
 
-def rich(folder, t, world):
-    """Files that use what few do: a marker of two names, styles and views in drawings, views and mappings in ink."""
-    before, after = world.copy(), world.copy()
-    before[40:], after[:42] = np.nan, np.nan
-    two = motive(
-        folder / "y.csv",
-        t,
-        before,
-        ghosts=[("Unlabeled:5003", after)],
-        body=("Robot", (0.1, 0.2, 0.3)),
-    )
-    drawn = "<style>/* a */.h, #i{display:none!important} @media screen{path.k{fill:none}}</style>"
-    drawn += '<rect width="100%" height="100%" fill="#fff"/><g class="h"><path d="M1 1L3 9"/></g>'
-    drawn += (
-        '<svg x="9%" width="50%" height="5" viewBox="1 2 9 9" preserveAspectRatio="xMaxYMin slice">'
-    )
-    drawn += '<circle r="9%"/></svg><g style="transform:rotate(9deg);transform-origin:5% top"><path d="M0 0h9v9"/></g>'
-    drawn = f'<svg viewBox="0 0 90 60" data-character="ab" data-writer="w01">{drawn}</svg>'
-    group = "".join(trace(stroke[::9]) for stroke in d_strokes())
-    shown = (
-        f'<definitions><traceGroup xml:id="g" contextRef="#c">{group}</traceGroup></definitions>'
-    )
-    shown += '<context brushRef="#b"/><traceView traceDataRef="#g" from="1:2" to="2"/>'
-    turned = '<canvasTransform><mapping type="affine"><affine>1 0.5 0, 0 2 0</affine></mapping></canvasTransform>'
-    return {
-        "b.csv": two.read_bytes(),
-        "c.svg": drawn.encode(),
-        "d.inkml": inkml(shown, extra=turned).encode(),
-    }
+SUFFIXES = [suffix for each in known_formats() for suffix in each.suffixes]
+WRITTEN = [each.suffixes[0] for each in known_formats() if each.write]
+FILES = good_files()
 
 
-@pytest.fixture(scope="module")
-def files(tmp_path_factory):
-    return good(tmp_path_factory.mktemp("good"))
-
-
-NAMES = [
-    "a.csv",
-    "b.csv",
-    "a.json",
-    "a.svg",
-    "b.svg",
-    "c.svg",
-    "a.inkml",
-    "b.inkml",
-    "c.inkml",
-    "d.inkml",
-]
-NAMES += ["a.mat", "b.mat", "c.mat"]
+@pytest.mark.parametrize("suffix", SUFFIXES)
+def test_every_format_gives_files_to_be_damaged(suffix):
+    assert [name for name in FILES if name.endswith(suffix)], "its tests need a good_files(folder)"
 
 
 def letters_or_a_sentence(path, data):
@@ -139,14 +85,14 @@ def letters_or_a_sentence(path, data):
     return letters
 
 
-@pytest.mark.parametrize("name", NAMES)
-def test_good_files_are_read(tmp_path, files, name):
-    assert letters_or_a_sentence(tmp_path / name, files[name])
+@pytest.mark.parametrize("name", FILES)
+def test_good_files_are_read(tmp_path, name):
+    assert letters_or_a_sentence(tmp_path / name, FILES[name])
 
 
-@pytest.mark.parametrize("name", NAMES)
-def test_files_that_are_broken_off_anywhere(tmp_path, files, name):
-    data = files[name]
+@pytest.mark.parametrize("name", FILES)
+def test_files_that_are_broken_off_anywhere(tmp_path, name):
+    data = FILES[name]
     for end in np.unique(np.linspace(0, len(data) - 1, 60).astype(int)):
         letters_or_a_sentence(tmp_path / name, data[:end])
 
@@ -226,19 +172,19 @@ def run(path, data, changes):
     letters_or_a_sentence(path, data)
 
 
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", FILES)
 @QUIET
 @given(changes=st.lists(mutation(), min_size=1, max_size=3))
-def test_damaged_files(tmp_path, files, name, changes):
-    run(tmp_path / name, files[name], changes)
+def test_damaged_files(tmp_path, name, changes):
+    run(tmp_path / name, FILES[name], changes)
 
 
 @pytest.mark.thorough
-@pytest.mark.parametrize("name", NAMES)
+@pytest.mark.parametrize("name", FILES)
 @THOROUGH
 @given(changes=st.lists(mutation(), min_size=1, max_size=4))
-def test_many_damaged_files(tmp_path, files, name, changes):
-    run(tmp_path / name, files[name], changes)
+def test_many_damaged_files(tmp_path, name, changes):
+    run(tmp_path / name, FILES[name], changes)
 
 
 tree = st.recursive(
@@ -263,8 +209,8 @@ tree = st.recursive(
 )
 @example(field="samples", value=[[10**400, 0, 0, 0]])
 @example(field="strokes", value=[[0, 2**70]])
-def test_fields_of_any_kind_in_our_json(tmp_path, files, field, value):
-    content = json.loads(files["a.json"])
+def test_fields_of_any_kind_in_our_json(tmp_path, field, value):
+    content = json.loads(FILES["written.json"])
     content[field] = value
     letters_or_a_sentence(tmp_path / "a.json", json.dumps(content).encode())
 
@@ -410,7 +356,7 @@ class Trap:
         return (exec, ("raise SystemExit('a pickle was run')",))
 
 
-@pytest.mark.parametrize("suffix", [".json", ".csv", ".mat", ".inkml", ".svg", ".npy", ".pkl", ""])
+@pytest.mark.parametrize("suffix", [*SUFFIXES, ".npy", ".pkl", ""])
 def test_no_pickle_is_ever_run(tmp_path, suffix):
     array = io.BytesIO()
     np.save(array, np.array([Trap()], dtype=object), allow_pickle=True)

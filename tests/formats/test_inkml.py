@@ -10,6 +10,22 @@ from tests.formats.ink_files import FORCED, PLAIN, TIMED, d_inkml, d_strokes, in
 BODY = "".join(trace(stroke) for stroke in d_strokes())
 
 
+def good_files(_):
+    """For the tests of damaged files: labelled groups, abbreviated points, views."""
+    short = [trace(stroke[::8]) for stroke in d_strokes()]
+    label = '<annotation type="truth">D</annotation>'
+    groups = "".join(f"<traceGroup>{label}{each}</traceGroup>" for each in short)
+    points = "<trace>10 20 0 100, 11'1\"2 7, * * * ?, 12 2 9 #1F</trace>"
+    held = f'<traceGroup xml:id="g" contextRef="#c">{"".join(short)}</traceGroup>'
+    shown = f'<definitions>{held}</definitions><context brushRef="#b"/>'
+    shown += '<traceView traceDataRef="#g"/>'
+    return {
+        "a.inkml": inkml(groups).encode(),
+        "b.inkml": inkml(points + short[0]).encode(),
+        "c.inkml": inkml(shown).encode(),
+    }
+
+
 def read(tmp_path, text, encoding="utf-8", **which):
     path = tmp_path / "d.inkml"
     path.write_bytes(text.encode(encoding))

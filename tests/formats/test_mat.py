@@ -16,6 +16,18 @@ from dmp_teach.formats.mat.parser import read_mat
 from dmp_teach.formats.read import read_recording, read_recordings
 from tests.formats.ink_files import cells, lasa, loop, mat, uci
 
+
+def good_files(_):
+    """For the tests of damaged files."""
+    small = [loop(1.0, 40), loop(1.2, 50)]
+    letters = uci(small, labels=(1, 2), pad=(1, 2))
+    return {
+        "a.mat": mat(letters, compressed=False),
+        "b.mat": mat(lasa(small), compressed=True),
+        "c.mat": mat(VALUES | {"mixout": uci(small)["mixout"]}, compressed=False),
+    }
+
+
 PATHS = [loop(1.0, 160), loop(1.5, 200, 2.0), loop(0.75, 140)]
 
 

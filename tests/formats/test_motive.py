@@ -16,6 +16,18 @@ from tests.formats.test_reader import check_d, d_file, edited
 NOISE = np.random.default_rng(0).normal(0, 0.0004, (10_000, 3))
 
 
+def good_files(folder):
+    """For the tests of damaged files: a bar, and one whose marker has two names."""
+    t, page = Pen().rest(0.3).draw(bar()).fly((0.2, 0.0), 0.1, 0.5).sampled(60)
+    world = lab(page)
+    ghosts = [("Unlabeled:5003", only(world, 42, len(t)))]
+    before, robot = only(world, 0, 40), ("Robot", (0.1, 0.2, 0.3))
+    return {
+        "a.csv": motive(folder / "x.csv", t, world).read_bytes(),
+        "b.csv": motive(folder / "y.csv", t, before, ghosts=ghosts, body=robot).read_bytes(),
+    }
+
+
 def only(world, start, end):
     """A marker that is seen in the frames `start:end` only."""
     part = np.full_like(world, np.nan)

@@ -13,8 +13,8 @@ from hypothesis import strategies as st
 from svgelements import SVG, Path
 
 from dmp_teach.errors import RecordingError
+from dmp_teach.formats.hand_pace import in_time
 from dmp_teach.formats.read import read_recording
-from dmp_teach.formats.svg.pace import in_time
 from dmp_teach.formats.write import write_recording
 from dmp_teach.ink.alphabet import recording_of
 
@@ -45,6 +45,22 @@ def check_hook(recording):
     assert np.minimum(np.abs(path[:, 0]), np.abs(path[:, 1])).max() < 1e-6, (
         "the ink stays where it was drawn"
     )
+
+
+def good_files(_):
+    """For the tests of damaged files: shapes, then styles and views."""
+    way = "M1 2c3 4 5 6 7 8s9 9 1 1q1 2 3 4t5 6a7 8 9 0 1 5 5z"
+    body = f'<title>a by w01</title><g transform="rotate(9) scale(2)"><path d="{way}"/></g>'
+    body += '<circle r="4"/><rect width="9" height="3"/><polyline points="1 2 3,4"/>'
+    body += '<svg viewBox="0 0 9 9"><line x2="3"/></svg>'
+    drawn = "<style>/* a */.h, #i{display:none!important} path.k{fill:none}</style>"
+    drawn += '<rect width="100%" height="100%" fill="#fff"/><g class="h"><path d="M1 1L3 9"/></g>'
+    drawn += '<svg x="9%" width="50%" height="5" viewBox="1 2 9 9"><circle r="9%"/></svg>'
+    drawn += '<g style="stroke:red" transform="rotate(9 5 5)"><path d="M0 0h9v9"/></g>'
+    return {
+        "a.svg": svg(body, 'width="9cm" viewBox="0 0 90 60"').encode(),
+        "b.svg": svg(drawn, 'viewBox="0 0 90 60" data-character="ab" data-writer="w01"').encode(),
+    }
 
 
 L = '<path d="M10 20 V60 H40"/>'

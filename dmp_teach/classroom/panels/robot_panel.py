@@ -14,6 +14,7 @@ import traitlets
 from dmp_teach.classroom.panels.background_job import Job, StopPressed
 from dmp_teach.classroom.panels.resting import RESTING
 from dmp_teach.errors import ReachWarning, TeachError
+from dmp_teach.formats import known_formats
 from dmp_teach.ink import Recording, characters
 from dmp_teach.robot import Motion, Page
 from dmp_teach.trajectory import Trajectory
@@ -66,6 +67,7 @@ class RobotPanel(anywidget.AnyWidget):
     work = traitlets.Dict(_IDLE).tag(sync=True)
     older = traitlets.Bool(False).tag(sync=True)
     scene = anywidget.WidgetTrait().tag(sync=True)
+    files = traitlets.Dict(read_only=True).tag(sync=True)
     own_id = traitlets.Unicode().tag(
         sync=True
     )  # by it the panel keeps itself out of saved notebooks ...
@@ -81,6 +83,13 @@ class RobotPanel(anywidget.AnyWidget):
         super().__init__(**traits)
         self.own_id = self.model_id
         self.on_msg(self._hear)
+
+    @traitlets.default("files")
+    def _files_that_open(self) -> dict[str, str]:
+        """Return the formats that a panel reads, for its file button."""
+        names = [each.name for each in known_formats()]
+        suffixes = [suffix for each in known_formats() for suffix in each.suffixes]
+        return {"accept": ",".join(suffixes), "names": f"{', '.join(names[:-1])} or {names[-1]}"}
 
     def load(self, recording: Recording | str | Path) -> None:
         """Show a recording of one's own."""

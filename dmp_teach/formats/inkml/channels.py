@@ -15,7 +15,7 @@ from xml.etree.ElementTree import Element
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.formats.inkml.mappings import Named, canvas_matrix, channel_line
-from dmp_teach.formats.safe_xml import local, number_of
+from dmp_teach.formats.safe_xml import finite_number, local_tag
 from dmp_teach.trajectory import Array
 
 ID = "{http://www.w3.org/XML/1998/namespace}id"
@@ -66,7 +66,7 @@ class Channel:
 
 
 @dataclass(frozen=True)
-class Format:
+class TraceFormat:
     """What the values of a trace mean.
 
     Args:
@@ -104,12 +104,12 @@ class Contexts:
         self._named |= {
             key: each for each in root.iter() for key in (each.get(ID), each.get("id")) if key
         }
-        contexts = [each for each in root.iter() if local(each) == "context"]
-        loose = [each for each in root if local(each) in ("traceFormat", "inkSource")]
+        contexts = [each for each in root.iter() if local_tag(each) == "context"]
+        loose = [each for each in root if local_tag(each) in ("traceFormat", "inkSource")]
         self._usual = [*(contexts if len(contexts) == 1 else ()), *loose]
-        self._read: dict[tuple[int, ...], Format] = {}
+        self._read: dict[tuple[int, ...], TraceFormat] = {}
 
-    def of(self, contexts: Sequence[Element]) -> Format:
+    def of(self, contexts: Sequence[Element]) -> TraceFormat:
         """The format that holds in a context; what it does not say is said by the next one, or by the file."""
         chain = tuple({id(each): each for each in (*contexts, *self._usual)}.values())
         key = tuple(map(id, chain))
@@ -132,29 +132,29 @@ class Contexts:
             )
         return self._named[name]
 
-    def _format(self, chain: Sequence[Element]) -> Format:
+    def _format(self, chain: Sequence[Element]) -> TraceFormat:
         """What contexts, an ink source or a trace format say."""
         parts: list[Element] = []
         for each in chain:
             parts += self._parts(each)
-            if any(local(part) == "traceFormat" for part in parts):
+            if any(local_tag(part) == "traceFormat" for part in parts):
                 break
-        found = {local(each): each for each in reversed(parts)}
+        found = {local_tag(each): each for each in reversed(parts)}
         source = found.get("inkSource")
         channels = tuple(_channels(found.get("traceFormat", _x_and_y()), source, self.named))
         canvas = canvas_matrix(found.get("canvasTransform"), self.named)
         if canvas is None:
-            return Format(channels, _rate(source))
-        return Format(channels, _rate(source), canvas, self._page(parts))
+            return TraceFormat(channels, _rate(source))
+        return TraceFormat(channels, _rate(source), canvas, self._page(parts))
 
     def _page(self, parts: Sequence[Element]) -> tuple[Channel, Channel] | None:
         """The channels X and Y of the canvas that the nearest context names; None where it says nothing of them."""
         for part in parts:
-            canvas = next((each for each in part if local(each) == "canvas"), None)
+            canvas = next((each for each in part if local_tag(each) == "canvas"), None)
             canvas = self.named(part.get("canvasRef")) if canvas is None else canvas
             form = None if canvas is None else self.named(canvas.get("traceFormatRef"))
             for each in canvas if canvas is not None else ():
-                form = each if local(each) == "traceFormat" else form
+                form = each if local_tag(each) == "traceFormat" else form
             if form is not None:
                 channels = {channel.name: channel for channel in _channels(form, None, self.named)}
                 return channels["X"], channels["Y"]
@@ -167,7 +167,7 @@ class Contexts:
             each = queue.pop(0)
             seen += 1
             yield each
-            queue += [child for child in each if local(child) in PARTS]
+            queue += [child for child in each if local_tag(child) in PARTS]
             for name in ("traceFormatRef", "inkSourceRef", "canvasTransformRef", "contextRef"):
                 if (other := self.named(each.get(name))) is not None:
                     queue.append(other)
@@ -175,7 +175,7 @@ class Contexts:
 
 def speaks(context: Element) -> bool:
     """Whether a context says anything of what its traces mean; one that only has a brush does not."""
-    said = any(local(child) in PARTS for child in context)
+    said = any(local_tag(child) in PARTS for child in context)
     return said or any(context.get(f"{name}Ref") for name in PARTS)
 
 
@@ -188,10 +188,12 @@ def _x_and_y() -> Element:
 
 def _channels(form: Element, source: Element | None, named: Named) -> list[Channel]:
     """The channels of a trace format: the regular ones, then those that may be left out."""
-    regular = [each for each in form if local(each) == "channel"]
-    holder = [each for each in form if local(each) in ("intermittentChannels", "regularChannels")]
-    regular += [each for part in holder if local(part) == "regularChannels" for each in part]
-    others = [each for part in holder if local(part) == "intermittentChannels" for each in part]
+    regular = [each for each in form if local_tag(each) == "channel"]
+    holder = [
+        each for each in form if local_tag(each) in ("intermittentChannels", "regularChannels")
+    ]
+    regular += [each for part in holder if local_tag(part) == "regularChannels" for each in part]
+    others = [each for part in holder if local_tag(part) == "intermittentChannels" for each in part]
     if len(regular) + len(others) > MOST:
         raise RecordingError(
             f"has {len(regular) + len(others)} channels, but a pen has at most {MOST}."
@@ -212,7 +214,7 @@ def _channel(
 ) -> Channel:
     """One channel, its unit worked out."""
     name, unit = element.get("name") or "", (element.get("units") or "").strip().lower()
-    low, high = number_of(element.get("min")), number_of(element.get("max"))
+    low, high = finite_number(element.get("min")), finite_number(element.get("max"))
     scale = METRES.get(unit) if name in ("X", "Y") else SECONDS.get(unit) if name == "T" else None
     if name in steps and (scale is None or element.get("type") == "integer"):
         scale = steps[name]
@@ -232,9 +234,9 @@ def _resolutions(source: Element | None) -> dict[str, float]:
         match = re.fullmatch(
             r"(?:1|dev|points?|counts?)/([a-zµ]{1,10})", (each.get("units") or "").strip().lower()
         )
-        if local(each) == "channelProperty" and each.get("name") == "resolution" and match:
+        if local_tag(each) == "channelProperty" and each.get("name") == "resolution" and match:
             unit = (METRES | SECONDS).get(match[1])
-            value = number_of(each.get("value"))
+            value = finite_number(each.get("value"))
             if unit and value and value > 0:
                 found[each.get("channel") or ""] = unit / value
     return found
@@ -242,10 +244,12 @@ def _resolutions(source: Element | None) -> dict[str, float]:
 
 def _area(source: Element | None) -> dict[str, float]:
     """How large the device's active area is [m]."""
-    areas = [each for each in source if local(each) == "activeArea"] if source is not None else []
+    areas = (
+        [each for each in source if local_tag(each) == "activeArea"] if source is not None else []
+    )
     unit = METRES.get((areas[0].get("units") or "").strip().lower()) if areas else None
     sizes = (
-        {"X": number_of(areas[0].get("width")), "Y": number_of(areas[0].get("height"))}
+        {"X": finite_number(areas[0].get("width")), "Y": finite_number(areas[0].get("height"))}
         if unit
         else {}
     )
@@ -254,6 +258,8 @@ def _area(source: Element | None) -> dict[str, float]:
 
 def _rate(source: Element | None) -> float | None:
     """How often the device looked [1/s]."""
-    rates = [each for each in source if local(each) == "sampleRate"] if source is not None else []
-    value = number_of(rates[0].get("value")) if rates else None
+    rates = (
+        [each for each in source if local_tag(each) == "sampleRate"] if source is not None else []
+    )
+    value = finite_number(rates[0].get("value")) if rates else None
     return value if value is not None and 0.1 <= value <= 1e5 else None

@@ -11,7 +11,7 @@ from xml.etree.ElementTree import Element
 import numpy as np
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.formats.safe_xml import local, number_of
+from dmp_teach.formats.safe_xml import finite_number, local_tag
 from dmp_teach.trajectory import Array
 
 Named = Callable[[str | None], Element | None]
@@ -33,16 +33,18 @@ def channel_line(channel: Element, named: Named) -> tuple[float, float]:
 
 def _affine(holder: Element, sources: tuple[str, ...], what: str, named: Named) -> Array | None:
     """The matrix of the first mapping in an element, as many rows as sources and a column more."""
-    mapping = next((each for each in holder if local(each) == "mapping"), None)
+    mapping = next((each for each in holder if local_tag(each) == "mapping"), None)
     if mapping is not None and mapping.get("mappingRef"):
         mapping = named(mapping.get("mappingRef"))
     if mapping is None:
         return None
-    inner = next((each for each in mapping if local(each) == "affine"), None)
+    inner = next((each for each in mapping if local_tag(each) == "affine"), None)
     kind = (mapping.get("type") or ("unknown" if inner is None else "affine")).strip().lower()
     if kind in ("identity", "unknown"):
         return None
-    bound = [each.get("source") for each in mapping if local(each) == "bind" and each.get("source")]
+    bound = [
+        each.get("source") for each in mapping if local_tag(each) == "bind" and each.get("source")
+    ]
     if kind != "affine" or bound not in ([], list(sources)):
         kind = kind if kind != "affine" else f"affine of {', '.join(bound)}"
         raise RecordingError(
@@ -55,7 +57,7 @@ def _affine(holder: Element, sources: tuple[str, ...], what: str, named: Named) 
 def _matrix(text: str, rows: int, what: str) -> Array:
     """A matrix from its rows, with commas between them; a missing last column is 0."""
     found = [
-        [number_of(word) for word in row.split()]
+        [finite_number(word) for word in row.split()]
         for row in text.strip().strip(",").split(",")[: rows + 1]
     ]
     widths = {len(row) for row in found}

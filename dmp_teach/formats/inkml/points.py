@@ -13,7 +13,7 @@ import re
 import numpy as np
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.formats.inkml.channels import Format
+from dmp_teach.formats.inkml.channels import TraceFormat
 from dmp_teach.trajectory import Array
 
 TOKEN = re.compile(
@@ -45,7 +45,7 @@ class _Counter:
         return self.value
 
 
-def points_of(text: str, form: Format, most: int = MOST) -> Array:
+def points_of(text: str, form: TraceFormat, most: int = MOST) -> Array:
     """The points of a trace, shape (K, C), a column for each channel; NaN where a value is not known.
 
     Args:

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass, field
+from functools import partial
 from xml.etree.ElementTree import Element
 
 import numpy as np
@@ -19,18 +20,20 @@ from dmp_teach.errors import RecordingError
 from dmp_teach.formats.flat_ink import (
     check_size,
     flat_recording,
-    label_of,
-    millimetres,
+    label_from,
+    lengths_in_mm,
     own_label,
+    pseudonym_from,
     usual_scale,
-    writer_of,
 )
-from dmp_teach.formats.inkml.channels import Channel, Contexts, Format, speaks
+from dmp_teach.formats.hand_pace import in_time
+from dmp_teach.formats.inkml.channels import Channel, Contexts, TraceFormat, speaks
 from dmp_teach.formats.inkml.points import MOST, points_of
 from dmp_teach.formats.inkml.timing import one_clock, times_of
 from dmp_teach.formats.inkml.views import LABELS, Piece, Shown, annotation, letters_of
-from dmp_teach.formats.safe_xml import local
-from dmp_teach.formats.svg.pace import in_time
+from dmp_teach.formats.inkml.writer import write_inkml
+from dmp_teach.formats.registry import CaptureOptions, Format, name_file
+from dmp_teach.formats.safe_xml import has_root, local_tag, parse_xml
 from dmp_teach.ink import Recording
 from dmp_teach.segmentation import find_runs
 from dmp_teach.trajectory import Array, Trajectory
@@ -67,15 +70,14 @@ class _Ink:
     continued: set[Element] = field(default_factory=set)
 
 
-def read_inkml(root: Element) -> tuple[Recording, ...]:
-    """The letters of an InkML file.
-
-    Args:
-        root: The file's root element.
+@name_file
+def read_inkml(data: bytes, _name: str, _: CaptureOptions) -> tuple[Recording, ...]:
+    """Read the letters of an InkML file.
 
     Raises:
         RecordingError: No ink in it, a reference that leads nowhere, or a trace that cannot be.
     """
+    root = parse_xml(data, "ink", "InkML")
     ink = _Ink(Contexts(root))
     shown = Shown(ink.contexts.named)
     for trace, context in _shown_traces(root, {id(trace) for trace, *_ in shown.pieces(root)}):
@@ -98,11 +100,11 @@ def _shown_traces(root: Element, shown: set[int]) -> Iterator[tuple[Element, Con
     """Every trace that is shown, in the order of the file, and the contexts that hold for it, the nearest first."""
     current: Context = ()
     for element in root:
-        if local(element) == "context":
+        if local_tag(element) == "context":
             current = (element, *filter(speaks, current))[:MOST_CONTEXTS]
         yield from _traces(element, current)
     for element in root:
-        if local(element) == "definitions":
+        if local_tag(element) == "definitions":
             for child in element:
                 yield from (
                     (trace, context) for trace, context in _traces(child, ()) if id(trace) in shown
@@ -112,9 +114,9 @@ def _shown_traces(root: Element, shown: set[int]) -> Iterator[tuple[Element, Con
 def _traces(element: Element, context: Context) -> Iterator[tuple[Element, Context]]:
     """Every trace under an element, and the contexts, or references to them, that hold for it."""
     here = (element.get("contextRef"), *context) if element.get("contextRef") else context
-    if local(element) == "trace":
+    if local_tag(element) == "trace":
         yield element, here
-    elif local(element) == "traceGroup":
+    elif local_tag(element) == "traceGroup":
         for child in element:
             yield from _traces(child, here)
 
@@ -157,7 +159,7 @@ def _joined(a: _Stroke, b: _Stroke) -> _Stroke:
     )
 
 
-def _down(values: Array, form: Format, trace: Element) -> list[_Stroke]:
+def _down(values: Array, form: TraceFormat, trace: Element) -> list[_Stroke]:
     """The strokes of one trace: its points whose place is known, cut where the tip is off the paper."""
     with np.errstate(all="ignore"):
         column = {c.name: values[:, k] * c.line[0] + c.line[1] for k, c in enumerate(form.channels)}
@@ -231,7 +233,7 @@ def _letter(
     else:
         laid = one_clock([(stroke.t, row) for stroke, row in zip(strokes, rows, strict=True)])
     origin, baseline = (
-        millimetres(annotation(root, (name,)), count)
+        lengths_in_mm(annotation(root, (name,)), count)
         for name, count in (("origin", 2), ("baseline", 1))
     )
     label = annotation(group, LABELS)
@@ -239,7 +241,10 @@ def _letter(
         [Trajectory(t, row[:, :2]) for t, row in laid],
         [row[:, 2] for _, row in laid] if forced else None,
         origin,
-        character=label_of(label) if origin is None else own_label(label),
-        writer=writer_of(annotation(group, ("writer",)) or annotation(root, ("writer",))),
+        character=label_from(label) if origin is None else own_label(label),
+        writer=pseudonym_from(annotation(group, ("writer",)) or annotation(root, ("writer",))),
         baseline=None if baseline is None or origin is None else float(baseline[0]),
     )
+
+
+FORMAT = Format("InkML", (".inkml",), partial(has_root, tag="ink"), read_inkml, write_inkml)

@@ -7,9 +7,9 @@ from collections.abc import Sequence
 import numpy as np
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.formats.inkml.channels import Format
-from dmp_teach.formats.safe_xml import number_of
-from dmp_teach.formats.svg.pace import PAUSE
+from dmp_teach.formats.hand_pace import PAUSE
+from dmp_teach.formats.inkml.channels import TraceFormat
+from dmp_teach.formats.safe_xml import finite_number
 from dmp_teach.trajectory import Array
 
 TAP = 0.02  # how long a single point lasts [s]
@@ -19,7 +19,7 @@ LONGEST = 3600.0  # nobody writes one stroke so long [s]
 
 
 def times_of(
-    values: Array | None, form: Format, offset: str | None, duration: str | None, count: int
+    values: Array | None, form: TraceFormat, offset: str | None, duration: str | None, count: int
 ) -> Array | None:
     """The times of a trace (K,) [s]; None where the file does not tell them.
 
@@ -33,7 +33,7 @@ def times_of(
     Raises:
         RecordingError: No unit, and milliseconds would be too slow for any pen.
     """
-    begin = 0.001 * (number_of(offset) or 0.0)
+    begin = 0.001 * (finite_number(offset) or 0.0)
     if (
         values is not None
         and np.isfinite(values).any()
@@ -51,7 +51,7 @@ def times_of(
         return begin + values * scale
     if form.rate is not None:
         return begin + np.arange(count) / form.rate
-    seconds = 0.001 * (number_of(duration) or 0.0)
+    seconds = 0.001 * (finite_number(duration) or 0.0)
     return begin + np.linspace(0.0, seconds, count) if seconds > 0 and count > 1 else None
 
 

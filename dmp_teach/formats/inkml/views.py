@@ -11,7 +11,7 @@ from collections.abc import Callable, Iterator
 from xml.etree.ElementTree import Element
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.formats.safe_xml import DEEPEST, local
+from dmp_teach.formats.safe_xml import DEEPEST_ELEMENT, local_tag
 
 LABELS = ("truth", "label", "character", "symbol", "transcription", "text")
 HOLDERS = ("traceGroup", "traceView")
@@ -26,14 +26,16 @@ Named = Callable[[str | None], Element | None]
 def annotation(element: Element, kinds: tuple[str, ...]) -> str | None:
     """What an annotation of one of these types says, the first of them; None where there is none."""
     for each in element:
-        if local(each) == "annotation" and (each.get("type") or "").lower() in kinds:
+        if local_tag(each) == "annotation" and (each.get("type") or "").lower() in kinds:
             return each.text or ""
     return None
 
 
 def letters_of(root: Element, named: Named) -> list[Element]:
     """What is a letter: the innermost groups and views with a label; the whole file where there is none."""
-    labelled = [each for each in root.iter() if local(each) in HOLDERS and annotation(each, LABELS)]
+    labelled = [
+        each for each in root.iter() if local_tag(each) in HOLDERS and annotation(each, LABELS)
+    ]
     holders = _holders(root, {id(each) for each in labelled})
     inner = [
         each
@@ -57,7 +59,7 @@ def _leads(part: Element, letter: Element, holders: set[int], named: Named) -> b
     """Whether a part of a letter leads to another label."""
     if part is not letter and id(part) in holders:
         return True
-    target = named(part.get("traceDataRef")) if local(part) == "traceView" else None
+    target = named(part.get("traceDataRef")) if local_tag(part) == "traceView" else None
     return target is not None and target is not letter and id(target) in holders
 
 
@@ -78,11 +80,11 @@ class Shown:
     def _pieces(self, element: Element, first: tuple, last: tuple, depth: int) -> Iterator[Piece]:
         """What an element shows from one place in it to another."""
         self._count += 1
-        if depth > DEEPEST or self._count > MOST:
+        if depth > DEEPEST_ELEMENT or self._count > MOST:
             raise RecordingError(
-                f"has views of views that are more than {DEEPEST} deep, or show more than {MOST} traces; view traces."
+                f"has views of views that are more than {DEEPEST_ELEMENT} deep, or show more than {MOST} traces; view traces."
             )
-        if local(element) == "trace":
+        if local_tag(element) == "trace":
             if max(len(first), len(last)) > 1:
                 raise RecordingError(
                     "has a view of a part of a point; 'from' and 'to' must end with a point."
@@ -96,7 +98,7 @@ class Shown:
     def _viewed(self, view: Element, first: tuple, last: tuple, depth: int) -> Iterator[Piece]:
         """What a view shows of another element."""
         target = self._named(view.get("traceDataRef"))
-        if local(target) not in INK:
+        if local_tag(target) not in INK:
             raise RecordingError(
                 f"has a view of {view.get('traceDataRef')[:60]!r}, which is no trace and no group."
             )
@@ -109,7 +111,7 @@ class Shown:
 
     def _children(self, element: Element, first: tuple, last: tuple, depth: int) -> Iterator[Piece]:
         """What the children of a group show."""
-        children = [child for child in element if local(child) in INK]
+        children = [child for child in element if local_tag(child) in INK]
         begin, end = first[0] if first else 1, last[0] if last else len(children)
         if (first or last) and not 1 <= begin <= end <= len(children):
             raise RecordingError(
@@ -125,7 +127,7 @@ def _path(view: Element, name: str) -> tuple[int, ...]:
     """What `from` or `to` says; nothing where it is not said."""
     text = (view.get(name) or "").strip()
     words = text.split(":") if text else []
-    if len(words) > DEEPEST or not all(
+    if len(words) > DEEPEST_ELEMENT or not all(
         word.isascii() and word.isdigit() and len(word) < 10 for word in words
     ):
         raise RecordingError(

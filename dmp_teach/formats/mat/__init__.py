@@ -1,1 +1,3 @@
-"""MATLAB's files: Character Trajectories and LASA."""
+"""The field's reference sets in MATLAB's files."""
+
+from dmp_teach.formats.mat.reader import FORMAT as FORMAT

@@ -19,8 +19,9 @@ from typing import Any
 import numpy as np
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.formats.flat_ink import flat_recording, label_of, usual_scale
-from dmp_teach.formats.mat.parser import read_mat
+from dmp_teach.formats.flat_ink import flat_recording, label_from, usual_scale
+from dmp_teach.formats.mat.parser import HDF5, read_mat
+from dmp_teach.formats.registry import CaptureOptions, Format, name_file
 from dmp_teach.ink import Recording
 from dmp_teach.trajectory import Array, Trajectory
 
@@ -29,8 +30,14 @@ MOST = 100_000  # samples in one letter
 FEWEST = 5
 
 
-def read_sets(data: bytes, name: str) -> tuple[Recording, ...]:
-    """The letters of a `.mat` file of either set.
+def _begins_like_mat(data: bytes) -> bool:
+    """Tell whether a file is MATLAB's, of any version since 5."""
+    return data.startswith((b"MATLAB", HDF5)) or data[512:520] == HDF5
+
+
+@name_file
+def read_sets(data: bytes, name: str, _: CaptureOptions) -> tuple[Recording, ...]:
+    """Read the letters of a `.mat` file of either set.
 
     Args:
         data: The file.
@@ -115,7 +122,7 @@ def _labels(consts: Any, count: int) -> list[str | None]:
             f"consts.charlabels[{odd[0]}] is {places[odd[0]]:g}, but consts.key has 1 to {len(key)}."
         )
     return [
-        label_of(key[int(place) - 1]) if isinstance(key[int(place) - 1], str) else None
+        label_from(key[int(place) - 1]) if isinstance(key[int(place) - 1], str) else None
         for place in places
     ]
 
@@ -174,3 +181,6 @@ def _numbered(name: str, number: int, make: Callable[[], Any]) -> Any:
         return make()
     except ValueError as error:
         raise RecordingError(f"{name}, letter {number}: {error}") from None
+
+
+FORMAT = Format("MATLAB", (".mat",), _begins_like_mat, read_sets)

@@ -1,1 +1,3 @@
-"""Motion capture as Motive exports it."""
+"""Motion capture as OptiTrack's Motive exports it."""
+
+from dmp_teach.formats.motive.reader import FORMAT as FORMAT

@@ -11,13 +11,17 @@ from pathlib import Path
 import numpy as np
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.formats.flat_ink import LARGEST
+from dmp_teach.formats.flat_ink import LARGEST_INK
 from dmp_teach.formats.motive.page_plane import find_page, level_axes
 from dmp_teach.formats.motive.take import Take, read_take
+from dmp_teach.formats.registry import CaptureOptions, Format
 from dmp_teach.ink import Recording
 from dmp_teach.segmentation import find_strokes
 from dmp_teach.trajectory import Array
 
+HEADER = re.compile(
+    rb"(?:^|[\r\n])[^,;\r\n]{0,8}frame[\"\t ]{0,8}[,;\t][\"\t ]{0,8}time", re.IGNORECASE
+)
 SHORT = 0.1  # a gap up to this long is filled with a straight line anywhere; a longer one only off the ink [s]
 FEWEST = 20  # fewer samples are no letter
 DOT = 0.15  # of the lift after a dot so much is kept, and so much again until it is one [s]
@@ -31,10 +35,16 @@ FLAT = 3.0  # ink lies this much wider on its paper than off it
 SMALLEST = 0.004  # no marker at a hand that writes moves less [m]
 
 
-def read_motive(data: bytes, name: str, marker: str | None, up: str, right: str) -> Recording:
-    """The letter in a Motive CSV file; arguments and errors as `read_recording`."""
+def has_motive_header(data: bytes) -> bool:
+    """Tell whether a file has the row `Frame,Time`."""
+    return HEADER.search(data[:100_000].replace(b"\0", b"")) is not None
+
+
+def read_motive(data: bytes, name: str, options: CaptureOptions) -> tuple[Recording, ...]:
+    """Read the letter in a Motive CSV file; errors as `read_recording`."""
+    up, right = options.up, options.right
     level_axes(up, right)
-    take = _seen(read_take(data, name, marker))
+    take = _seen(read_take(data, name, options.marker))
     filled = replace(take, position=_filled(take))
     _check_size(take, filled.position)
     try:
@@ -48,7 +58,7 @@ def read_motive(data: bytes, name: str, marker: str | None, up: str, right: str)
     ink = np.concatenate([position[a:b] for a, b in strokes])
     position = position - [*ink[:, :2].min(axis=0), np.median(ink[:, 2])]
     character, writer = _labels(take.name)
-    return Recording(take.t[start:end], position[start:end], character, writer)
+    return (Recording(take.t[start:end], position[start:end], character, writer),)
 
 
 def _settled(t: Array, position: Array) -> tuple[list[tuple[int, int]], tuple[int, int]]:
@@ -140,9 +150,9 @@ def _speed(take: Take, one: int, other: int, strokes: list[tuple[int, int]]) -> 
 def _check_size(take: Take, position: Array) -> None:
     """Raise where the whole way of the marker is far larger or smaller than a hand's."""
     size = float(np.ptp(position, axis=0).max())
-    if not SMALLEST < size < LARGEST:
+    if not SMALLEST < size < LARGEST_INK:
         away = np.abs(take.position - np.nanmedian(take.position, axis=0)).max(axis=1)
-        astray = np.nanmax(away) > LARGEST / 2 > np.nanmedian(away)
+        astray = np.nanmax(away) > LARGEST_INK / 2 > np.nanmedian(away)
         far = (
             f" It is {np.nanmax(away):.4g} m off at {take.at(int(np.nanargmax(away)))}."
             if astray
@@ -150,7 +160,7 @@ def _check_size(take: Take, position: Array) -> None:
         )
         raise RecordingError(
             f"{take.name}: marker {take.marker!r} moves within {size:.4g} m, but a writing hand within {SMALLEST} to "
-            f"{LARGEST} m.{far} Is 'Length Units' in row 1 right, and is this marker the pen? {take.choice}"
+            f"{LARGEST_INK} m.{far} Is 'Length Units' in row 1 right, and is this marker the pen? {take.choice}"
         )
 
 
@@ -197,3 +207,6 @@ def _labels(name: str) -> tuple[str | None, str | None]:
     stem = unicodedata.normalize("NFC", Path(name).stem)  # macOS takes the dots off an ä
     match = re.fullmatch(r"(\S)_(w\d+)(?:[_ .-].*)?", stem)
     return match.groups() if match else (None, None)
+
+
+FORMAT = Format("Motive CSV", (".csv",), has_motive_header, read_motive)

@@ -17,7 +17,7 @@ from itertools import pairwise
 import numpy as np
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.formats.safe_xml import number_of
+from dmp_teach.formats.safe_xml import finite_number
 from dmp_teach.trajectory import Array
 
 MOST_NAMES, LONGEST_NAME = 20, 60  # in a sentence
@@ -25,7 +25,7 @@ LONGEST_STEP = 60.0  # nobody waits longer inside a take [s]
 METRES = {
     1.0: ("m", "meter", "meters", "metre", "metres"),
     0.01: ("cm", "centimeter", "centimeters", "centimetre", "centimetres"),
-    0.001: ("mm", "millimeter", "millimeters", "millimetre", "millimetres"),
+    0.001: ("mm", "millimeter", "millimeters", "millimetre", "lengths_in_mm"),
     0.0254: ("in", "inch", "inches"),
     0.3048: ("ft", "foot", "feet"),
 }
@@ -258,12 +258,12 @@ def times(table: Table) -> Array:
 
 def _counted(table: Table, t: Array, ulp: float) -> Array | None:
     """Times from the frames' numbers and the rate that the header says; None where they are not the times, rounded."""
-    frames = np.array([number_of(row[0]) or 0.0 for _, row in table.body])
+    frames = np.array([finite_number(row[0]) or 0.0 for _, row in table.body])
     if (np.diff(frames) <= 0).any() or (frames != np.round(frames)).any():
         return None
     for wanted in ("export frame rate", "capture frame rate"):
         said = _said(table.top, wanted)
-        rate = number_of(said[1]) if said else None
+        rate = finite_number(said[1]) if said else None
         if rate is None or not 1 <= rate <= 10_000:
             continue
         exact = frames / rate

@@ -1,1 +1,3 @@
 """Drawings: SVG."""
+
+from dmp_teach.formats.svg.reader import FORMAT as FORMAT

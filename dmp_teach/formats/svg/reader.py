@@ -12,6 +12,7 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Iterator
+from functools import partial
 from xml.etree.ElementTree import Element
 
 import numpy as np
@@ -21,16 +22,18 @@ from dmp_teach.errors import RecordingError
 from dmp_teach.formats.flat_ink import (
     check_size,
     flat_recording,
-    label_of,
-    millimetres,
+    label_from,
+    lengths_in_mm,
     own_label,
-    writer_of,
+    pseudonym_from,
 )
-from dmp_teach.formats.safe_xml import local
+from dmp_teach.formats.hand_pace import in_time
+from dmp_teach.formats.registry import CaptureOptions, Format, name_file
+from dmp_teach.formats.safe_xml import has_root, local_tag, parse_xml
 from dmp_teach.formats.svg.frames import View, inner_view, root_view, transform
-from dmp_teach.formats.svg.pace import in_time
 from dmp_teach.formats.svg.shapes import covers, path_of, strokes_of
 from dmp_teach.formats.svg.style import Look, Styles
+from dmp_teach.formats.svg.writer import write_svg
 from dmp_teach.ink import Recording
 from dmp_teach.trajectory import Array
 
@@ -59,15 +62,15 @@ Shape = tuple[
 ]  # a path, the matrix (3, 3) to the page [m], y up, and whether it may be paper
 
 
-def read_svg(root: Element) -> tuple[Recording, ...]:
-    """The one letter of a drawing, written at a hand's pace.
-
-    Args:
-        root: The file's root element.
+@name_file
+def read_svg(data: bytes, _name: str, _: CaptureOptions) -> tuple[Recording, ...]:
+    """Read the one letter of a drawing, written at a hand's pace.
 
     Raises:
-        RecordingError: Nothing drawn, or a length, a transform, a style or a path that cannot be read.
+        RecordingError: Nothing drawn, or a length, a transform, a style or a path that cannot be
+            read.
     """
+    root = parse_xml(data, "svg", "a drawing")
     with np.errstate(all="ignore"):  # what is no number is refused below
         strokes = _drawn(root)
     if not strokes:
@@ -77,7 +80,7 @@ def read_svg(root: Element) -> tuple[Recording, ...]:
     check_size(strokes)
     character, writer = _labels(root)
     origin, baseline = (
-        millimetres(root.get(name), count)
+        lengths_in_mm(root.get(name), count)
         for name, count in (("data-origin", 2), ("data-baseline", 1))
     )
     if origin is not None:
@@ -111,7 +114,7 @@ def _shapes(
     element: Element, styles: Styles, above: Look | None, matrix: Array, view: View
 ) -> Iterator[Shape]:
     """Every path that is shown; `matrix` takes the units around the element to the page [m], y up."""
-    kind = local(element)
+    kind = local_tag(element)
     if kind in UNSEEN:
         return
     look = styles.look(element, above)
@@ -137,7 +140,7 @@ def _chosen(switch: Element) -> list[Element]:
     parts = [
         each
         for each in switch
-        if local(each) and not (each.get("requiredExtensions") or "").strip()
+        if local_tag(each) and not (each.get("requiredExtensions") or "").strip()
     ]
     return sorted(parts, key=lambda each: each.get("systemLanguage") is not None)[:1]
 
@@ -161,10 +164,13 @@ def _labels(root: Element) -> tuple[str | None, str | None]:
     """Letter and pseudonym: as we wrote them, or from a title such as "a by w01"; any longer title stays out."""
     said = root.get("data-character"), root.get("data-writer")
     if said != (None, None):
-        return own_label(said[0]), writer_of(said[1])
-    title = next((child.text for child in root if local(child) == "title"), None)
-    match = BY.fullmatch(label_of(title) or "")
-    if match and (writer := writer_of(match[2])):
-        return label_of(match[1]), writer
-    label = unicodedata.normalize("NFC", label_of(title) or "")
+        return own_label(said[0]), pseudonym_from(said[1])
+    title = next((child.text for child in root if local_tag(child) == "title"), None)
+    match = BY.fullmatch(label_from(title) or "")
+    if match and (writer := pseudonym_from(match[2])):
+        return label_from(match[1]), writer
+    label = unicodedata.normalize("NFC", label_from(title) or "")
     return (label if len(label) == 1 else None), None
+
+
+FORMAT = Format("SVG", (".svg",), partial(has_root, tag="svg"), read_svg, write_svg)

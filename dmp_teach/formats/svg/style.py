@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from xml.etree.ElementTree import Element
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.formats.safe_xml import local, number_of
+from dmp_teach.formats.safe_xml import finite_number, local_tag
 
 PLACES = {"x", "y", "cx", "cy", "r", "rx", "ry", "width", "height"}
 PAINTS = {"stroke", "stroke-width", "stroke-opacity", "fill", "fill-opacity"}
@@ -85,7 +85,7 @@ class Styles:
         self._work = 0
         for sheet in root.iter():
             if (
-                local(sheet) == "style"
+                local_tag(sheet) == "style"
                 and (sheet.get("type") or "text/css").strip().lower() == "text/css"
             ):
                 for selectors, declared in _blocks("".join(sheet.itertext())):
@@ -142,7 +142,7 @@ class Styles:
         """The rules that mean an element, the weakest first."""
         if not self._rules:
             return []
-        names = {f".{name}" for name in (element.get("class") or "").split()} | {local(element)}
+        names = {f".{name}" for name in (element.get("class") or "").split()} | {local_tag(element)}
         if element.get("id"):
             names.add(f"#{element.get('id')}")
         asked = [rule for name in ("", *names) for rule in self._rules.get(name, ())]
@@ -207,5 +207,5 @@ def _hides(props: Props) -> bool:
 
 def _is_zero(text: str | None) -> bool:
     """Whether a number, a share or a length is nothing."""
-    number = number_of(re.sub(r"(%|px)$", "", text.strip())) if text else None
+    number = finite_number(re.sub(r"(%|px)$", "", text.strip())) if text else None
     return number is not None and number <= 0

@@ -1,0 +1,19 @@
+"""Recordings as plain JSON of ours, as the pad and the alphabets have them."""
+
+from __future__ import annotations
+
+from dmp_teach.formats.registry import CaptureOptions, Format
+from dmp_teach.ink import Recording, recording_from_json, recording_to_json
+
+
+def _begins_like_json(data: bytes) -> bool:
+    """Tell whether a file begins with a brace or a bracket."""
+    return data[:1000].removeprefix(b"\xef\xbb\xbf").lstrip().startswith((b"{", b"["))
+
+
+def _read_one(data: bytes, name: str, _: CaptureOptions) -> tuple[Recording, ...]:
+    """Read the letter of a file."""
+    return (recording_from_json(data, name),)
+
+
+FORMAT = Format("JSON", (".json",), _begins_like_json, _read_one, recording_to_json)
