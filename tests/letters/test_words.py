@@ -13,7 +13,6 @@ from scipy.spatial import cKDTree
 from dmp_teach.errors import LetterError, RecordingError
 from dmp_teach.ink.alphabet import SIGNS, alphabets, characters, recording_of
 from dmp_teach.letters.letter import Letter
-from dmp_teach.letters.text import words
 from dmp_teach.letters.text.connection_points import (
     can_arrive,
     can_leave,
@@ -25,6 +24,7 @@ from dmp_teach.letters.text.connections import link_strokes
 from dmp_teach.letters.text.handwriting import Hand, plain_text
 from dmp_teach.letters.text.lines import write_lines
 from dmp_teach.letters.text.spacing import connected_spacing, letter_spacing
+from dmp_teach.letters.text.words import write_word
 from dmp_teach.robot.fetch import Fetch
 from dmp_teach.robot.layout import lay_out
 from dmp_teach.robot.page import Page
@@ -33,7 +33,7 @@ from dmp_teach.trajectory import Trajectory
 
 def word(text, alphabet=None, **about):
     """A word in the alphabet's own size, unless another is asked for."""
-    return words.word(text, alphabet, **({"x_height": None} | about))
+    return write_word(text, alphabet, **({"x_height": None} | about))
 
 
 ALL = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789"
@@ -480,7 +480,7 @@ def test_accents_are_written_too():
     ("ask", "answer"),
     [
         (lambda: word(""), r"A word is letters without a space, but got ''"),
-        (lambda: word("two words"), r"but got 'two words'; teach\.lines writes text with spaces"),
+        (lambda: word("two words"), r"but got 'two words'; teach\.write_lines writes text with"),
         (lambda: word("a%"), r"The alphabet 'round' has no '%'; it has: a b c"),
         (
             lambda: word("%", letters={"%": recording_of("o")}),
@@ -659,5 +659,5 @@ def test_text_is_written_on_the_page_where_it_stands():
 @pytest.mark.parametrize("name", alphabets())
 @pytest.mark.parametrize("joined", [False, True])
 def test_a_long_word_fits_a_sheet_of_a4_unless_another_size_is_asked_for(name, joined):
-    placed_there = lay_out(words.word("programming", name, joined=joined), Page.table())
+    placed_there = lay_out(write_word("programming", name, joined=joined), Page.table())
     assert np.ptp(np.concatenate([s.position for s in placed_there])[:, 0]) > 0.1
