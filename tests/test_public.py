@@ -14,7 +14,7 @@ PLACES = {"teach": teach, "teach.studies": teach.studies, "teach.figures": teach
 USED = {
     "teach": {"Letter", "Score", "Piece", "SettingError", "TeachError", "figures", "studies"},
     "teach.studies": {"claims", "choose_kernels", "classify_writers"},
-    "teach.figures": {"contact_sheet"},
+    "teach.figures": {"draw_contact_sheet"},
 }
 
 

@@ -38,7 +38,7 @@ def test_every_step_does_its_work(tmp_path):
     assert [each.given_strokes for each in kept["reading"]] == [None] * 3
     assert [len(each) for each in kept["segmenting"]] == [1, 2, 2]
     assert [len(each.strokes) for each in kept["learning"]] == [1, 2, 2]
-    assert all(0.01 < each.likeness < 0.4 for each in kept["scoring"])
+    assert all(0.0001 < each.distance < 0.02 for each in kept["scoring"])
 
 
 def test_pupils_differ_and_the_same_pupil_does_not(tmp_path):
