@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, Self
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,21 +14,22 @@ from dmp_teach.errors import TrajectoryError
 Array = NDArray[np.float64]
 
 
+# Any: arrays of every kind are locked.
 def locked(values: ArrayLike, dtype: Any = float) -> NDArray[Any]:
-    """A copy of `values` that nobody can change."""
+    """Return a copy of `values` that cannot be written to."""
     array = np.array(values, dtype=dtype)
     array.setflags(write=False)
     return array
 
 
 def ways(path: Array) -> Array:
-    """How far along a path (T, D) each of its points is, shape (T,) [m]."""
+    """Return how far along a path (T, D) each of its points is, shape (T,) [m]."""
     step = np.diff(path, axis=0)
     return np.concatenate([[0.0], np.cumsum(np.sqrt(np.einsum("td,td->t", step, step)))])
 
 
 def length(path: Array) -> float:
-    """How long a path (T, D) is, from point to point [m]."""
+    """Return how long a path (T, D) is, from point to point [m]."""
     return float(ways(path)[-1])
 
 
@@ -59,22 +60,6 @@ class Trajectory:
         object.__setattr__(self, "t", locked(t))
         object.__setattr__(self, "position", locked(position))
 
-    @classmethod
-    def _drawn(cls, t: Array, position: Array) -> Self:
-        """A trajectory at the locked times of another one, with a `position` (T, D) that was just computed for it.
-
-        That is locked where it lies, and checked by one sum of squares, which is finite only if all its numbers
-        are: the full checks and copies would take longer than a primitive takes to draw.
-        """
-        flat = position.ravel(order="K")
-        if not math.isfinite(flat.dot(flat)):
-            return cls(t, position)
-        position.setflags(write=False)
-        drawn = object.__new__(cls)
-        values = drawn.__dict__
-        values["t"], values["position"] = t, position
-        return drawn
-
     @property
     def duration(self) -> float:
         """From the first sample to the last [s]."""
@@ -86,16 +71,31 @@ class Trajectory:
         return self.position.shape[1]
 
     def __len__(self) -> int:
-        """How many samples there are: T."""
+        """Return how many samples there are: T."""
         return len(self.t)
 
     def __repr__(self) -> str:
-        """In one line, without the numbers."""
+        """Return one line, without the numbers."""
         return f"Trajectory({len(self)} samples, {self.dimensions}-D, {self.duration:.3f} s)"
 
 
+def from_rollout(t: Array, position: Array) -> Trajectory:
+    """Wrap a `position` (T, D) that was just computed, at the locked times of another trajectory.
+
+    It is locked where it lies, and one sum of squares tells that its numbers are finite: copies and
+    full checks take longer than a primitive takes to draw it.
+    """
+    flat = position.ravel(order="K")
+    if not math.isfinite(flat.dot(flat)):
+        return Trajectory(t, position)
+    position.setflags(write=False)
+    drawn = object.__new__(Trajectory)
+    drawn.__dict__.update(t=t, position=position)
+    return drawn
+
+
 def _as_numbers(name: str, values: ArrayLike) -> Array:
-    """`values` as floats, or a sentence that says they are not numbers."""
+    """Return `values` as floats, or raise a TrajectoryError."""
     try:
         return np.asarray(values, dtype=float)
     except (TypeError, ValueError) as error:
@@ -106,12 +106,13 @@ def _check(t: Array, position: Array) -> None:
     """Raise a TrajectoryError that names the first sample that breaks a rule."""
     if t.ndim != 1 or position.ndim != 2 or len(t) != len(position) or position.shape[1] < 1:
         raise TrajectoryError(
-            f"t has shape {t.shape} and position {position.shape}, but they must be (T,) and (T, D): "
-            "one row of positions for every time."
+            f"t has shape {t.shape} and position {position.shape}, but they must be (T,) and "
+            "(T, D): one row of positions for every time."
         )
     if len(t) < 2:
         raise TrajectoryError(f"A trajectory needs at least 2 samples, but has {len(t)}.")
-    # no nan comes after anything, and what lies between two finite times is finite: one pass over t is enough
+    # No NaN comes after anything, and what lies between two finite times is finite: one pass over
+    # t is enough.
     if (t[1:] > t[:-1]).all() and math.isfinite(t[-1] - t[0]) and np.isfinite(position).all():
         return
     for name, bad in (("t", ~np.isfinite(t)), ("position", ~np.isfinite(position).all(axis=1))):
@@ -125,5 +126,6 @@ def _check(t: Array, position: Array) -> None:
     if stuck.any():
         row = int(np.argmax(stuck)) + 1
         raise TrajectoryError(
-            f"t[{row}] is {t[row]} s and does not come after t[{row - 1}] = {t[row - 1]} s; times must increase."
+            f"t[{row}] is {t[row]} s and does not come after t[{row - 1}] = {t[row - 1]} s; times "
+            "must increase."
         )

@@ -1,7 +1,9 @@
+from . import textbook as textbook
 from .chaining import chain as chain
 from .checks import as_settings as as_settings
 from .checks import check_point as check_point
 from .checks import named_settings as named_settings
+from .kernels import KERNELS as KERNELS
 from .kernels import Kernels as Kernels
 from .primitive import DMP as DMP
 from .settings import KERNELS_PER_SECOND as KERNELS_PER_SECOND
@@ -9,3 +11,4 @@ from .settings import Settings as Settings
 from .settings import knob_of as knob_of
 from .settings import knobs as knobs
 from .stepper import Stepper as Stepper
+from .transformations import TRANSFORMATIONS as TRANSFORMATIONS

@@ -1,21 +1,20 @@
-"""Movements joined into one, without a stop between them."""
+"""Movements chained into one, without a stop between them."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
-from itertools import pairwise
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from dmp_teach.dmp.integrators import advanced
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.stepper import Plan
 from dmp_teach.errors import TrajectoryError, kind_of
 from dmp_teach.trajectory import Array, Trajectory
 
-LONGEST_TRAVEL = 5.0  # between two movements [s]
+# Between two movements [s].
+LONGEST_TRAVEL = 5.0
 
 
 def chain(
@@ -24,44 +23,49 @@ def chain(
     starts: Mapping[int, ArrayLike] | None = None,
     goals: Mapping[int, ArrayLike] | None = None,
 ) -> Trajectory:
-    """Draw several movements as one (Kulvicius 2012): one spring, whose pull passes from each movement to the next.
+    """Draw several movements as one (Kulvicius 2012): one spring with the input of each in turn.
 
         y'' = sum a_i (K_i (r_i - y) - D_i y') + what the moving goal needs,    sum a_i = 1
 
-    r_i(t) is the point to which movement i pulls the pen, and the shares a_i overlap at a joint as kernels do: over the
-    `overlap` they pass smoothly from the one that ends to the one that begins. Position and velocity of the one spring
-    have no jump anywhere. Movements learned with the sigmoid phase keep their forcing to the last, as theirs do.
+    r_i(t) is the point to which movement i attracts the pen, and the shares a_i overlap at a joint
+    as kernels do: over the `overlap` they pass smoothly from the one that ends to the one that
+    begins. Position and velocity of the one spring have no jump anywhere. Movements learned with
+    the sigmoid phase keep their forcing to the last, as theirs do.
 
     Args:
         primitives: In the order in which they are drawn.
-        overlap: How long before the end of one the next begins [s]; a negative one is a time for the way between
-            them, in which the goal moves from the end of the one to the start of the next.
+        overlap: How long before the end of one the next begins [s]; a negative one is a time for
+            the way between them, in which the goal moves from the end of the one to the start of
+            the next.
         starts: Where movements begin, by their number counted from 0 [m].
         goals: Where they end [m].
 
     Returns:
-        A trajectory that begins when the first demonstration began, with a sample for each step of the springs.
+        A trajectory that begins when the first demonstration began, with a sample for each step of
+        the springs.
 
     Raises:
-        TrajectoryError: Nothing to join, movements of different dimensions, no movement of that number, or an
-            overlap that is longer than half of a movement.
+        TrajectoryError: Nothing to join, movements of different dimensions, no movement of that
+            number, or an overlap that is longer than half of a movement.
     """
     primitives, starts, goals = tuple(primitives), dict(starts or {}), dict(goals or {})
     _check(primitives, overlap, starts.keys() | goals.keys())
-    drawn, begin = [], 0.0
+    parts: list[_Part] = []
     for number, primitive in enumerate(primitives):
         plan = Plan.of(primitive, starts.get(number), goals.get(number))
-        drawn.append(_Part(plan, begin))
-        begin = drawn[-1].end - overlap
-    now = np.array([drawn[0].plan.start, drawn[0].plan.start_velocity / drawn[0].plan.duration])
+        parts.append(_Part(plan, parts[-1].end - overlap if parts else 0.0))
+    first = parts[0].plan
+    now = np.array([first.start, first.start_velocity / first.duration])
     times, path, states = [0.0], [now[0]], np.array([np.full_like(now, np.nan), now])
-    for part, following in pairwise([*drawn, None]):
-        for until in part.times(
-            times[-1], part.end if following is None else max(part.end, following.begin)
-        ):
+    for part, following in zip(parts, [*parts[1:], None], strict=True):
+        end = part.end if following is None else max(part.end, following.begin)
+        for until in part.times(times[-1], end):
             t, h = times[-1], until - times[-1]
-            push, K, D = part.pull(t, h) if following is None else _blended(part, following, t, h)
-            states = advanced(part.plan.spring.integrator, h, push, (K, D), states)
+            if following is None:
+                u, K, D = part.attraction(t, h)
+            else:
+                u, K, D = _blend(part, following, t, h)
+            states = part.plan.spring.integrator.step(K, D, h, u, states)
             times.append(until)
             path.append(states[1, 0])
     return Trajectory(primitives[0].times[0] + np.array(times), np.array(path))
@@ -69,7 +73,7 @@ def chain(
 
 @dataclass(frozen=True, eq=False)
 class _Part:
-    """One of the movements that are joined, from the time `begin` on, in metres and seconds."""
+    """One of the movements that are chained, from the time `begin` on, in metres and seconds."""
 
     plan: Plan
     begin: float
@@ -83,50 +87,45 @@ class _Part:
         return self.plan.duration / self.plan.spring.steps
 
     def times(self, t: float, end: float) -> Array:
-        """When the steps of this movement end, from `t` to `end`: its own, but for the first and the last."""
-        first, last = (
-            np.floor((t - self.begin) / self.h + 1e-6) + 1,
-            np.ceil((end - self.begin) / self.h - 1e-6),
-        )
+        """Return when the steps from `t` to `end` end: its own, but for the first and the last."""
+        first = np.floor((t - self.begin) / self.h + 1e-6) + 1
+        last = np.ceil((end - self.begin) / self.h - 1e-6)
         own = self.begin + np.arange(first, last) * self.h
         return np.append(own, end) if last >= first else own
 
     def clock(self, t: float) -> float:
-        """How many steps are over: a whole number wherever it is meant to be one."""
+        """Return how many steps are over: a whole number wherever it is meant to be one."""
         clock = (t - self.begin) / self.h
         return float(round(clock)) if abs(clock - round(clock)) < 1e-6 else clock
 
-    def pull(self, t: float, h: float) -> tuple[Array, float, float]:
-        """What pushes the pen in a step of `h` from `t` on, and the spring's K and D, in metres and seconds."""
+    def attraction(self, t: float, h: float) -> tuple[Array, float, float]:
+        """Return the input of the spring in a step of `h` from `t` on, K and D."""
         plan, T, K = self.plan, self.plan.duration, self.plan.spring.K
-        return (
-            (plan.push_at(self.clock(t)) + K * plan.start) / T**2,
-            K / T**2,
-            plan.spring.alpha / T,
-        )
+        u = (plan.input_at(self.clock(t)) + K * plan.start) / T**2
+        return u, K / T**2, plan.spring.alpha / T
 
     def motion(self, t: float) -> tuple[Array, Array]:
-        """Where a pen is that draws this alone, and how fast."""
+        """Return where a pen is that draws this alone, and how fast."""
         clock = self.clock(t)
         here, later = self.plan.path_at(clock), self.plan.path_at(clock + 1)
         return self.plan.start + here, (later - here) / self.h
 
 
-def _blended(part: _Part, following: _Part, t: float, h: float) -> tuple[Array, float, float]:
-    """The pull of two movements, while the one ends and the other begins.
+def _blend(part: _Part, following: _Part, t: float, h: float) -> tuple[Array, float, float]:
+    """Blend two movements, while the one ends and the other begins.
 
-    The share a of the second rises by 10 p^3 - 15 p^4 + 6 p^5, without a jump in its first two derivatives. A path that
-    passes from y_1 to y_2 by these shares is accelerated by a'' (y_2 - y_1) + 2 a' (y_2' - y_1') more than the two, and
-    is faster by a' (y_2 - y_1), which the damper would brake: that is what the moving goal needs.
+    The share a of the second rises by 10 p^3 - 15 p^4 + 6 p^5, without a jump in its first two
+    derivatives. A path that passes from y_1 to y_2 by these shares is accelerated by
+    a'' (y_2 - y_1) + 2 a' (y_2' - y_1') more than the two, and is faster by a' (y_2 - y_1), which
+    the damper would brake: that is what the moving goal needs.
     """
     a, b = sorted((following.begin, part.end))
-    one, K, D = part.pull(t, h)
+    one, K, D = part.attraction(t, h)
     if t < a - 1e-9:
         return one, K, D
-    other, K_2, D_2 = following.pull(t, h)
-    t += (
-        part.plan.spring.middle * h
-    )  # an exact spring holds what is right in the middle of its step
+    other, K_2, D_2 = following.attraction(t, h)
+    # An exact spring holds what is right in the middle of its step.
+    t += part.plan.spring.integrator.middle * h
     p, span = min((t - a) / (b - a), 1.0) if b > a else 1.0, max(b - a, h)
     share = p**3 * (10 - 15 * p + 6 * p * p)
     rate, bend = 30 * (p * (1 - p)) ** 2 / span, 60 * p * (1 - p) * (1 - 2 * p) / span**2
@@ -136,7 +135,7 @@ def _blended(part: _Part, following: _Part, t: float, h: float) -> tuple[Array, 
 
 
 def _check(primitives: tuple[DMP, ...], overlap: float, numbers: Iterable[int]) -> None:
-    """Raise a TrajectoryError where there is nothing that can be joined."""
+    """Raise a TrajectoryError where there is nothing that can be chained."""
     wrong = [each for each in primitives if not isinstance(each, DMP)]
     if wrong or not primitives:
         what = kind_of(wrong[0]) if wrong else "nothing"
@@ -144,18 +143,18 @@ def _check(primitives: tuple[DMP, ...], overlap: float, numbers: Iterable[int]) 
     sizes = sorted({len(each.start) for each in primitives})
     if len(sizes) > 1:
         raise TrajectoryError(
-            f"Movements of {sizes[0]} and {sizes[-1]} dimensions cannot be joined: give all of them the same."
+            f"Movements of {sizes[0]} and {sizes[-1]} dimensions cannot be joined: give all of "
+            "them the same."
         )
     for number in numbers:
         if number not in range(len(primitives)):
             raise TrajectoryError(
-                f"There is no movement {number!r} to start or end elsewhere; they are counted from 0 to "
-                f"{len(primitives) - 1}."
+                f"There is no movement {number!r} to start or end elsewhere; they are counted "
+                f"from 0 to {len(primitives) - 1}."
             )
     most = min(each.duration for each in primitives) / 2
-    good = isinstance(overlap, int | float) and -LONGEST_TRAVEL <= overlap <= most
-    if not good:
+    if not (isinstance(overlap, int | float) and -LONGEST_TRAVEL <= overlap <= most):
         raise TrajectoryError(
-            f"overlap is {overlap!r}, but it must be between {-LONGEST_TRAVEL:g} s and {most:.3g} s, half of the "
-            "shortest movement."
+            f"overlap is {overlap!r}, but it must be between {-LONGEST_TRAVEL:g} s and {most:.3g} "
+            "s, half of the shortest movement."
         )

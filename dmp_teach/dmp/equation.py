@@ -4,27 +4,22 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import cast
 
 import numpy as np
 
 from dmp_teach.dmp.fit import forcing
-from dmp_teach.dmp.integrators import Spring
-from dmp_teach.dmp.kernels import Cells, Kernels, Overlap
-from dmp_teach.dmp.phase import Phase
+from dmp_teach.dmp.integrators import INTEGRATORS, Spring
+from dmp_teach.dmp.kernels import KERNELS, PLACEMENTS, Cells, Kernels, Overlap
+from dmp_teach.dmp.phases import PHASES, Phase
 from dmp_teach.dmp.settings import Settings
+from dmp_teach.dmp.transformations import TRANSFORMATIONS, Transformation
 from dmp_teach.trajectory import Array
 
 
 @dataclass(frozen=True, eq=False)
 class Equation:
-    """What pushes the spring, where z = y - y0 is the path from its start and g - y0 the way to its goal.
-
-        original  z'' = K (g - y0) + (g - y0) f              - K z - D z'   (the paper's equation 1)
-        star      z'' = K (g - y0) - K (g - y0) s + K f      - K z - D z'   (Pastor 2009; the paper's DMP*)
-                  + (change of g - y0) (-D s' - s'')     where the goal is fed forward: the path changes by 1 - s
-        similarity  as star, with all of it turned and scaled to another way    (Ginesi 2019, DMP++)
-
-    Time is counted in movements (t/T), so that a duration changes nothing here; K and D are those of the spring.
+    """A spring under the input that its transformation makes of the forcing term.
 
     Args:
         settings: With numbers for `n_kernels` and `alpha`.
@@ -37,88 +32,72 @@ class Equation:
     @cached_property
     def spring(self) -> Spring:
         """The left side: K and D."""
-        return Spring(
-            self.settings.alpha, self.steps, self.settings.integrator, self.settings.damping
-        )
+        settings = self.settings
+        integrator = INTEGRATORS[settings.integrator].of(settings)
+        return Spring(cast(float, settings.alpha), self.steps, integrator, settings.damping)
+
+    @cached_property
+    def transformation(self) -> Transformation:
+        """How the forcing term enters, and the path follows its goal."""
+        return TRANSFORMATIONS[self.settings.transform].of(self.settings)
+
+    @cached_property
+    def bank(self) -> Kernels:
+        """The kernels over the phase."""
+        return kernels_of(self.settings)
 
     @cached_property
     def s(self) -> Array:
         """The phases at which the spring takes its steps, shape (M, 1)."""
-        return self._bumps.phase.at(self._left)[:, None]
+        return self.bank.phase.at(self._left)[:, None]
 
     @cached_property
     def kernels(self) -> Cells | Overlap:
         """The kernels, laid over these steps."""
-        return self._bumps.over(self._left)
+        return self.bank.over(self._left)
 
     @cached_property
     def _left(self) -> Array:
         """The part of the movement that is still to come at each step, shape (M,)."""
-        return (np.arange(self.steps, 0, -1) - self.spring.middle) / self.steps
+        return (np.arange(self.steps, 0, -1) - self.spring.integrator.middle) / self.steps
 
-    @cached_property
-    def _bumps(self) -> Kernels:
-        return kernels_of(self.settings)
+    def needed_forcing(self, u: Array, offset: Array) -> Array:
+        """Return the f (M, D) that gives the input u (M, D) for a goal offset (D,)."""
+        return self.transformation.needed_forcing(
+            u, offset, self.spring.K, self.s, self.settings.divide
+        )
 
-    def needed_forcing(self, push: Array, way: Array) -> Array:
-        """The f (M, D) that gives this `push` (M, D) on this `way` (D,): the equation, solved for f."""
-        K, times = self.spring.K, self.settings.divide
-        if self.settings.transform == "original":
-            return push / way - K if times else push - K * way
-        return push / K - self._pull(way) if times else push - K * self._pull(way)
+    def input(self, weights: Array, biases: Array | None, offset: Array) -> Array:
+        """Return the input of the spring at each step, shape (M, D)."""
+        f = forcing(self.kernels, self.s, weights, biases)
+        return self.transformation.input(f, offset, self.spring.K, self.s)
 
-    def push(self, weights: Array, biases: Array | None, way: Array) -> Array:
-        """What pushes the spring at each step, shape (M, D); the start is where z = 0."""
-        K, f = self.spring.K, forcing(self.kernels, self.s, weights, biases)
-        return way * (K + f) if self.settings.transform == "original" else K * (self._pull(way) + f)
+    def input_gain(self) -> Array:
+        """Return how the input of DMP* grows with its goal offset, shape (M, 1).
 
-    def _pull(self, way: Array) -> Array:
-        """The way, as far as the phase lets it pull: way * (1 - s), shape (M, D), each coordinate in one piece."""
-        return np.multiply.outer(way, 1 - self.s[:, 0]).T
+        A goal that is fed forward moves the path by 1 - s: the spring is given what that needs.
+        """
+        phase, gain = self.bank.phase, self.spring.K * (1 - self.s)
+        if self.settings.feed_goal:
+            gain += self.spring.alpha * phase.speed(self.s) - phase.bend(self.s)
+        return gain
 
-    def draw(self, weights: Array, biases: Array | None, way: Array, velocity: Array) -> Array:
-        """The path z (M + 1, D) to the demonstrated goal; `velocity` (D,) at the start, per movement."""
-        return self.spring.follow(self.push(weights, biases, way), velocity)
-
-    def longer(self) -> Array:
-        """How the push of DMP* changes when its way becomes 1 longer, shape (M, 1)."""
-        K, D = self.spring.K, self.spring.alpha
-        phase = self._bumps.phase
-        ahead = D * phase.speed(self.s) - phase.bend(self.s) if self.settings.feed_goal else 0.0
-        return K * (1 - self.s) + ahead
-
-    def answer(self) -> Array:
-        """How the path of DMP* changes when its way becomes 1 longer, shape (M + 1, 1)."""
-        return self.spring.follow(self.longer())
-
-
-def turned_and_scaled(way: Array, taught: Array) -> Array:
-    """The matrix (D, D) that carries the `taught` way (D,) onto `way` (D,): the smallest rotation, times a scale.
-
-        R = I + X + X^2 / (1 + a.b),   X = b a' - a b'      (Rodrigues, in any number of dimensions)
-
-    with unit vectors a (taught) and b. In one dimension there is no rotation: it is the signed quotient, so that the
-    letter turns over when its goal crosses its start, as in the original form. A way turned right round has no smallest
-    rotation: it is turned in the plane of the first two coordinates, where the page is.
-    """
-    a, b = taught / np.linalg.norm(taught), way / np.linalg.norm(way)
-    scale = np.linalg.norm(way) / np.linalg.norm(taught)
-    if len(a) == 1:
-        return np.array([[scale * a[0] * b[0]]])
-    across = np.outer(b, a) - np.outer(a, b)
-    if 1 + a @ b > 1e-9:
-        return scale * (np.eye(len(a)) + across + across @ across / (1 + a @ b))
-    beside = np.zeros(len(a))
-    beside[:2] = (-a[1], a[0]) if np.hypot(a[0], a[1]) > 1e-6 else (1.0, 0.0)
-    beside -= a * (a @ beside)
-    beside /= np.linalg.norm(beside)
-    return scale * (np.eye(len(a)) - 2 * np.outer(a, a) - 2 * np.outer(beside, beside))
+    def goal_gain(self) -> Array:
+        """Return how the path of DMP* grows with its goal offset, shape (M + 1, 1)."""
+        return self.spring.follow(self.input_gain())
 
 
 def kernels_of(settings: Settings) -> Kernels:
-    """The kernels that these settings describe."""
-    phase = Phase(settings.phase, settings.phase_decay, settings.phase_middle)
-    shape, stand, sides = settings.kernel, settings.kernel_centers, settings.kernel_sides
+    """Return the kernels that these settings describe."""
     return Kernels(
-        settings.n_kernels, settings.kernel_width, settings.kernel_sigma, phase, shape, stand, sides
+        cast(int, settings.n_kernels),
+        settings.kernel_width,
+        KERNELS[settings.kernel].of(settings),
+        _phase_of(settings),
+        PLACEMENTS[settings.kernel_centers].of(settings),
+        settings.kernel_sides == "one",
     )
+
+
+def _phase_of(settings: Settings) -> Phase:
+    return PHASES[settings.phase].of(settings)

@@ -1,54 +1,220 @@
-"""The spring and damper that carry the pen, stepped through one movement, and the same read backwards."""
+"""The spring and damper that carry the pen, stepped through one movement, and read backwards.
+
+    z'' = u - K z - D z'
+
+Time is counted in movements (t/T), so that D = alpha and K = (alpha / (2 damping))^2.
+"""
 
 from __future__ import annotations
 
 import math
+from abc import abstractmethod
+from collections.abc import Callable
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 from scipy.signal import lfilter
 
+from dmp_teach.dmp.registry import Choice, Registry
 from dmp_teach.trajectory import Array
 
-LEAST_STEPS = 50  # a movement is never drawn in fewer
-STEPS_PER_ALPHA = 2.0  # eight times what the explicit spring needs not to diverge
+FEWEST_STEPS = 50
+# Eight times what the explicit spring needs not to diverge.
+STEPS_PER_ALPHA = 2.0
 MOST_STEPS = 100_000
+
+Row = tuple[float, float]
 
 
 def least_steps(alpha: float, damping: float = 1.0) -> float:
-    """How many steps a movement must have at least, whatever the integrator: a spring that swings needs more."""
-    return max(LEAST_STEPS, STEPS_PER_ALPHA * alpha / min(1.0, damping) ** 2)
+    """Return how many steps any integrator needs; a spring that swings needs more."""
+    return max(FEWEST_STEPS, STEPS_PER_ALPHA * alpha / min(1.0, damping) ** 2)
 
 
 def most_alpha(damping: float) -> float:
-    """The stiffest spring that can be followed in `MOST_STEPS` steps."""
+    """Return the alpha of the stiffest spring that can be followed in `MOST_STEPS` steps."""
     return MOST_STEPS * min(1.0, damping) ** 2 / STEPS_PER_ALPHA
+
+
+class Integrator(Choice):
+    """A way to step through time: x[k+1] = A x[k] + B u[k], with the state x = (z, z').
+
+    Eliminating z' leaves a recursion in the positions alone, so one filter draws a whole movement.
+
+    Attributes:
+        middle: Where in its step an input is taken, in steps: one that is held stands for the
+            middle.
+        first_input: Which input is the first that has an effect.
+    """
+
+    setting = "integrator"
+    middle: ClassVar[float] = 0.0
+    first_input: ClassVar[int] = 0
+
+    @abstractmethod
+    def system(self, K: float, D: float, h: float) -> tuple[tuple[Row, Row], Row]:
+        """Return A and B for steps of length h."""
+
+    @abstractmethod
+    def derivatives(
+        self, z: Array, slope: Array, bend: Array, h: float
+    ) -> tuple[Array, Array, Array, Array]:
+        """Return what `needed` sees of a path z (M + 1, D) when it reads the scheme backwards.
+
+        Args:
+            z: The path.
+            slope: Its first differences over h, shape (M, D).
+            bend: Its second differences, shape (M - 1, D).
+            h: The length of a step.
+
+        Returns:
+            Positions, velocities and accelerations that make the input of each step, shape (M, D),
+            and the start velocity (D,).
+        """
+
+    def recursion(self, K: float, D: float, h: float) -> tuple[list[float], Row, float]:
+        """Return the recursion: of the positions, of the last two inputs, of the start velocity."""
+        ((a, b), (c, d)), (e, f) = self.system(K, D, h)
+        return [1.0, -(a + d), a * d - b * c], (e, b * f - d * e), b
+
+    def step(self, K: float, D: float, h: float, u: Array, states: Array) -> Array:
+        """Take one step.
+
+        Args:
+            K: Stiffness.
+            D: Damping.
+            h: How long the step is.
+            u: The input, shape (D,).
+            states: z and z' one step earlier, and now; NaN earlier than the start. (2, 2, D).
+
+        Returns:
+            z and z' now, and after the step, shape (2, 2, D).
+        """
+        A, B = self.system(K, D, h)
+        return np.array([states[1], A @ states[1] + np.outer(B, u)])
+
+
+INTEGRATORS: Registry[type[Integrator]] = Registry()
+
+
+@INTEGRATORS.add
+class Explicit(Integrator):
+    """Forward Euler: z' drives z, z'' drives z', both as they are before the step.
+
+    First order; with critical damping it diverges from alpha = 4 steps on.
+    """
+
+    name = "explicit"
+
+    def system(self, K: float, D: float, h: float) -> tuple[tuple[Row, Row], Row]:
+        """Return A and B for steps of length h."""
+        return ((1, h), (-h * K, 1 - h * D)), (0, h)
+
+    def derivatives(
+        self, z: Array, slope: Array, bend: Array, h: float
+    ) -> tuple[Array, Array, Array, Array]:
+        """Take differences forwards; the last input, which is open, has its neighbour's z''."""
+        return z[:-1], slope, np.concatenate([bend, bend[-1:]]), slope[0]
+
+
+@INTEGRATORS.add
+class SemiImplicit(Integrator):
+    """Symplectic Euler: the position uses the new velocity.
+
+    First order; with critical damping it diverges from alpha = 1.65 steps on.
+    """
+
+    name = "semi-implicit"
+
+    def system(self, K: float, D: float, h: float) -> tuple[tuple[Row, Row], Row]:
+        """Return A and B for steps of length h."""
+        return ((1 - h * h * K, h * (1 - h * D)), (-h * K, 1 - h * D)), (h * h, h)
+
+    def derivatives(
+        self, z: Array, slope: Array, bend: Array, h: float
+    ) -> tuple[Array, Array, Array, Array]:
+        """Take differences backwards; the first input, which is open, has its neighbour's z''."""
+        v = np.concatenate([slope[:1] - h * bend[:1], slope[:-1]])
+        return z[:-1], v, np.concatenate([bend[:1], bend]), v[0]
+
+
+@INTEGRATORS.add
+class Exact(Integrator):
+    """The motion itself, where the input is held for the step (zero-order hold). Never diverges."""
+
+    name = "exact"
+    middle = 0.5
+
+    def system(self, K: float, D: float, h: float) -> tuple[tuple[Row, Row], Row]:
+        """Return E = exp(h [[0, 1], [-K, -D]]) in closed form, and (I - E) (1/K, 0)."""
+        r = D / 2
+        w = math.sqrt(abs(r * r - K))
+        if w * h < 1e-6:
+            c, s = 1.0, h
+        elif r * r < K:
+            c, s = math.cos(w * h), math.sin(w * h) / w
+        else:
+            c, s = math.cosh(w * h), math.sinh(w * h) / w
+        fade = math.exp(-r * h)
+        zz, zv, vz, vv = fade * (c + r * s), fade * s, -fade * K * s, fade * (c - r * s)
+        return ((zz, zv), (vz, vv)), ((1 - zz) / K, -vz / K)
+
+    def derivatives(
+        self, z: Array, slope: Array, bend: Array, h: float
+    ) -> tuple[Array, Array, Array, Array]:
+        """Take differences at the middle of each step, which is right to second order."""
+        a = (np.concatenate([bend[:1], bend]) + np.concatenate([bend, bend[-1:]])) / 2
+        return (z[1:] + z[:-1]) / 2, slope, a, slope[0] - h / 2 * bend[0]
+
+
+@INTEGRATORS.add
+class Lagged(Integrator):
+    """Algorithms 1 and 2 as printed: z'' comes from the state one step earlier.
+
+        z''_k = u_k - K z_{k-1} - D z'_{k-1},  z''_0 = 0,  then as explicit
+
+    With critical damping it diverges from alpha = 0.91 steps on.
+    """
+
+    name = "lagged"
+    first_input = 1
+
+    def system(self, K: float, D: float, h: float) -> tuple[tuple[Row, Row], Row]:
+        """Return how z'' drives the state: the rest comes from a step earlier."""
+        return ((1, h), (0, 1)), (0, h)
+
+    def recursion(self, K: float, D: float, h: float) -> tuple[list[float], Row, float]:
+        """Return the recursion, which goes back three steps."""
+        return [1.0, -2.0, 1 + h * D, h * h * K - h * D], (0.0, h * h), h
+
+    def step(self, K: float, D: float, h: float, u: Array, states: Array) -> Array:
+        """Take one step; the first has no input."""
+        z, v = states[0]
+        return super().step(K, D, h, np.where(np.isnan(z), 0.0, u - K * z - D * v), states)
+
+    def derivatives(
+        self, z: Array, slope: Array, bend: Array, h: float
+    ) -> tuple[Array, Array, Array, Array]:
+        """Take differences forwards, of the state one step earlier."""
+        before, v = np.concatenate([z[:1], z[:-2]]), np.concatenate([slope[:1], slope[:-1]])
+        return before, v, np.concatenate([bend, bend[-1:]]), slope[0]
 
 
 @dataclass(frozen=True)
 class Spring:
-    """z'' = push - K z - D z', with time counted in movements (t/T), D = alpha and K = (alpha / (2 damping))^2.
-
-        explicit       a_k = push_k - K z_k - D v_k,   z_{k+1} = z_k + h v_k,      v_{k+1} = v_k + h a_k
-        semi-implicit  the same a_k,                   v_{k+1} = v_k + h a_k,      z_{k+1} = z_k + h v_{k+1}
-        lagged         a_k = push_k - K z_{k-1} - D v_{k-1}, a_0 = 0, then as explicit   (Algorithms 1, 2 as printed)
-        exact          the motion itself, where push_k is held for the step:
-                       (z, v)_{k+1} = E (z, v)_k + (I - E) (push_k / K, 0),   E = exp(h [[0, 1], [-K, -D]])
-
-    with h = 1/steps. Each is one linear recursion in the positions alone, so a whole movement is one filter.
-    With damping 1, critical, the explicit scheme diverges from alpha = 4 steps on, the semi-implicit one from 1.65
-    steps on, the lagged one from 0.91 steps on, the exact one never.
+    """The left side of the equation over the steps of one movement.
 
     Args:
         alpha: D over one movement.
         steps: How many steps a movement has: M.
-        integrator: "explicit", "semi-implicit", "lagged" or "exact".
+        integrator: How it is stepped through time.
         damping: 1 for critical, less for a spring that swings.
     """
 
     alpha: float
     steps: int
-    integrator: str
+    integrator: Integrator
     damping: float = 1.0
 
     @property
@@ -56,115 +222,60 @@ class Spring:
         """Stiffness for one movement: alpha beta; beta = alpha/4 where damping is critical."""
         return (self.alpha / (2 * self.damping)) ** 2
 
-    @property
-    def middle(self) -> float:
-        """Where in its step a push is taken, in steps: a push that is held stands for the middle."""
-        return 0.5 if self.integrator == "exact" else 0.0
+    def follow(self, u: Array, start_velocity: Array | float = 0.0) -> Array:
+        """Draw the path from z = 0 under the input u (M, D), shape (M + 1, D).
 
-    def follow(self, push: Array, start_velocity: Array | float = 0.0) -> Array:
-        """The path from z = 0 under `push` (M, D), shape (M + 1, D); velocity per movement, shape (D,).
-
-        Velocities beyond those of the D coordinates start paths of their own, which nothing pushes: they are the
-        columns after D. One filter draws all of them, for calling it takes as long as drawing two.
+        Args:
+            u: The input.
+            start_velocity: Per movement, shape (D,). Velocities beyond those of the D coordinates
+                start paths of their own, which have no input: they are the columns after D.
         """
-        h, K, D = 1 / self.steps, self.K, self.alpha
-        drive = np.zeros(
-            (max(push.shape[1], np.size(start_velocity)), self.steps + 1)
-        ).T  # a coordinate in one piece
-        pushed = drive[:, : push.shape[1]]
-        if self.integrator == "explicit":
-            pushed[2:] = h * h * push[:-1]
-            drive[1] = h * start_velocity
-            recursion = [1.0, -(2 - h * D), 1 - h * D + h * h * K]
-        elif self.integrator == "semi-implicit":
-            pushed[1:] = h * h * push
-            drive[1] += (1 - h * D) * h * start_velocity
-            recursion = [1.0, -(2 - h * D - h * h * K), 1 - h * D]
-        elif self.integrator == "lagged":
-            pushed[3:] = h * h * push[1:-1]
-            drive[1] = h * start_velocity
-            recursion = [1.0, -2.0, 1 + h * D, h * h * K - h * D]
-        else:
-            (zz, zv), (vz, vv) = propagator(K, D, h)
-            z_push, v_push = (1 - zz) / K, -vz / K
-            pushed[1:] = z_push * push
-            pushed[2:] += (zv * v_push - vv * z_push) * push[:-1]
-            drive[1] += zv * start_velocity
-            recursion = [1.0, -(zz + vv), zz * vv - zv * vz]
+        recursion, (now, before), kick = self.integrator.recursion(
+            self.K, self.alpha, 1 / self.steps
+        )
+        columns = max(u.shape[1], np.size(start_velocity))
+        # Each coordinate in one piece of memory: the filter runs along it.
+        drive = np.zeros((columns, self.steps + 1)).T
+        forced = drive[:, : u.shape[1]]
+        first = self.integrator.first_input
+        if now:
+            forced[1:] = now * u
+        forced[2 + first :] += before * u[first:-1]
+        drive[1] += kick * start_velocity
         return lfilter([1.0], recursion, drive.T).T
 
     def needed(self, z: Array, derivatives: str = "inverse") -> tuple[Array, Array]:
-        """The push (M, D) under which `follow` draws the path `z` (M + 1, D), and its start velocity (D,).
+        """Return the input (M, D) under which `follow` draws z (M + 1, D), and its start velocity.
 
-        "inverse": the discrete scheme read backwards, so that what the integrator gets wrong, the push makes good;
-        where the scheme leaves one push open (the last of the explicit, the first of the semi-implicit), its
-        acceleration is that of its neighbour. An exact spring takes its differences at the middle of each step, which
-        is right to second order. "central": differences on both sides of a sample, twice, as one does on paper.
+        Args:
+            z: The path.
+            derivatives: "inverse" or "central"; see `DERIVATIVES`.
         """
-        h = 1 / self.steps
-        if derivatives == "central":
-            v = np.gradient(z, h, axis=0)
-            push = np.gradient(v, h, axis=0) + self.alpha * v + self.K * z
-            return (push[1:] + push[:-1]) / 2 if self.integrator == "exact" else push[:-1], v[0]
-        step = (z[1:] - z[:-1]) / h
-        bend = (step[1:] - step[:-1]) / h
-        if self.integrator == "semi-implicit":
-            a, v = (
-                np.concatenate([bend[:1], bend]),
-                np.concatenate([step[:1] - h * bend[:1], step[:-1]]),
-            )
-        elif self.integrator == "lagged":  # a_k = push_k - K z_{k-1} - D v_{k-1}
-            before = np.concatenate([z[:1], z[:-2]])
-            a, v = np.concatenate([bend, bend[-1:]]), np.concatenate([step[:1], step[:-1]])
-            return a + self.alpha * v + self.K * before, step[0]
-        elif self.integrator == "exact":
-            a = (np.concatenate([bend[:1], bend]) + np.concatenate([bend, bend[-1:]])) / 2
-            return a + self.alpha * step + self.K * (z[1:] + z[:-1]) / 2, step[0] - h / 2 * bend[0]
-        else:
-            a, v = np.concatenate([bend, bend[-1:]]), step
-        return a + self.alpha * v + self.K * z[:-1], v[0]
+        return DERIVATIVES[derivatives](self, z)
 
     def kick(self) -> Array:
-        """The path (M + 1, 1) of a pen that starts with velocity 1 and is pushed no more."""
+        """Draw the path (M + 1, 1) of a pen that starts with velocity 1 and has no input."""
         return self.follow(np.zeros((self.steps, 0)), np.ones(1))
 
 
-def propagator(K: float, D: float, h: float) -> Array:
-    """E = exp(h [[0, 1], [-K, -D]]) in closed form, shape (2, 2): what a time h makes of (z, v) that nothing pushes."""
-    r = D / 2
-    w = math.sqrt(abs(r * r - K))
-    if w * h < 1e-6:
-        c, s = 1.0, h  # critical
-    elif r * r < K:
-        c, s = math.cos(w * h), math.sin(w * h) / w
-    else:
-        c, s = math.cosh(w * h), math.sinh(w * h) / w
-    return math.exp(-r * h) * np.array([[c + r * s, s], [-K * s, c - r * s]])
+def inverse_derivatives(spring: Spring, z: Array) -> tuple[Array, Array]:
+    """Read the discrete scheme backwards: the input makes good what the integrator gets wrong."""
+    h = 1 / spring.steps
+    slope = (z[1:] - z[:-1]) / h
+    bend = (slope[1:] - slope[:-1]) / h
+    seen, v, a, start_velocity = spring.integrator.derivatives(z, slope, bend, h)
+    return a + spring.alpha * v + spring.K * seen, start_velocity
 
 
-def advanced(
-    integrator: str, h: float, push: Array, stiffness: tuple[float, float], states: Array
-) -> Array:
-    """One step of z'' = push - K z - D z', as `Spring.follow` takes it.
+def central_derivatives(spring: Spring, z: Array) -> tuple[Array, Array]:
+    """Take differences on both sides of a sample, twice, as one does on paper."""
+    h = 1 / spring.steps
+    v = np.gradient(z, h, axis=0)
+    u = np.gradient(v, h, axis=0) + spring.alpha * v + spring.K * z
+    return (u[1:] + u[:-1]) / 2 if spring.integrator.middle else u[:-1], v[0]
 
-    Args:
-        integrator: As of `Spring`.
-        h: How long the step is.
-        push: Shape (D,).
-        stiffness: K and D.
-        states: z and v one step earlier, and now; NaN earlier than the start. Shape (2, 2, D).
 
-    Returns:
-        z and v now, and after the step, shape (2, 2, D).
-    """
-    (K, D), (before, (z, v)) = stiffness, states
-    if integrator == "exact":
-        rest = push / K
-        (zz, zv), (vz, vv) = propagator(K, D, h)
-        return np.array([[z, v], [rest + zz * (z - rest) + zv * v, vz * (z - rest) + vv * v]])
-    z_seen, v_seen = before if integrator == "lagged" else (z, v)
-    a = np.where(
-        np.isnan(z_seen), 0.0, push - K * z_seen - D * v_seen
-    )  # the lagged one's first step is not pushed
-    faster = v + h * a
-    return np.array([[z, v], [z + h * (faster if integrator == "semi-implicit" else v), faster]])
+DERIVATIVES: dict[str, Callable[[Spring, Array], tuple[Array, Array]]] = {
+    "inverse": inverse_derivatives,
+    "central": central_derivatives,
+}

@@ -3,41 +3,52 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Collection
 from dataclasses import dataclass, field
 from typing import Any
 
 from dmp_teach.errors import SettingError
 
 
+# Any: the values of settings are numbers, words, yes or no, or None.
 @dataclass(frozen=True)
 class Knob:
     """What a child or teacher can turn: its default, its range and its names.
 
     `low` and `high` are where a slider ends, `limit` (or else `high`) is where a number is refused;
-    `whole` numbers only, `endless` takes infinity too, `optional` takes None too; `choices` are the words of
-    a setting that is not a number. `term` is the real word, `label` the plain one.
+    `whole` numbers only, `endless` takes infinity too, `optional` takes None too; `options` are the
+    words of a setting that is not a number, or the registry in which they are found. `term` is the
+    real word, `label` the plain one.
     """
 
     name: str
     default: Any
     label: str
     term: str
-    low: float | None = None
-    high: float | None = None
+    low: float = -math.inf
+    high: float = math.inf
     limit: float | None = None
     whole: bool = False
     endless: bool = False
     optional: bool = False
-    choices: tuple[Any, ...] = ()
+    options: Collection[Any] = ()
+
+    @property
+    def choices(self) -> tuple[Any, ...]:
+        """The options as they are now."""
+        return tuple(self.options)
 
     def checked(self, value: Any) -> Any:
-        """`value` as the type that it should have.
+        """Return `value` as the type that it should have.
 
         Raises:
             SettingError: It is out of range, or no such choice.
         """
-        if self.choices:
-            return self._one_of_the_choices(value)
+        if self.options:
+            if value in self.options:
+                return value
+            names = ", ".join(map(repr, self.options))
+            raise SettingError(f"{self.name} is {value!r}, but it must be one of: {names}.")
         if (value is None and self.optional) or (self.endless and value == math.inf):
             return value
         limit = self.high if self.limit is None else self.limit
@@ -51,12 +62,6 @@ class Knob:
             )
         return int(value) if self.whole else float(value)
 
-    def _one_of_the_choices(self, value: Any) -> Any:
-        if value not in self.choices:
-            names = ", ".join(map(repr, self.choices))
-            raise SettingError(f"{self.name} is {value!r}, but it must be one of: {names}.")
-        return value
-
 
 def _is_number(value: Any) -> bool:
     try:
@@ -66,5 +71,5 @@ def _is_number(value: Any) -> bool:
 
 
 def knob(default: Any, *, label: str, term: str, **about: Any) -> Any:
-    """A field of `Settings` that carries its own range and names."""
+    """Declare a field of `Settings` that carries its own range and names."""
     return field(default=default, metadata={"label": label, "term": term, **about})

@@ -1,4 +1,4 @@
-"""A demonstration made ready for learning: even times, no trembling, enough samples for the spring."""
+"""A demonstration made ready: even times, no trembling, enough samples for the spring."""
 
 from __future__ import annotations
 
@@ -10,17 +10,20 @@ from scipy.interpolate import Akima1DInterpolator, CubicSpline, PPoly
 from dmp_teach.filtering import extend_oddly, lowpass
 from dmp_teach.trajectory import Array, Trajectory
 
-EVEN = 0.01  # times are even if none is off by more than this part of a step
-LEAST_RATE, LEAST_SAMPLES = 25.0, 20  # smoothing cannot work below these
+# Times are even if none is off by more than this part of a step.
+UNEVEN_PART = 0.01
+# Smoothing cannot work below these: samples a second, and samples.
+LEAST_SMOOTHING_RATE = 25.0
+LEAST_SMOOTHING_SAMPLES = 20
 
 
-def prepared(
+def prepare(
     trajectory: Trajectory, cutoff: float | None, least_steps: float
 ) -> tuple[Array, tuple[str, ...]]:
-    """The path at even times.
+    """Return the path of a demonstration at even times.
 
     Args:
-        trajectory: What was shown.
+        trajectory: The demonstration.
         cutoff: Where smoothing begins [Hz], or None.
         least_steps: How many steps the path must have at least.
 
@@ -28,42 +31,40 @@ def prepared(
         Positions, shape (M + 1, D) with M a multiple of the demonstration's own steps, and notes on
         what was done or could not be done. First and last sample are the demonstrated ones.
     """
-    # one coordinate after the other in memory: what is done to each coordinate then runs along the whole path
-    path, steps, notes = np.asfortranarray(trajectory.position), len(trajectory) - 1, []
-    rate = float(
-        f"{steps / trajectory.duration:.6g}"
-    )  # a clock that began long ago is coarse: let it change nothing
+    # Each coordinate in one piece of memory: what is done to it then runs along the whole path.
+    path, steps = np.asfortranarray(trajectory.position), len(trajectory) - 1
+    notes: tuple[str, ...] = ()
+    # A clock that began long ago is coarse: let it change nothing.
+    rate = float(f"{steps / trajectory.duration:.6g}")
     if not has_even_times(trajectory.t):
-        # Akima's curve does not swing out beside a crooked sample, as a spline does
-        path = _sampled(
-            Akima1DInterpolator(trajectory.t - trajectory.t[0], path, method="makima"), path, steps
-        )
+        # Akima's curve does not swing out beside a crooked sample, as a spline does.
+        times = trajectory.t - trajectory.t[0]
+        path = _sample(Akima1DInterpolator(times, path, method="makima"), path, steps)
         least_steps = max(least_steps, 4 * steps)
-        notes.append(f"Times were uneven: resampled at {rate:.4g} samples a second.")
+        notes += (f"Times were uneven: resampled at {rate:.4g} samples a second.",)
     if cutoff is not None:
-        least_rate, least = (
-            max(LEAST_RATE, 2.2 * cutoff),
-            max(LEAST_SAMPLES, math.ceil(rate / cutoff)),
-        )
+        least_rate = max(LEAST_SMOOTHING_RATE, 2.2 * cutoff)
+        least = max(LEAST_SMOOTHING_SAMPLES, math.ceil(rate / cutoff))
         if rate < least_rate or len(path) < least:
-            notes.append(
-                f"Not smoothed: {len(path)} samples at {rate:.4g} a second; a filter of {cutoff:g} Hz needs at least "
-                f"{least} samples at {least_rate:g} a second."
+            notes += (
+                f"Not smoothed: {len(path)} samples at {rate:.4g} a second; a filter of "
+                f"{cutoff:g} Hz needs at least {least} samples at {least_rate:g} a second.",
             )
         else:
             path = smooth(path, cutoff / rate)
     if steps < least_steps:
         finer = steps * math.ceil(least_steps / steps)
-        path = _sampled(CubicSpline(np.linspace(0, 1, steps + 1), path), path, finer)
-    return path, tuple(notes)
+        path = _sample(CubicSpline(np.linspace(0, 1, steps + 1), path), path, finer)
+    return path, notes
 
 
-def sharpened(path: Array, spacing: float) -> Array:
-    """`path` (T, D) with its bends drawn as much too sharp as touching kernels will round them.
+def sharpen_bends(path: Array, spacing: float) -> Array:
+    """Return `path` (T, D) with its bends as much too sharp as touching kernels will round them.
 
-    A box kernel averages the forcing over its cell and then holds the average: together a triangle as wide as
-    two cells, which rounds a bend by h^2/12 y'' (h: the `spacing` of the kernels, in samples). The second
-    difference over one spacing is h^2 y'', so a twelfth of it is taken off beforehand. The ends stay.
+    A box kernel averages the forcing over its cell and then holds the average: together a triangle
+    as wide as two cells, which rounds a bend by h^2/12 y'' (h: the `spacing` of the kernels, in
+    samples). The second difference over one spacing is h^2 y'', so a twelfth of it is taken off
+    beforehand. The ends stay.
     """
     far = min(max(1, round(spacing)), len(path) - 1)
     around = extend_oddly(path, far)
@@ -72,14 +73,14 @@ def sharpened(path: Array, spacing: float) -> Array:
 
 
 def has_even_times(t: Array) -> bool:
-    """Whether every sample is where an even clock would have taken it, to a hundredth of a step."""
+    """Check that every sample is where an even clock would have taken it, to 1/100 of a step."""
     steps = len(t) - 1
     step = (t[-1] - t[0]) / steps
-    return bool(np.abs(t - t[0] - step * np.arange(steps + 1)).max() <= EVEN * step)
+    return bool(np.abs(t - t[0] - step * np.arange(steps + 1)).max() <= UNEVEN_PART * step)
 
 
 def smooth(path: Array, cutoff: float) -> Array:
-    """Return `path` (T, D) without what is faster than `cutoff` [cycles a sample], its ends kept."""
+    """Low-pass `path` (T, D) at `cutoff` [cycles a sample]; its ends stay."""
     smoothed = lowpass(path, cutoff, min(len(path) - 1, math.ceil(3 / cutoff)))
     first, last = path[0] - smoothed[0], path[-1] - smoothed[-1]
     along = np.arange(len(path)) / (len(path) - 1)
@@ -90,8 +91,8 @@ def smooth(path: Array, cutoff: float) -> Array:
     return smoothed
 
 
-def _sampled(curve: PPoly, path: Array, steps: int) -> Array:
-    """A curve through `path` at `steps` + 1 even times; the ends to the last bit."""
+def _sample(curve: PPoly, path: Array, steps: int) -> Array:
+    """Return a curve through `path` at `steps` + 1 even times; the ends to the last bit."""
     even = curve(np.linspace(curve.x[0], curve.x[-1], steps + 1))
     even[0], even[-1] = path[0], path[-1]
     return even

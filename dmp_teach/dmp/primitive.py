@@ -2,40 +2,35 @@
 
 from __future__ import annotations
 
+import warnings
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Self
+from typing import Self, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from dmp_teach.dmp.checks import (
-    as_settings,
-    check_point,
-    refuse_no_similarity,
-    refuse_no_way,
-    samples,
-    seconds,
-)
-from dmp_teach.dmp.coverage import asleep
-from dmp_teach.dmp.equation import Equation, kernels_of, turned_and_scaled
+from dmp_teach.dmp.checks import as_settings, check_duration, check_point, count_steps
+from dmp_teach.dmp.coverage import note_gaps
+from dmp_teach.dmp.equation import Equation, kernels_of
 from dmp_teach.dmp.fit import FITS
 from dmp_teach.dmp.integrators import least_steps
 from dmp_teach.dmp.kernels import Kernels
-from dmp_teach.dmp.preprocessing import has_even_times, prepared, sharpened
+from dmp_teach.dmp.preprocessing import has_even_times, prepare, sharpen_bends
 from dmp_teach.dmp.settings import Settings
+from dmp_teach.dmp.transformations import TRANSFORMATIONS, Transformation
 from dmp_teach.errors import TrajectoryError, kind_of
-from dmp_teach.trajectory import Array, Trajectory, locked
+from dmp_teach.trajectory import Array, Trajectory, from_rollout, locked
 
 
 @dataclass(frozen=True, eq=False)
 class DMP:
-    """A movement as a spring that is pulled to its goal and pushed by a learned forcing f (the paper's equation 1).
+    """A spring that is attracted by its goal and forced by a learned f (the paper's equation 1).
 
         original    y'' = K (g - y) - D y' + (g - y0) f
-        star        y'' = K (g - y) - D y' - K (g - y0) s + K f      (Pastor 2009; the paper's DMP*)
-        similarity  as star, turned and scaled so that g - y0 comes to the new one      (Ginesi 2019, DMP++)
-        f(s)        = s * sum psi_i w_i / sum psi_i                  (+ sum psi_i b_i / sum psi_i with biases)
+        star        y'' = K (g - y) - D y' - K (g - y0) s + K f   (Pastor 2009; the paper's DMP*)
+        similarity  as star, turned and scaled so that g - y0 comes to the new one  (Ginesi 2019)
+        f(s)        = s * sum psi_i w_i / sum psi_i      (+ sum psi_i b_i / sum psi_i with biases)
 
     with D = alpha / T and K = (D / (2 damping))^2. Made by `DMP.imitate`; never edited.
 
@@ -46,7 +41,7 @@ class DMP:
         goal: g of the demonstration, shape (D,) [m].
         duration: T [s].
         settings: As they were used: `n_kernels` and `alpha` are numbers.
-        start_velocity: How fast the pen was at the start, shape (D,) [m/s]; a shorter duration makes it faster.
+        start_velocity: Of the pen, shape (D,) [m/s]; a shorter duration makes it faster.
         times: The demonstration's own sample times, shape (T,) [s].
         steps: How many steps the spring takes for one movement.
         notes: What was done to the demonstration, or could not be done, in sentences.
@@ -71,24 +66,27 @@ class DMP:
                 values[name] = locked(values[name])
 
     def __repr__(self) -> str:
-        """In one line, without the numbers."""
+        """Return one line, without the numbers."""
         n_kernels, dimensions = self.weights.shape
-        return f"DMP({n_kernels} kernels, {dimensions}-D, {self.duration:.3f} s, {self.settings.transform})"
+        return (
+            f"DMP({n_kernels} kernels, {dimensions}-D, {self.duration:.3f} s, "
+            f"{self.settings.transform})"
+        )
 
     @classmethod
     def imitate(cls, trajectory: Trajectory, settings: Settings | None = None) -> Self:
-        """Learn a movement from one demonstration (Algorithm 1 and 2 of the paper).
+        """Learn a movement from one demonstration (Algorithms 1 and 2 of the paper).
+
+        Where no kernel is active f is 0: a `SettingWarning`, and a note, say when.
 
         Args:
-            trajectory: What was shown, any number of dimensions.
+            trajectory: The demonstration, any number of dimensions.
             settings: `Settings.star()` unless given.
 
         Raises:
             TrajectoryError: It is not a `Trajectory`.
-            SettingError: Settings that are none, more kernels than samples, `original` with a coordinate that ends
-                where it began, or `similarity` with a closed stroke.
-
-        Where no kernel is awake f is 0: a `SettingWarning`, and a note, say when.
+            SettingError: Settings that are none, more kernels than samples, `original` with a
+                coordinate that ends where it began, or `similarity` with a closed stroke.
         """
         if not isinstance(trajectory, Trajectory):
             what = kind_of(trajectory)
@@ -97,37 +95,35 @@ class DMP:
             )
         T = trajectory.duration
         settings = as_settings(settings).resolved(T, len(trajectory))
-        refuse_no_way(trajectory, settings)
-        path, notes = prepared(
-            trajectory, settings.smoothing, least_steps(settings.alpha, settings.damping)
-        )
-        z, way = path - path[0], path[-1] - path[0]
+        n_kernels, alpha = cast(int, settings.n_kernels), cast(float, settings.alpha)
+        fit = FITS[settings.fit].of(settings)
+        TRANSFORMATIONS[settings.transform].of(settings).check_demonstration(trajectory.position)
+        path, notes = prepare(trajectory, settings.smoothing, least_steps(alpha, settings.damping))
+        z, offset = path - path[0], path[-1] - path[0]
         equation = Equation(settings, len(z) - 1)
-        spring, kernels, s = equation.spring, equation.kernels, equation.s
+        spring, kernels = equation.spring, equation.kernels
 
-        rounding = settings.sharpen and settings.fit == "lwr"
-        sharp = sharpened(z, equation.steps / settings.n_kernels) if rounding else z
-        push, velocity = spring.needed(sharp, settings.derivatives)
-        F = equation.needed_forcing(push, way)
-        weights, biases = FITS[settings.fit](kernels, s, F, spring)
+        rounded = settings.sharpen and fit.rounds_bends
+        sharp = sharpen_bends(z, equation.steps / n_kernels) if rounded else z
+        u, velocity = spring.needed(sharp, settings.derivatives)
+        F = equation.needed_forcing(u, offset)
+        weights, biases = fit.learn(kernels, equation.s, F, spring)
 
-        paths = spring.follow(equation.push(weights, biases, way), np.array([*velocity, 1.0]))
-        drawn, kick = paths[:, :-1], paths[:, -1]
-        if settings.start_velocity == "fitted":  # the one that fits best
-            faster = kick @ (z - drawn) / (kick @ kick)
-            drawn, velocity = drawn + np.multiply.outer(faster, kick).T, velocity + faster
-        notes += asleep(kernels, settings, T)
+        # One filter draws the path and, in a column of its own, what a start velocity adds to it.
+        paths = spring.follow(equation.input(weights, biases, offset), np.array([*velocity, 1.0]))
+        nominal, kick = paths[:, :-1], paths[:, -1]
+        if settings.start_velocity == "fitted":
+            faster = kick @ (z - nominal) / (kick @ kick)
+            nominal = nominal + np.multiply.outer(faster, kick).T
+            velocity = velocity + faster
+        notes += note_gaps(kernels, settings, T)
         measures = trajectory.t, equation.steps, notes
         learned = cls(weights, biases, path[0], path[-1], T, settings, velocity / T, *measures)
-        drawn.setflags(write=False)
-        learned.__dict__["shown"] = drawn  # what `shown` would draw again
-        return learned
+        return learned._keep_path(nominal)
 
-    def showing(self, path: Array) -> Self:
-        """The same, with `path` for `shown`: it costs no second drawing, and keeps the last bits of the first."""
-        same = replace(self)
-        same.__dict__["shown"] = locked(path)
-        return same
+    def with_path(self, path: Array) -> Self:
+        """Return the same with `path` (M + 1, D) as its nominal path, which is not drawn anew."""
+        return replace(self)._keep_path(np.array(path))
 
     def rollout(
         self,
@@ -142,124 +138,141 @@ class DMP:
             start: Where it begins, shape (D,) [m]; as demonstrated if not given.
             goal: Where it ends, shape (D,) [m]; as demonstrated if not given.
             duration: How long it takes [s]; as demonstrated if not given. A longer one is slower.
-            dt: Time between samples [s], rounded so that the last sample is the end of the movement. The
-                demonstration's own sample times, stretched with the duration, if not given. Coarser than
-                those, the same path; finer, the spring takes finer steps too, which brings it nearer to the
-                differential equation and, in a fast letter, up to 2 mm away from the demonstration.
+            dt: Time between samples [s], rounded so that the last sample is the end of the
+                movement. The demonstration's own sample times, stretched with the duration, if not
+                given. Coarser than those, the same path; finer, the spring takes finer steps too,
+                which brings it nearer to the differential equation and, in a fast letter, up to
+                2 mm away from the demonstration.
 
         Returns:
             A trajectory that begins when the demonstration began.
 
         Raises:
-            TrajectoryError: A start or goal of another dimension or not finite, a duration or dt that is
-                not a time, a dt longer than the movement.
+            TrajectoryError: A start or goal of another dimension or not finite, a duration or dt
+                that is not a time, a dt longer than the movement.
             SettingError: A similarity is to lead a closed stroke elsewhere.
         """
         if start is duration is dt is None:
             if goal is None:
-                return Trajectory._drawn(self.times, self._demonstrated)
-            if self.settings.transform == "star":
-                return Trajectory._drawn(
-                    self.times, self._led_to(check_point("goal", goal, len(self.start)))
-                )
+                return from_rollout(self.times, self._demonstrated)
+            if TRANSFORMATIONS[self.settings.transform].is_translation:
+                return from_rollout(self.times, self._path_to(goal))
         start = self.start if start is None else check_point("start", start, len(self.start))
         goal = self.goal if goal is None else check_point("goal", goal, len(self.start))
-        T = self.duration if duration is None else seconds("duration", duration)
+        T = self.duration if duration is None else check_duration("duration", duration)
         if dt is None:
             path = self._path(goal - start, self.steps)
-            times = self.times if duration is None else self.times[0] + T * self._clock
-            return Trajectory(times, start + self._at_own_times(path))
-        fine = samples(T, seconds("dt", dt))
-        even = np.linspace(0, 1, fine + 1)
-        path = self._path(goal - start, max(fine, self.steps))
-        return Trajectory(self.times[0] + T * even, start + _read(path, even))
+            times = self.times if duration is None else self.times[0] + T * self._clock()
+            return Trajectory(times, start + self._at_sample_times(path))
+        steps = count_steps(T, check_duration("dt", dt))
+        even = np.linspace(0, 1, steps + 1)
+        path = self._path(goal - start, max(steps, self.steps))
+        return Trajectory(self.times[0] + T * even, start + _interpolated(path, even))
+
+    def mapped(self, matrix: Array) -> Self:
+        """Return the primitive whose path is this one's, mapped by a matrix (D, D) at its start.
+
+        The weights of `original` belong to one goal offset: it cannot be mapped.
+        """
+        return replace(
+            self,
+            weights=self.weights @ matrix.T,
+            biases=None if self.biases is None else self.biases @ matrix.T,
+            goal=self.start + matrix @ (self.goal - self.start),
+            start_velocity=matrix @ self.start_velocity,
+        )
 
     @property
     def kernels(self) -> Kernels:
         """The bumps, for those who want to draw them."""
         return kernels_of(self.settings)
 
-    @cached_property
-    def shown(self) -> Array:
-        """The path to the demonstrated goal, seen from its start, shape (M + 1, D), M being `steps` [m].
+    @property
+    def transformation(self) -> Transformation:
+        """How the path follows its goal."""
+        return TRANSFORMATIONS[self.settings.transform].of(self.settings)
 
-        It is kept: another goal costs one product and one sum.
-        """
+    @cached_property
+    def nominal_path(self) -> Array:
+        """The path to the demonstrated goal, seen from its start, shape (M + 1, D) [m]."""
         return self._drawn(self.steps)
 
-    @cached_property
-    def _clock(self) -> Array:
-        """The demonstration's sample times as parts of the movement, shape (T,)."""
-        return (self.times - self.times[0]) / self.duration
+    @property
+    def shown(self) -> Array:
+        """The old name of `nominal_path`."""
+        warnings.warn("DMP.shown is now called nominal_path.", DeprecationWarning, stacklevel=2)
+        return self.nominal_path
 
-    @cached_property
-    def _own(self) -> slice | None:
-        """Which steps are the demonstration's own samples; None if its times were uneven."""
-        finer = self.steps // (
-            len(self.times) - 1
-        )  # uneven times are resampled finer: 1 needs no look at them
-        return slice(None, None, finer) if finer == 1 or has_even_times(self.times) else None
+    def showing(self, path: Array) -> Self:
+        """Do what `with_path` does, by its old name."""
+        warnings.warn("DMP.showing is now called with_path.", DeprecationWarning, stacklevel=2)
+        return self.with_path(path)
 
-    def _led_to(self, goal: Array) -> Array:
-        """The demonstrated path, led to another goal, at the demonstration's own times: one product and one sum.
+    def _keep_path(self, path: Array) -> Self:
+        path.setflags(write=False)
+        self.__dict__["nominal_path"] = path
+        return self
 
-        What a slider waits for; `_path` draws the same, from any start, in any transformation and step.
-        """
-        position = self._longer * goal
-        position += self._led_to_zero
+    def _path_to(self, goal: ArrayLike) -> Array:
+        """Return the path of DMP* to another goal at the sample times, shape (T, D) [m]."""
+        # It is affine in its goal, y(t; g) = A(t) g + b(t): a slider costs a product and a sum.
+        position = self._goal_gain * check_point("goal", goal, len(self.start))
+        position += self._path_to_zero
         return position
 
     @cached_property
-    def _led_to_zero(self) -> Array:
-        """The same to the goal 0, shape (T, D): with it a path needs no difference of two goals."""
-        return self._demonstrated - self._longer * self.goal
+    def _goal_gain(self) -> Array:
+        """A: how the path grows with each coordinate of the goal, shape (T, D)."""
+        gain = np.broadcast_to(self._gain, self.nominal_path.shape)
+        # Each coordinate in one piece of memory halves a product with one number for each.
+        return np.asfortranarray(self._at_sample_times(gain))
+
+    @cached_property
+    def _path_to_zero(self) -> Array:
+        """b: the path to a goal at 0, shape (T, D) [m]."""
+        return np.asfortranarray(self._demonstrated - self._goal_gain * self.goal)
 
     @cached_property
     def _demonstrated(self) -> Array:
-        """The path to the demonstrated goal at the demonstration's own times, shape (T, D)."""
-        return self._at_own_times(self.start + self.shown)
+        """The path to the demonstrated goal at the demonstration's sample times, shape (T, D)."""
+        return self._at_sample_times(self.start + self.nominal_path)
 
     @cached_property
-    def _longer(self) -> Array:
-        """How that changes when its way becomes 1 longer in each coordinate, shape (T, D)."""
-        return self._at_own_times(np.broadcast_to(self._answer, self.shown.shape))
+    def _gain(self) -> Array:
+        """How the nominal path of DMP* grows with its goal offset, shape (M + 1, 1)."""
+        return Equation(self.settings, self.steps).goal_gain()
 
-    def _at_own_times(self, path: Array) -> Array:
-        """`path` (M + 1, D) at the demonstration's times, shape (T, D).
+    def _at_sample_times(self, path: Array) -> Array:
+        """Return `path` (M + 1, D) at the demonstration's sample times, shape (T, D)."""
+        stride = self.steps // (len(self.times) - 1)
+        # Uneven times are learned in at least 4 steps a sample: 1 needs no look at the clock.
+        if stride == 1 or has_even_times(self.times):
+            return path[::stride]
+        return _interpolated(path, self._clock())
 
-        Each coordinate lies in one piece (Fortran's order): that halves a product with one number per coordinate.
-        """
-        return np.asfortranarray(path[self._own] if self._own else _read(path, self._clock))
+    def _clock(self) -> Array:
+        """Return the demonstration's sample times as parts of the movement, shape (T,)."""
+        return (self.times - self.times[0]) / self.duration
 
-    def _path(self, way: Array, steps: int) -> Array:
-        """The path from its start, shape (steps + 1, D). It is linear in the way from start to goal."""
-        kept = steps == self.steps
-        shown, taught = self.shown if kept else self._drawn(steps), self.goal - self.start
-        if self.settings.transform == "original":
-            return shown * (way / taught)
-        change = way - taught
-        if not change.any():
-            return shown
-        if self.settings.transform == "similarity":
-            refuse_no_similarity(way, taught, shown)
-            return shown @ turned_and_scaled(way, taught).T
-        return shown + (self._answer if kept else Equation(self.settings, steps).answer()) * change
+    def _path(self, offset: Array, steps: int) -> Array:
+        """Return the path from its start for a goal offset (D,), shape (steps + 1, D)."""
+        kept, taught = steps == self.steps, self.goal - self.start
+        path = self.nominal_path if kept else self._drawn(steps)
+        if (offset == taught).all():
+            return path
+        self.transformation.check_goal(taught, offset, path)
+        gain = self._gain if kept else Equation(self.settings, steps).goal_gain()
+        return self.transformation.retarget(path, taught, offset, gain)
 
     def _drawn(self, steps: int) -> Array:
-        """The path to the demonstrated goal, in so many steps."""
-        velocity = self.start_velocity * self.duration
-        return Equation(self.settings, steps).draw(
-            self.weights, self.biases, self.goal - self.start, velocity
-        )
-
-    @cached_property
-    def _answer(self) -> Array:
-        """How the path changes with its way, kept."""
-        return Equation(self.settings, self.steps).answer()
+        """Return the path to the demonstrated goal, in so many steps."""
+        equation, velocity = Equation(self.settings, steps), self.start_velocity * self.duration
+        u = equation.input(self.weights, self.biases, self.goal - self.start)
+        return equation.spring.follow(u, velocity)
 
 
-def _read(path: Array, at: Array) -> Array:
-    """`path` (M + 1, D) at the parts `at` (T,) of the movement, straight between its steps."""
+def _interpolated(path: Array, at: Array) -> Array:
+    """Return `path` (M + 1, D) at the parts `at` (T,) of the movement, straight between steps."""
     place = at * (len(path) - 1)
     below = np.minimum(place.astype(int), len(path) - 2)
     part = (place - below)[:, None]

@@ -105,7 +105,7 @@ def _primitive_to_json(primitive: DMP, begin: float) -> dict[str, Any]:
     settings = asdict(primitive.settings)
     fields["settings"] = {k: INFINITE if v == math.inf else v for k, v in settings.items()}
     fields["times"] = (primitive.times - begin).tolist()
-    return fields | {"path": primitive.shown.tolist()}
+    return fields | {"path": primitive.nominal_path.tolist()}
 
 
 def _parts(content: dict[str, Any]) -> dict[str, Any]:
@@ -171,7 +171,7 @@ def _primitive(name: str, fields: Any) -> DMP:
         notes=tuple(notes),
     )
     # Drawn again, the last bits of the path may differ.
-    return primitive.showing(path)
+    return primitive.with_path(path)
 
 
 def _settings(name: str, fields: Any) -> Settings:

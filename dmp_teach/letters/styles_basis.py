@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from scipy.interpolate import PchipInterpolator
 
-from dmp_teach.dmp import DMP, Settings, as_settings
+from dmp_teach.dmp import DMP, TRANSFORMATIONS, Settings, as_settings
 from dmp_teach.errors import LetterError, SettingError
 from dmp_teach.letters.letter import Letter
 from dmp_teach.scoring import match_strokes
@@ -41,10 +41,10 @@ def learn_alike(
         SettingError: The original transformation, whose weights mean something else every time.
     """
     settings = as_settings(settings)
-    if settings.transform == "original":
+    if not TRANSFORMATIONS[settings.transform].weights_fit_any_goal:
         raise SettingError(
-            "Letters cannot be blended with transform='original': its weights are divided by each "
-            "letter's own way from start to goal. Use Settings.star()."
+            f"Letters cannot be blended with transform={settings.transform!r}: its weights are "
+            "divided by each letter's own way from start to goal. Use Settings.star()."
         )
     if len(letters) < 2:
         raise LetterError(

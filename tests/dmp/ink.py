@@ -82,6 +82,21 @@ def any_ink(draw):
     return Trajectory(draw(st.sampled_from([0.0, 12.5])) + t, path * 10 ** draw(st.floats(-4, 0)))
 
 
+def in_all_its_steps(p, goal):
+    """The rollout of a primitive to a goal, a sample for each step, shape (M + 1, D)."""
+    return p.rollout(goal=goal, dt=p.duration / p.steps).position
+
+
+def to_the_end(pen, push=lambda t: None):
+    """All that a `Stepper` draws; `push` is what disturbs it at a time, or None."""
+    times, positions = [pen.t], [pen.position]
+    while not pen.over:
+        pen = pen.step(push(pen.t))
+        times.append(pen.t)
+        positions.append(pen.position)
+    return Trajectory(times, positions)
+
+
 def rms(path, other):
     """Root mean square distance of two paths, in mm."""
     return 1e3 * float(np.sqrt(((path - other) ** 2).sum(axis=1).mean()))

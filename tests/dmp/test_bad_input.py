@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from dmp_teach.dmp.integrators import Spring, least_steps, most_alpha
+from dmp_teach.dmp.integrators import INTEGRATORS, Spring, least_steps, most_alpha
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.dmp.stepper import Stepper
@@ -83,7 +83,9 @@ def test_the_largest_stiffness_that_is_named_works(integrator, damping):
         letter(60, 1.0), Settings.star(alpha=alpha, damping=damping, integrator=integrator)
     ).rollout()
     assert np.abs(drawn.position - letter(60, 1.0).position).max() < 0.2
-    spring = Spring(largest, math.ceil(least_steps(largest, damping)), integrator, damping)
+    spring = Spring(
+        largest, math.ceil(least_steps(largest, damping)), INTEGRATORS[integrator](), damping
+    )
     assert np.isfinite(spring.kick()).all()
 
 

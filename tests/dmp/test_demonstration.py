@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.signal import butter, filtfilt
 
-from dmp_teach.dmp.preprocessing import has_even_times, prepared, sharpened, smooth
+from dmp_teach.dmp.preprocessing import has_even_times, prepare, sharpen_bends, smooth
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.trajectory import Trajectory
@@ -27,7 +27,7 @@ def test_smoothing_is_scipys_butterworth_forwards_and_backwards(n, cutoff, seed)
 @settings(deadline=None, max_examples=60)
 @given(scrawls(), st.sampled_from([None, 10.0]), st.floats(2, 400))
 def test_both_ends_and_the_number_of_steps_are_kept(demo, cutoff, least):
-    path, _ = prepared(demo, cutoff, least)
+    path, _ = prepare(demo, cutoff, least)
     steps = len(path) - 1
     assert steps >= least
     assert steps % (len(demo) - 1) == 0
@@ -93,13 +93,13 @@ def test_times_rounded_by_a_file_are_even_to_a_hundredth_of_a_step(digits):
 @given(st.integers(2, 200), st.floats(0.3, 60))
 def test_sharpening_leaves_lines_and_ends_alone(n, spacing):
     line = np.outer(np.linspace(0, 1, n), [1.0, -2.0])
-    assert np.abs(sharpened(line, spacing) - line).max() < 1e-9
+    assert np.abs(sharpen_bends(line, spacing) - line).max() < 1e-9
     scrawl = np.random.default_rng(n).normal(size=(n, 2))
-    assert np.allclose(sharpened(scrawl, spacing)[[0, -1]], scrawl[[0, -1]], atol=1e-12)
+    assert np.allclose(sharpen_bends(scrawl, spacing)[[0, -1]], scrawl[[0, -1]], atol=1e-12)
 
 
 def test_sharpening_takes_off_what_touching_boxes_round_off():
-    """A slow wave is rounded by (w h)^2/12 of itself, in theory; sharpened, ten times less."""
+    """A slow wave is rounded by (w h)^2/12 of itself, in theory; sharpen_bends, ten times less."""
     n, waves = 1201, 4
     u = np.linspace(0, 1, n)
     wave = Trajectory(10 * u, 0.05 * np.sin(2 * np.pi * waves * u))

@@ -8,12 +8,13 @@ import pytest
 from hypothesis import HealthCheck, assume, given, settings
 from hypothesis import strategies as st
 
-from dmp_teach.dmp.equation import turned_and_scaled
+from dmp_teach.dmp.equation import Equation
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.dmp.stepper import Stepper
+from dmp_teach.dmp.transformations import similarity_matrix
 from dmp_teach.errors import SettingError, SettingWarning
-from tests.dmp.ink import any_ink
+from tests.dmp.ink import any_ink, in_all_its_steps
 
 KERNELS = [
     {},
@@ -77,10 +78,10 @@ def check(demo, variant, shift, factor):
     follows_its_goal(p, shown, moved, shift, size)
     assert_duration_and_place_do_not_matter(p, moved, shift, factor, size)
     pen = Stepper.begin(p, goal=p.goal + shift)
-    path = p._path(way + shift, p.steps)
+    path = in_all_its_steps(p, p.goal + shift)
     for k in range(1, 4):
         pen = pen.step()
-        close(pen.position, p.start + path[k], size, 1e-12)
+        close(pen.position, path[k], size, 1e-12)
 
 
 def follows_its_goal(p, shown, moved, shift, size):
@@ -89,13 +90,13 @@ def follows_its_goal(p, shown, moved, shift, size):
     if p.settings.transform == "original":
         close(moved - p.start, (shown - p.start) * ((way + shift) / way), size)
     elif p.settings.transform == "similarity":
-        turn = turned_and_scaled(way + shift, way)
+        turn = similarity_matrix(way, way + shift)
         close(moved - p.start, (shown - p.start) @ turn.T, size)
         assert len(way) == 1 or np.linalg.det(turn) > 0
     else:
-        h = p._answer[:, 0]
+        h = Equation(p.settings, p.steps).goal_gain()[:, 0]
         close(
-            p._path(way + shift, p.steps) - p.shown, np.outer(h, shift), size
+            in_all_its_steps(p, p.goal + shift) - p.start - p.nominal_path, np.outer(h, shift), size
         )  # the same for every letter
         late = 0.06 if p.settings.integrator == "lagged" else 0.0  # its pushes come a step late
         if p.settings.feed_goal:

@@ -7,10 +7,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from dmp_teach.dmp.fit import bias, forcing, joint, lwr
-from dmp_teach.dmp.integrators import Spring
-from dmp_teach.dmp.kernels import Kernels
+from dmp_teach.dmp.fit import FITS, forcing
+from dmp_teach.dmp.integrators import INTEGRATORS, Spring
+from dmp_teach.dmp.kernels import KERNELS, Kernels
 
+lwr, bias, joint = (FITS[name]().learn for name in ("lwr", "bias", "joint"))
 widths = st.sampled_from(
     [(1.0, math.inf), (0.6, math.inf), (1.0, 0.65), (3.0, 1.0), (math.inf, 0.65)]
 )
@@ -19,7 +20,8 @@ widths = st.sampled_from(
 def case(n, m, width, sigma, seed):
     s = np.arange(m, 0, -1) / m
     F = np.random.default_rng(seed).normal(size=(m, 2))
-    return Kernels(n, width, sigma), s, F, Spring(2.0 * max(n, 6), m, "semi-implicit")
+    spring = Spring(2.0 * max(n, 6), m, INTEGRATORS["semi-implicit"]())
+    return Kernels(n, width, KERNELS["gaussian"](sigma)), s, F, spring
 
 
 @settings(deadline=None)
@@ -86,6 +88,6 @@ def test_adding_a_multiple_of_the_phase_adds_it_to_every_weight(n, width, fit, c
 def test_a_kernel_with_a_single_sample_learns_no_slope():
     s = np.array([0.9, 0.4])
     kernels, F = Kernels(2), np.array([[1.8], [0.4]])
-    w, b = bias(kernels.over(s), s[:, None], F, Spring(12.0, 2, "explicit"))
+    w, b = bias(kernels.over(s), s[:, None], F, Spring(12.0, 2, INTEGRATORS["explicit"]()))
     assert w[:, 0] == pytest.approx([1.0, 2.0])
     assert np.abs(b).max() < 1e-12

@@ -10,7 +10,7 @@ from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import TrajectoryError
 from dmp_teach.trajectory import Trajectory
-from tests.dmp.ink import letter, letters, rms
+from tests.dmp.ink import in_all_its_steps, letter, letters, rms
 
 few = settings(max_examples=15, deadline=None)
 PRESETS = [Settings.star, Settings.joint, Settings.plus]
@@ -30,7 +30,7 @@ def beside(demo, way):
 def test_a_movement_joined_with_nothing_is_its_rollout(demo, preset, shift):
     p = DMP.imitate(demo, preset())
     alone = chain([p], goals={0: p.goal + shift})
-    drawn = p.start + p._path(p.goal + shift - p.start, p.steps)
+    drawn = in_all_its_steps(p, p.goal + shift)
     assert np.abs(alone.position - drawn).max() <= 1e-12 * max(1, np.abs(drawn).max())
     assert alone.t[0] == demo.t[0]
     assert alone.duration == pytest.approx(demo.duration)

@@ -34,7 +34,7 @@ def test_shapes_and_resolved_settings(p):
 
 def test_kept_responses_are_what_would_be_drawn_anew(p):
     fresh = dataclasses.replace(p)
-    assert "shown" not in vars(fresh)
+    assert "nominal_path" not in vars(fresh)
     goal = p.goal + 0.02
     assert np.allclose(fresh.rollout(goal=goal).position, p.rollout(goal=goal).position, atol=1e-14)
 

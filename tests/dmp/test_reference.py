@@ -1,18 +1,20 @@
 """The fast path against a plain loop, against SciPy's own integrator, and against its own finer steps."""
 
+import warnings
 from itertools import pairwise
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from scipy.integrate import solve_ivp
 
+from dmp_teach.dmp import textbook
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
-from dmp_teach.errors import TrajectoryError
-from dmp_teach.trajectory import Trajectory
-from tests.dmp.ink import letter, letters
+from dmp_teach.errors import SettingWarning, TrajectoryError
+from dmp_teach.trajectory import from_rollout
+from tests.dmp.ink import in_all_its_steps, letter, letters
 
 
 def swinging(**changes):
@@ -35,63 +37,99 @@ PRESETS = [Settings.star, Settings.joint, Settings.plus, Settings.original]
 MORE = [swinging, smooth]
 
 
-def acceleration(p, state, left, way, change):
-    """The equations of the design, one sample at a time, from nothing but what the primitive makes public.
+def kernel(p):
+    """The kernels of a primitive, for the textbook's sums."""
+    N, phase, width = p.settings.n_kernels, p.settings.phase, p.settings.kernel_width
+    if phase == "linear" and p.settings.kernel == "gaussian":
+        return textbook.gaussian_kernel(N, p.settings.kernel_sigma, width)
+    decay = p.settings.phase_decay
+
+    def psi(x, i):
+        left = 1 + np.log(x) / decay if phase == "exponential" else x
+        if phase == "sigmoid":
+            m = p.settings.phase_middle
+            k = decay / (1 - m)
+            left = 1 - m - np.log((1 + np.exp(-k * m)) / x - 1) / k
+        off = min(N * left, np.nextafter(N, 0)) - i - 0.5
+        if not -width / 2 <= off < width / 2:
+            return 0.0
+        if p.settings.kernel == "mollifier":
+            return np.exp(-1 / (1 - (2 * off / width) ** 2))
+        if phase == "exponential":
+            c = np.exp(-decay * (1 - (i + 0.5) / N))
+            off = (x - c) / (decay * c / N)
+        return np.exp(-0.5 * (off / p.settings.kernel_sigma) ** 2)
+
+    return psi
+
+
+def acceleration(p, state, left, goal):
+    """The equations one sample at a time, from nothing but what the primitive makes public.
 
     Time in movements; `left` = 1 - t/T.
     """
-    y, v = state
-    N, alpha = p.settings.n_kernels, p.settings.alpha
-    K, decay = (alpha / (2 * p.settings.damping)) ** 2, p.settings.phase_decay
-    linear, sigmoid = p.settings.phase == "linear", p.settings.phase == "sigmoid"
-    s = left if linear else np.exp(-decay * (1 - left))
-    fed = (
-        alpha if linear else alpha * decay * s - decay**2 * s
-    )  # what 1 - s needs of spring and pen
-    if sigmoid:
+    alpha, decay = p.settings.alpha, p.settings.phase_decay
+    x, fed = left, alpha  # what 1 - x needs of spring and pen
+    if p.settings.phase == "exponential":
+        x = np.exp(-decay * (1 - left))
+        fed = alpha * decay * x - decay**2 * x
+    if p.settings.phase == "sigmoid":
         m = p.settings.phase_middle
         k = decay / (1 - m)
-        s = (1 + np.exp(-k * m)) / (1 + np.exp(k * (1 - left - m)))
-        part = s / (1 + np.exp(-k * m))
-        fed = alpha * k * s * (1 - part) - k**2 * s * (1 - part) * (1 - 2 * part)
-    above, below = np.zeros(len(y)), 0.0
-    for i in range(1, N + 1):
-        middle = (i - 0.5) / N
-        c = middle if linear else np.exp(-decay * (1 - middle))
-        spacing = 1 / N if linear else decay * c / N
-        u, half = N * left, p.settings.kernel_width / 2
-        if i - 0.5 - half <= u < i - 0.5 + half or (u == N == i - 0.5 + half):
-            psi = np.exp(-0.5 * ((s - c) / (p.settings.kernel_sigma * spacing)) ** 2)
-            if sigmoid:  # round in time
-                psi = np.exp(-0.5 * ((u - i + 0.5) / p.settings.kernel_sigma) ** 2)
-            if p.settings.kernel == "mollifier":
-                psi = np.exp(-1 / (1 - ((u - i + 0.5) / half) ** 2))
-            above += psi * (p.weights[i - 1] * s + (0 if p.biases is None else p.biases[i - 1]))
-            below += psi
-    f = above / below if below > 0 else above
-    if p.settings.transform == "original":
-        return K * (p.start + way - y) - alpha * v + way * f
-    fed = change * fed if p.settings.feed_goal else 0
-    return K * (p.start + way - y) - alpha * v - K * way * s + K * f + fed
+        x = (1 + np.exp(-k * m)) / (1 + np.exp(k * (1 - left - m)))
+        part = x / (1 + np.exp(-k * m))
+        fed = alpha * k * x * (1 - part) - k**2 * x * (1 - part) * (1 - 2 * part)
+    original = p.settings.transform == "original"
+    law = textbook.original_acceleration if original else textbook.star_acceleration
+    psi, found = kernel(p), []
+    for d, (y, dy) in enumerate(zip(*state, strict=True)):
+        f = textbook.forcing_term(
+            x, p.weights[:, d], psi, None if p.biases is None else p.biases[:, d]
+        )
+        beta = alpha / (2 * p.settings.damping) ** 2
+        a = law(y, dy, x, f, y0=p.start[d], g=goal[d], alpha_z=alpha, beta_z=beta)
+        found.append(a + p.settings.feed_goal * fed * (goal[d] - p.goal[d]))
+    return np.array(found)
 
 
-def plain(p, goal, steps):
+def plain(p, goal):
     """Step by step, as Algorithms 1 and 2 print it."""
-    h, way = 1 / steps, goal - p.start
-    change = way - (p.goal - p.start)
-    v = p.start_velocity * p.duration
+    h, y, v = 1 / p.steps, p.start, p.start_velocity * p.duration
     if p.settings.transform == "original":
-        v = v * way / (p.goal - p.start)
-    y, path = p.start.copy(), [p.start.copy()]
-    for k in range(steps):
-        a = acceleration(p, (y, v), (steps - k) / steps, way, change)
-        if p.settings.integrator == "explicit":
-            y, v = y + h * v, v + h * a
-        else:
-            v = v + h * a
-            y = y + h * v
-        path.append(y.copy())
+        v = v * (goal - p.start) / (p.goal - p.start)
+    path = [y]
+    for k in range(p.steps):
+        a = acceleration(p, (y, v), (p.steps - k) / p.steps, goal)
+        moved = v + h * a
+        y, v = y + h * (v if p.settings.integrator == "explicit" else moved), moved
+        path.append(y)
     return np.array(path)
+
+
+@settings(max_examples=15, deadline=None)
+@given(
+    st.integers(0, 999),
+    st.sampled_from(["star", "original"]),
+    st.sampled_from([(4.0, 1.0), (1.0, 2.5), (0.65, np.inf), (0.5, 0.7)]),
+    st.floats(-0.1, 0.1),
+)
+def test_a_primitive_is_the_papers_algorithm(seed, transform, kernel, shift):
+    """Algorithm 1 and Algorithm 2, from the demonstration to the last sample."""
+    demo, (sigma, width) = letter(101, 1.0, seed=seed), kernel
+    assume(np.abs(demo.position[-1] - demo.position[0]).min() > 1e-3)
+    about = {"n_kernels": 7, "alpha": 25.0, "kernel_sigma": sigma, "kernel_width": width}
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", SettingWarning)
+        p = DMP.imitate(demo, Settings.as_fixed(transform=transform, **about))
+    algorithm = textbook.star_dmp if transform == "star" else textbook.original_dmp
+    psi, goal = textbook.gaussian_kernel(7, sigma, width), p.goal + shift
+    theirs = [
+        algorithm(theta, psi, 7, 25.0, g)
+        for theta, g in zip(demo.position.T.tolist(), goal, strict=True)
+    ]
+    assert p.steps == 100
+    ours = p.rollout(goal=goal).position
+    assert np.abs(ours - np.transpose(theirs)).max() <= 1e-9 * max(1, np.abs(ours).max())
 
 
 @settings(max_examples=15, deadline=None)
@@ -109,10 +147,12 @@ def plain(p, goal, steps):
     st.floats(-0.1, 0.1),
 )
 def test_the_fast_path_is_the_plain_loop(demo, preset, changes, shift):
-    p = DMP.imitate(demo, preset(**changes, n_kernels=5))
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", SettingWarning)
+        p = DMP.imitate(demo, preset(**changes, n_kernels=5))
     goal = p.goal + shift
-    fast = p._path(goal - p.start, p.steps) + p.start
-    assert np.abs(fast - plain(p, goal, p.steps)).max() <= 1e-12 * max(1, np.abs(fast).max())
+    fast = in_all_its_steps(p, goal)
+    assert np.abs(fast - plain(p, goal)).max() <= 1e-12 * max(1, np.abs(fast).max())
 
 
 @settings(max_examples=15, deadline=None)
@@ -124,7 +164,7 @@ def test_a_rollout_with_only_the_goal_changed_is_the_long_way_to_it(demo, preset
     assert np.abs(quick.position - long.position).max() <= 1e-12 * max(
         1, np.abs(long.position).max()
     )
-    plainly = (p.start + p._path(goal - p.start, p.steps))[p._own]
+    plainly = in_all_its_steps(p, goal)[:: p.steps // (len(demo) - 1)]
     assert np.abs(quick.position - plainly).max() <= 1e-12 * max(1, np.abs(plainly).max())
     assert np.array_equal(quick.t, demo.t)
     assert not quick.position.flags.writeable
@@ -143,13 +183,12 @@ def test_what_was_drawn_is_finite_or_named():
         broken = demo.position.copy()
         broken[7, 1] = bad
         with pytest.raises(TrajectoryError, match=r"position\[7\] is .* but must be finite"):
-            Trajectory._drawn(demo.t, broken)
+            from_rollout(demo.t, broken)
 
 
 def exact(p, goal, times):
     """The same movement by SciPy's integrator, kernel by kernel so that no jump of the forcing hides in a step."""
-    way = goal - p.start
-    change, D = way - (p.goal - p.start), len(way)
+    way, D = goal - p.start, len(goal)
     v = (
         p.start_velocity
         * p.duration
@@ -162,7 +201,7 @@ def exact(p, goal, times):
 
         def rate(t, x, inside=(a, b)):
             left = 1 - min(max(t, inside[0] + 1e-12), inside[1] - 1e-12)
-            return np.concatenate([x[D:], acceleration(p, (x[:D], x[D:]), left, way, change)])
+            return np.concatenate([x[D:], acceleration(p, (x[:D], x[D:]), left, goal)])
 
         wanted = times[(times > a) & (times <= b)]
         solved = solve_ivp(

@@ -9,12 +9,13 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from scipy.linalg import expm
 
-from dmp_teach.dmp.equation import Equation, turned_and_scaled
-from dmp_teach.dmp.integrators import Spring, least_steps, propagator
-from dmp_teach.dmp.kernels import Kernels
-from dmp_teach.dmp.phase import Phase
+from dmp_teach.dmp.equation import Equation
+from dmp_teach.dmp.integrators import INTEGRATORS, Spring, least_steps
+from dmp_teach.dmp.kernels import KERNELS, PLACEMENTS, Kernels
+from dmp_teach.dmp.phases import PHASES
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
+from dmp_teach.dmp.transformations import similarity_matrix
 from dmp_teach.errors import SettingWarning
 from dmp_teach.trajectory import Trajectory
 from tests.dmp.ink import letter, letters, rms
@@ -24,7 +25,7 @@ ways = st.integers(0, 10**6).map(np.random.default_rng)
 
 
 def test_a_sigmoid_phase_stays_up_and_then_falls_and_is_kulvicius_differential_equation():
-    phase, left = Phase("sigmoid", 4.6, 0.75), np.linspace(1, 0, 4001)
+    phase, left = PHASES["sigmoid"](4.6, 0.75), np.linspace(1, 0, 4001)
     s, k = phase.at(left), 4.6 / 0.25
     assert s[0] == 1
     assert s[1500] > 0.98
@@ -36,7 +37,7 @@ def test_a_sigmoid_phase_stays_up_and_then_falls_and_is_kulvicius_differential_e
 
 def test_a_mollifier_is_smooth_and_falls_to_nought_at_its_ends():
     """DMP++: exp(-1/(1 - r^2)) with compact support; all its derivatives are 0 at the ends."""
-    kernels = Kernels(5, width=2.0, shape="mollifier")
+    kernels = Kernels(5, 2.0, KERNELS["mollifier"]())
     s = np.linspace(0.3, 0.7, 401)
     middle = kernels.heights(s)[:, 2]
     r = (s - 0.5) / 0.2
@@ -50,7 +51,7 @@ def test_a_mollifier_is_smooth_and_falls_to_nought_at_its_ends():
 def test_a_one_sided_kernel_is_awake_wherever_the_paper_prints_it():
     """x - c_i <= theta, without the bars of an absolute value."""
     s = np.linspace(0, 1, 101)
-    kernels = Kernels(4, width=1.0, sides="one", stand="ends")
+    kernels = Kernels(4, 1.0, placement=PLACEMENTS["ends"](), one_sided=True)
     theta, centers = 1 / 8, np.array([0, 1 / 3, 2 / 3, 1])
     assert kernels.centers == pytest.approx(centers)
     clear = np.abs(s[:, None] - centers - theta) > 1e-9
@@ -65,9 +66,9 @@ def test_a_one_sided_kernel_is_awake_wherever_the_paper_prints_it():
         ("grid", [0.25, 0.5, 0.75, 1]),
     ],
 )
-@pytest.mark.parametrize("phase", [Phase(), Phase("exponential", 1.0)])
+@pytest.mark.parametrize("phase", [PHASES["linear"](), PHASES["exponential"](1.0)])
 def test_centres_that_are_phases_are_phases_whatever_the_clock(stand, centers, phase):
-    kernels = Kernels(4, 1.0, 0.5, phase, stand=stand)
+    kernels = Kernels(4, 1.0, KERNELS["gaussian"](0.5), phase, PLACEMENTS[stand]())
     assert kernels.centers == pytest.approx(centers)
     assert np.diagonal(kernels.heights(kernels.centers))[:-1] == pytest.approx(1)
     assert kernels.heights(np.array([centers[1] + 0.1]))[0, 1] == pytest.approx(
@@ -79,7 +80,7 @@ def test_centres_that_are_phases_are_phases_whatever_the_clock(stand, centers, p
 @given(ways, st.integers(1, 4))
 def test_a_similarity_carries_way_onto_way_and_turns_no_more_than_it_must(rng, D):
     taught, way = rng.normal(size=(2, D))
-    S = turned_and_scaled(way, taught)
+    S = similarity_matrix(taught, way)
     scale = np.linalg.norm(way) / np.linalg.norm(taught)
     assert S @ taught == pytest.approx(way, abs=1e-9)
     assert np.allclose(S.T @ S, scale**2 * np.eye(D))
@@ -95,7 +96,7 @@ def test_a_similarity_carries_way_onto_way_and_turns_no_more_than_it_must(rng, D
 )
 def test_a_way_turned_right_round_is_turned_in_the_page_and_a_line_is_turned_over(way):
     way = np.array(way)
-    S = turned_and_scaled(-way, way)
+    S = similarity_matrix(way, -way)
     assert S @ way == pytest.approx(-way)
     assert np.allclose(S.T @ S, np.eye(len(way)))
     assert np.linalg.det(S) == pytest.approx(-1 if len(way) == 1 else 1)
@@ -111,7 +112,7 @@ def test_a_similar_letter_is_the_letter_turned_and_scaled_and_its_start_velocity
     assume(np.linalg.norm(way) > 1e-3)
     p = DMP.imitate(demo, Settings.star(transform="similarity"))
     new = rng.normal(size=len(way))
-    drawn, S = p.rollout(goal=p.start + new).position - p.start, turned_and_scaled(new, way)
+    drawn, S = p.rollout(goal=p.start + new).position - p.start, similarity_matrix(way, new)
     assert np.allclose(
         drawn, (p.rollout().position - p.start) @ S.T, atol=1e-9 * np.abs(drawn).max()
     )
@@ -124,12 +125,15 @@ def test_a_similar_letter_is_the_letter_turned_and_scaled_and_its_start_velocity
 def test_the_exact_spring_is_the_matrix_exponential(alpha, damping, h):
     K = (alpha / (2 * damping)) ** 2
     assert np.allclose(
-        propagator(K, alpha, h), expm(h * np.array([[0, 1], [-K, -alpha]])), rtol=1e-7, atol=1e-9
+        INTEGRATORS["exact"]().system(K, alpha, h)[0],
+        expm(h * np.array([[0, 1], [-K, -alpha]])),
+        rtol=1e-7,
+        atol=1e-9,
     )
 
 
 def test_the_exact_spring_follows_a_held_push_to_the_last_digit_whatever_its_steps():
-    coarse, fine = Spring(60.0, 50, "exact"), Spring(60.0, 400, "exact")
+    coarse, fine = (Spring(60.0, steps, INTEGRATORS["exact"]()) for steps in (50, 400))
     push = np.random.default_rng(0).normal(size=(50, 2))
     a, b = coarse.follow(push, np.ones(2)), fine.follow(np.repeat(push, 8, axis=0), np.ones(2))
     assert np.abs(a - b[::8]).max() < 1e-14
@@ -147,18 +151,18 @@ def test_with_the_exact_spring_a_finer_dt_draws_the_same_path_where_kernels_end_
 @given(
     st.floats(1, 200),
     st.floats(0.1, 2.0),
-    st.sampled_from(["explicit", "semi-implicit", "exact", "lagged"]),
+    st.sampled_from(list(INTEGRATORS)),
 )
 def test_in_the_steps_that_it_is_given_no_spring_diverges(alpha, damping, integrator):
     steps = math.ceil(least_steps(alpha, damping))
     kicked = np.abs(
-        Spring(8 * alpha, 8 * steps, integrator, damping).kick()
+        Spring(8 * alpha, 8 * steps, INTEGRATORS[integrator](), damping).kick()
     )  # the same steps, eight times as long
     assert kicked[6 * steps :].max() <= kicked[: 2 * steps].max()
 
 
 def test_the_lagged_spring_is_algorithm_1_line_by_line():
-    spring = Spring(20.0, 80, "lagged", 0.35)
+    spring = Spring(20.0, 80, INTEGRATORS["lagged"](), 0.35)
     push = np.random.default_rng(1).normal(size=(80, 1))
     h, y, dy, ddy, path = 1 / 80, 0.0, 0.3, 0.0, [0.0]
     for t in range(1, 81):
@@ -169,10 +173,10 @@ def test_the_lagged_spring_is_algorithm_1_line_by_line():
 
 
 @few
-@given(letters(), st.sampled_from(["explicit", "semi-implicit", "exact", "lagged"]))
+@given(letters(), st.sampled_from(list(INTEGRATORS)))
 def test_central_differences_need_a_push_close_to_that_of_the_exact_inverse(demo, integrator):
     z = demo.position - demo.position[0]
-    spring = Spring(30.0, len(z) - 1, integrator)
+    spring = Spring(30.0, len(z) - 1, INTEGRATORS[integrator]())
     assume(len(z) > 200)
     (push, v), (central, v_central) = spring.needed(z), spring.needed(z, "central")
     assert push.shape == central.shape == (len(z) - 1, z.shape[1])
@@ -181,7 +185,7 @@ def test_central_differences_need_a_push_close_to_that_of_the_exact_inverse(demo
     assert v == pytest.approx(v_central, abs=0.1 * np.abs(np.diff(z, axis=0)).max() * len(z))
 
 
-@pytest.mark.parametrize("phase", ["linear", "exponential", "sigmoid"])
+@pytest.mark.parametrize("phase", list(PHASES))
 @pytest.mark.parametrize("fit", ["lwr", "bias", "joint"])
 @pytest.mark.parametrize(
     "kernel", [{}, {"kernel": "mollifier", "kernel_width": 2.5}, {"kernel_sigma": 0.65}]
@@ -198,7 +202,7 @@ def test_every_phase_kernel_and_fit_draws_a_letter_within_its_millimetres(phase,
 
 def test_only_with_feed_forward_does_a_moved_goal_of_the_linear_phase_arrive():
     for feed, miss in ((True, 0.0), (False, 4 / 60)):
-        answer = Equation(Settings.star(alpha=60.0, n_kernels=30, feed_goal=feed), 600).answer()
+        answer = Equation(Settings.star(alpha=60.0, n_kernels=30, feed_goal=feed), 600).goal_gain()
         assert 1 - answer[-1, 0] == pytest.approx(miss, rel=0.01, abs=1e-6)
 
 
@@ -208,7 +212,7 @@ def test_a_goal_that_is_fed_forward_moves_the_path_by_what_the_phase_has_run_dow
     equation = Equation(
         Settings.star(alpha=alpha, n_kernels=6, phase=phase, integrator="exact"), 4000
     )
-    moved, s = equation.answer()[:, 0], Phase(phase).at(np.linspace(1, 0, 4001))
+    moved, s = equation.goal_gain()[:, 0], PHASES[phase]().at(np.linspace(1, 0, 4001))
     late = (
         np.linspace(0, 1, 4001) > 16 / alpha
     )  # by then the pen has forgotten that it began at rest
@@ -216,11 +220,11 @@ def test_a_goal_that_is_fed_forward_moves_the_path_by_what_the_phase_has_run_dow
     assert abs(1 - moved[-1]) < 0.03
 
 
-@pytest.mark.parametrize("phase", ["linear", "exponential", "sigmoid"])
+@pytest.mark.parametrize("phase", list(PHASES))
 def test_truncated_kernels_touch_gap_and_overlap_by_their_width(phase):
-    s = Phase(phase).at(np.linspace(1, 0.002, 499))
+    s = PHASES[phase]().at(np.linspace(1, 0.002, 499))
     touching, gapped, overlapping = (
-        (Kernels(10, width, 0.5, Phase(phase)).heights(s) > 0).sum(axis=1)
+        (Kernels(10, width, KERNELS["gaussian"](0.5), PHASES[phase]()).heights(s) > 0).sum(axis=1)
         for width in (1.0, 0.6, 1.5)
     )
     assert set(touching) == {1}

@@ -10,7 +10,7 @@ import pytest
 from IPython.core.formatters import PNGFormatter
 from matplotlib.figure import Figure
 
-from dmp_teach.dmp.kernels import Kernels
+from dmp_teach.dmp import KERNELS, Kernels
 from dmp_teach.ink.alphabet import recording_of
 from dmp_teach.studies.experiments.d_to_p import make_p_from_d
 from dmp_teach.studies.experiments.error_curves import sweep_kernel_number, sweep_kernel_width
@@ -109,7 +109,9 @@ def test_kernels_are_drawn_as_they_are():
     panels = figures.draw_kernel_types(5).axes
     assert len(panels) == 4
     for line, height in zip(
-        panels[1].lines, Kernels(5, 1.0, 0.5).heights(np.linspace(0, 1, 2001)).T, strict=True
+        panels[1].lines,
+        Kernels(5, 1.0, KERNELS["gaussian"](0.5)).heights(np.linspace(0, 1, 2001)).T,
+        strict=True,
     ):
         shown = line.get_ydata()
         np.testing.assert_allclose(shown[np.isfinite(shown)], height[np.isfinite(shown)])

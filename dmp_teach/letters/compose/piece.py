@@ -13,7 +13,7 @@ from typing import Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from dmp_teach.dmp import DMP, check_point
+from dmp_teach.dmp import DMP, TRANSFORMATIONS, check_point
 from dmp_teach.errors import LetterError
 from dmp_teach.letters.compose.geometry import (
     box_middle,
@@ -31,7 +31,9 @@ from dmp_teach.letters.compose.places import (
 )
 from dmp_teach.trajectory import Array, Trajectory, locked
 
-PIECE_TRANSFORMS = ("star", "similarity")
+PIECE_TRANSFORMS = tuple(
+    name for name, each in TRANSFORMATIONS.items() if each.weights_fit_any_goal
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -256,18 +258,11 @@ class Piece:
         """Return the stroke mapped by a matrix (2, 2) about its start."""
         self._refuse_original("turned or scaled")
         own = self.primitive
-        mapped = replace(
-            own,
-            weights=own.weights @ matrix.T,
-            biases=None if own.biases is None else own.biases @ matrix.T,
-            goal=own.start + matrix @ (own.goal - own.start),
-            start_velocity=matrix @ own.start_velocity,
-        )
         goal = None if self.led_to is None else own.start + matrix @ (self.led_to - own.start)
-        return replace(self, primitive=mapped, led_to=goal)
+        return replace(self, primitive=own.mapped(matrix), led_to=goal)
 
     def _refuse_original(self, done: str) -> None:
-        if self.primitive.settings.transform == "original":
+        if not self.primitive.transformation.weights_fit_any_goal:
             raise LetterError(
                 f"{self.name} was learned with the original form, whose weights belong to one way "
                 f"from start to goal, so it cannot be {done}; learn it with Settings.star()."

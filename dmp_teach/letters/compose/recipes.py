@@ -188,7 +188,8 @@ def _transformed(
     pieces: tuple[Piece, ...], transform: str | None, alike: bool
 ) -> tuple[Piece, ...]:
     """Return the strokes with the transformation given, or the recipe's."""
-    if transform is None and (not alike or pieces[0].primitive.settings.transform == "original"):
+    any_goal = pieces[0].primitive.transformation.weights_fit_any_goal
+    if transform is None and not (alike and any_goal):
         return pieces
     return tuple(piece.using(transform or "similarity") for piece in pieces)
 

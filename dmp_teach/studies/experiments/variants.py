@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from dmp_teach.dmp import DMP, Settings
+from dmp_teach.dmp import DMP, KERNELS, Settings
 from dmp_teach.trajectory import Trajectory
 
 TENTH = 0.1
@@ -74,8 +74,8 @@ def rms_error(path: Trajectory, settings: Settings) -> float:
 
 
 def has_ends(settings: Settings, width: float) -> bool:
-    """Whether these kernels may have this width: a mollifier must end somewhere."""
-    return settings.kernel != "mollifier" or math.isfinite(width)
+    """Whether these kernels may have this width: some must end somewhere."""
+    return KERNELS[settings.kernel].endless or math.isfinite(width)
 
 
 def rms(apart: np.ndarray) -> float:

@@ -6,12 +6,14 @@ medians over strokes unless said otherwise. `TOLERANCE` is how much two medians 
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
 
 from dmp_teach.dmp import KERNELS_PER_SECOND
 from dmp_teach.studies.experiments.error_curves import ErrorCurves
+from dmp_teach.studies.experiments.variants import WIDTH_VARIANTS
 from dmp_teach.studies.verdicts.claim import (
     DEPENDS,
     FAILS,
@@ -39,7 +41,8 @@ def _of(curves: ErrorCurves, variant: str, x: float) -> np.ndarray:
 
 def _gaussian(curves: ErrorCurves) -> tuple[str, ...]:
     """The variants whose kernels without ends are full Gaussians."""
-    return tuple(name for name in curves.variants if not name.startswith(("box", "mollifier")))
+    kinds = {name: variant.settings for name, variant in WIDTH_VARIANTS.items()}
+    return tuple(name for name in curves.variants if math.isfinite(kinds[name].kernel_sigma))
 
 
 def _names(curves: ErrorCurves, chosen: np.ndarray) -> str:

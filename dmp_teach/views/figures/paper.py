@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+from string import ascii_lowercase
+
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from dmp_teach.dmp import Kernels
+from dmp_teach.dmp import KERNELS, Kernels
 from dmp_teach.studies import Choice, ErrorCurves, Traces
 from dmp_teach.trajectory import Array
 from dmp_teach.views.figures.figure_style import (
@@ -40,12 +42,6 @@ WIDTH_TICKS = {
     20.0: "20",
     40.0: "40",
 }
-KERNEL_TYPES = (
-    ("(a) full Gaussian", np.inf, 0.65),
-    ("(b) truncated, touching: width 1/N", 1.0, 0.5),
-    ("(c) truncated, with gaps: width 2/3N", 2 / 3, 0.5),
-    ("(d) truncated, overlapping: width 2/N", 2.0, 0.65),
-)
 TRACE_LOOKS: dict[str, Look] = {
     "demonstration": {"color": PERSON_COLOR, "linestyle": (0, (5, 2)), "linewidth": 2.2},
     "DMP*": {"color": ROBOT_COLOR, "linestyle": "-", "linewidth": 1.8},
@@ -54,15 +50,18 @@ TRACE_LOOKS: dict[str, Look] = {
 
 
 def draw_kernel_types(number: int = 8) -> Figure:
-    """Draw the paper's figure 2: four kinds of kernel over the phase.
+    """Draw the paper's figure 2: the kinds of kernel over the phase.
 
     Args:
         number: N.
     """
-    figure, panels = new_figure(1, 4, 13, 2.9, sharey=True)
+    kinds = [kind for kernel in KERNELS.values() for kind in kernel.kinds()]
+    figure, panels = new_figure(1, len(kinds), 3.25 * len(kinds), 2.9, sharey=True)
     s = np.linspace(0, 1, 2001)
-    for panel, (title, width, sigma) in zip(panels[0], KERNEL_TYPES, strict=True):
-        heights = Kernels(number, width, sigma).heights(s)
+    for letter, panel, (title, width, kernel) in zip(
+        ascii_lowercase, panels[0], kinds, strict=False
+    ):
+        heights = Kernels(number, width, kernel).heights(s)
         for height, look in zip(heights.T, cycle_looks(), strict=False):
             # One sample more on each side: the cut of a truncated kernel is seen.
             active = np.convolve(height > 0, [1, 1, 1], mode="same") > 0
@@ -71,7 +70,9 @@ def draw_kernel_types(number: int = 8) -> Figure:
             panel.fill_between(s, np.nan_to_num(bump), color=look["color"], alpha=0.12, linewidth=0)
         inactive = heights.max(axis=1) == 0
         panel.fill_between(s, 0, 1.08, where=inactive, color="#DDDDDD", linewidth=0, step="mid")
-        style_axes(panel, "phase s", "height ψ(s)" if panel is panels[0][0] else "", title)
+        style_axes(
+            panel, "phase s", "height ψ(s)" if panel is panels[0][0] else "", f"({letter}) {title}"
+        )
         panel.set_ylim(0, 1.08)
         panel.set_xlim(0, 1)
     return figure
