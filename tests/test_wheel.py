@@ -14,7 +14,7 @@ PIP = [sys.executable, "-m", "pip", "--disable-pip-version-check"]
 QUICK_START = """
 import pathlib, sys
 import dmp_teach as teach
-from dmp_teach.classroom import RESTING
+from dmp_teach.classroom import RESTING_SCRIPT
 
 assert sys.prefix in teach.__file__, teach.__file__
 assert not any((pathlib.Path(place) / "environment.txt").exists() for place in sys.path)
@@ -23,7 +23,7 @@ strokes = letter.write(goal_shifts={0: (0.03, 0.00)})
 teach.write_recording(strokes, "a.json")
 assert teach.read_recordings("a.json")[0].strokes()[0].duration == strokes[0].duration
 assert teach.recording_of("a", "slanted").character == "a"
-assert "export" in RESTING
+assert "export" in RESTING_SCRIPT
 print(letter)
 """
 

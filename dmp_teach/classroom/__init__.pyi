@@ -1,3 +1,3 @@
 from .panels.explore import explore as explore
 from .panels.pad import pad as pad
-from .panels.resting import RESTING as RESTING
+from .panels.resting import RESTING_SCRIPT as RESTING_SCRIPT

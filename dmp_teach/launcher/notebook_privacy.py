@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from dmp_teach.classroom import RESTING
+from dmp_teach.classroom import RESTING_SCRIPT
 from dmp_teach.ink import INK_CLASS
 
 
@@ -29,7 +29,7 @@ def without_ink(model: dict[str, Any], **_: Any) -> None:
         state = each.get("state")
         if isinstance(state, dict) and str(state.get("_anywidget_id", "")).startswith("dmp_teach."):
             each["state"] = {name: state[name] for name in state if name.startswith("_")}
-            each["state"].update(_esm=RESTING, _css="")
+            each["state"].update(_esm=RESTING_SCRIPT, _css="")
             each["buffers"] = []
         # Notebooks of format 3 say "svg".
         for name in ("image/svg+xml", "svg"):

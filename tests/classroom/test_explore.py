@@ -7,12 +7,12 @@ import numpy as np
 import pytest
 
 import dmp_teach
-from dmp_teach.classroom.panels import robot_panel as room
 from dmp_teach.classroom.panels.background_job import Job, StopPressed
 from dmp_teach.classroom.panels.explore import explore
 from dmp_teach.ink.alphabet import characters
 from dmp_teach.ink.recording import Recording
 from dmp_teach.ink.recording_json import read_json, write_json
+from tests.classroom.browser import send
 
 
 def points(panel, name="robot"):
@@ -129,7 +129,7 @@ def test_a_letter_too_large_for_the_page_is_cured_by_one_button(panel):
     assert "210 x 297 mm" in panel.work["strong"]
     assert panel.work["cure"].startswith("Write it 28.7 cm high")
     assert panel.motion is None
-    panel._hear(panel, {"kind": "cure"}, [])
+    send(panel, {"kind": "cure"})
     assert panel.work == {"state": "idle"}
     assert np.ptp(panel.motion.strokes[0].position[:, 1]) == pytest.approx(0.287, abs=0.001)
 
@@ -139,7 +139,7 @@ def test_a_page_out_of_reach_is_cured_by_one_button():
     panel.write()
     assert panel.work["state"] == "cannot"
     assert panel.work["cure"] == "Move the page there"
-    panel._hear(panel, {"kind": "cure"}, [])
+    send(panel, {"kind": "cure"})
     assert panel.work == {"state": "idle"}
     assert panel.motion.page is panel.page
 
@@ -154,10 +154,10 @@ def test_near_the_end_of_the_arms_reach_the_robots_notes_say_so_and_nothing_is_p
 
 
 def test_without_placo_the_panel_goes_on_and_says_what_works(panel, monkeypatch):
-    def missing(*_):
+    def missing(*_, **__):
         raise dmp_teach.errors.MissingPartError("PlaCo is not here. Letters can still be learned.")
 
-    monkeypatch.setattr(room, "_plan", missing)
+    monkeypatch.setattr(dmp_teach.Fetch, "write", missing)
     panel.write()
     assert panel.work["strong"] == "PlaCo is not here."
     panel.n_kernels = 20
@@ -167,7 +167,7 @@ def test_without_placo_the_panel_goes_on_and_says_what_works(panel, monkeypatch)
 def test_stop_ends_the_planning_and_the_next_letter_is_written(panel):
     async def press_stop():
         panel.write()
-        panel._hear(panel, {"kind": "stop"}, [])
+        send(panel, {"kind": "stop"})
         while panel.work["state"] == "working":
             await asyncio.sleep(0.01)
 
@@ -203,7 +203,7 @@ def test_what_a_job_raises_is_its_result():
 def test_a_recording_of_ones_own_stands_beside_the_letters(panel, tmp_path):
     path = tmp_path / "q.json"
     write_json(dmp_teach.recording_of("q"), path)
-    panel._open_bytes("q.json", path.read_bytes())
+    send(panel, {"kind": "file", "name": "q.json"}, path.read_bytes())
     assert panel.choices[-1][2] == "your own q"
     own = np.concatenate([stroke.position for stroke in read_json(path).strokes()])
     assert np.allclose(points(panel, "demo"), own, atol=1e-6)
@@ -213,21 +213,21 @@ def test_a_recording_of_ones_own_stands_beside_the_letters(panel, tmp_path):
 @pytest.mark.parametrize("name", ["notes.csv", "../../notes.json", "..", ""])
 def test_a_file_that_is_no_recording_gets_a_sentence_and_the_letter_stays(panel, name):
     before = panel.robot
-    panel._open_bytes(name, b"shopping,list\n")
+    send(panel, {"kind": "file", "name": name}, b"shopping,list\n")
     assert panel.work["state"] == "cannot"
     assert panel.robot == before
 
 
 def test_a_file_of_many_megabytes_is_refused_with_its_size(panel):
-    panel._hear(panel, {"kind": "too large", "name": "film.csv", "size": 90_000_000}, [])
+    send(panel, {"kind": "too large", "name": "film.csv", "size": 90_000_000})
     assert panel.work["strong"] == "film.csv has 90 MB."
 
 
 @pytest.mark.parametrize(
-    "end", [lambda p: p._hear(p, {"kind": "close"}, []), lambda p: setattr(p, "n_kernels", 20)]
+    "end", [lambda p: send(p, {"kind": "close"}), lambda p: setattr(p, "n_kernels", 20)]
 )
 def test_what_cannot_be_done_goes_away_when_closed_and_when_something_is_changed(panel, end):
-    panel._open_bytes("notes.csv", b"shopping,list\n")
+    send(panel, {"kind": "file", "name": "notes.csv"}, b"shopping,list\n")
     assert panel.work["state"] == "cannot"
     end(panel)
     assert panel.work == {"state": "idle"}
@@ -243,8 +243,8 @@ def test_gaps_between_bumps_are_told_by_the_panels_own_sentence(panel, recwarn):
 def test_a_file_opened_while_the_robot_plans_leaves_its_steps_in_sight(panel, tmp_path):
     path = tmp_path / "q.json"
     write_json(dmp_teach.recording_of("q"), path)
-    panel._progress("joints", 0.5)
-    panel._open_bytes("q.json", path.read_bytes())
+    panel.work = {"state": "working", "steps": [], "at": 2, "fraction": 0.5}
+    send(panel, {"kind": "file", "name": "q.json"}, path.read_bytes())
     assert panel.work["state"] == "working"
     assert panel.title.startswith("Your own q")
 

@@ -16,6 +16,7 @@ from dmp_teach.classroom.panels.pad import pad
 from dmp_teach.errors import RecordingError, TeachError
 from dmp_teach.ink.alphabet import recording_of
 from dmp_teach.ink.recording_json import read_json, write_json
+from tests.classroom import browser
 
 
 @pytest.fixture
@@ -38,7 +39,7 @@ def rows_of(stroke, stretch=(1.0, 1.0), shift=(0.0, 0.0), pressure=0.5):
 def send(panel, rows=None, kind="stroke", **more):
     number = more.pop("n", panel.answered + 1)
     buffers = [] if rows is None else [memoryview(np.asarray(rows, "<f8").tobytes())]
-    panel._hear(panel, {"kind": kind, "n": number, "pointer": "mouse", **more}, buffers)
+    browser.send(panel, {"kind": kind, "n": number, "pointer": "mouse", **more}, *buffers)
 
 
 def write(panel, character="a", **how):
@@ -368,7 +369,7 @@ def test_save_and_forget_without_ink_say_so(panel, folder):
 
 def test_a_place_that_cannot_be_written_gets_a_sentence(panel, folder, monkeypatch):
     write(panel)
-    monkeypatch.setattr("dmp_teach.classroom.panels.pad.Path.cwd", lambda: folder / "gone")
+    monkeypatch.setattr("pathlib.Path.cwd", lambda: folder / "gone")
     send(panel, kind="save")
     assert "gone" in panel.kept
     assert "Saved" not in panel.kept
@@ -377,14 +378,14 @@ def test_a_place_that_cannot_be_written_gets_a_sentence(panel, folder, monkeypat
 def test_a_recording_of_ones_own_is_a_try_of_its_letter(panel, tmp_path):
     write_json(dmp_teach.recording_of("b"), tmp_path / "b_w09.json")
     content = (tmp_path / "b_w09.json").read_bytes()
-    panel._hear(panel, {"kind": "file", "name": "b_w09.json", "n": 1}, [content])
+    browser.send(panel, {"kind": "file", "name": "b_w09.json", "n": 1}, content)
     assert panel.character == "b"
     assert panel.parts
     assert panel.recording.character == "b"
     stroke = dmp_teach.recording_of("a").strokes()[0]
     send(panel, rows_of(stroke))
     assert len(panel.recordings) == 2
-    panel._hear(panel, {"kind": "file", "name": "notes.csv", "n": 9}, [b"milk,2\n"])
+    browser.send(panel, {"kind": "file", "name": "notes.csv", "n": 9}, b"milk,2\n")
     assert panel.work["state"] == "cannot"
 
 
@@ -434,7 +435,7 @@ def good():
 def test_bad_input_gets_a_sentence_and_the_sheet_stays(panel, content, words):
     write(panel)
     before = panel.ink
-    panel._hear(panel, {"kind": "stroke", "n": 7}, [memoryview(content)])
+    browser.send(panel, {"kind": "stroke", "n": 7}, memoryview(content))
     assert words in panel.caught
     assert panel.ink == before
     assert panel.answered == 7
@@ -470,7 +471,7 @@ def test_no_message_ever_kills_the_panel(messages):
     panel = pad("i")
     for each in messages:
         if isinstance(each, tuple):
-            panel._hear(panel, {"kind": each[0], "n": each[1]}, [memoryview(each[2])])
+            browser.send(panel, {"kind": each[0], "n": each[1]}, memoryview(each[2]))
         else:
             send(panel, each)
     send(panel, kind="again", n=99)

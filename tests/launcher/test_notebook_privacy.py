@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 import dmp_teach
 from dmp_teach.classroom import saving
 from dmp_teach.classroom.panels.pad import pad
-from dmp_teach.launcher.notebook_privacy import RESTING, without_ink
+from dmp_teach.launcher.notebook_privacy import RESTING_SCRIPT, without_ink
 from dmp_teach.views.scene.view import SceneView
 
 WIDGETS = "application/vnd.jupyter.widget-state+json"
@@ -61,7 +61,7 @@ def test_of_our_panels_a_sentence_is_kept_and_no_ink_and_other_widgets_stay_as_t
     without_ink(model=model, path="a.ipynb", contents_manager=None)
     kept = model["content"]["metadata"]["widgets"][WIDGETS]["state"]
     for panel in (kept["a"], kept["b"]):
-        assert panel["state"]["_esm"] == RESTING
+        assert panel["state"]["_esm"] == RESTING_SCRIPT
         assert all(name.startswith("_") for name in panel["state"])
         assert "SECRET" not in json.dumps(panel)
     assert kept["a"]["state"]["_anywidget_id"] == "dmp_teach.classroom.panels.pad.Pad"

@@ -1,12 +1,12 @@
-"""What somebody wrote on the pad, try by try: the ink, what a robot learns from it, and how near it is to the model."""
+"""What was written on the pad, attempt by attempt: ink, what a robot learns of it, its score."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any, Self
+from typing import Self
 
-from dmp_teach.classroom.panels.messages import beside, millimetres
+from dmp_teach.classroom.panels.messages import format_millimetres, rate_attempt
 from dmp_teach.errors import LetterError, RecordingError
 from dmp_teach.ink import PadStroke, Recording, pad_recording
 from dmp_teach.letters import Letter
@@ -15,7 +15,7 @@ from dmp_teach.trajectory import Trajectory
 
 
 @dataclass(frozen=True, eq=False)
-class Try:
+class Attempt:
     """One writing of a letter.
 
     Args:
@@ -32,11 +32,10 @@ class Try:
     def of(
         cls, strokes: tuple[PadStroke, ...], model: Recording | None, writer: str | None
     ) -> Self:
-        """A try of these strokes, of the model's letter, on the writing line y = 0."""
+        """Make an attempt at the model's letter, on the writing line y = 0."""
         character = None if model is None else model.character
-        return cls(
-            pad_recording(strokes, character=character, writer=writer, baseline=0.0), strokes, model
-        )
+        recording = pad_recording(strokes, character=character, writer=writer, baseline=0.0)
+        return cls(recording, strokes, model)
 
     @cached_property
     def ink(self) -> tuple[Trajectory, ...]:
@@ -55,26 +54,22 @@ class Try:
 
     @cached_property
     def score(self) -> Score | None:
-        """How near it is to the model; None without a model, or where it has no shape: a dot, or two."""
+        """How near it is to the model; None without a model, or where it is only dots."""
         try:
             return None if self.model is None else score(self.recording, self.model)
         except LetterError:
             return None
 
     @property
-    def size(self) -> float:
-        """How large the model is, the longer of its sides [m]."""
-        return size_of(self.model.strokes())
-
-    @property
-    def laid(self) -> tuple[Trajectory, ...]:
-        """Its ink, laid on the model."""
-        return tuple(
-            replace(stroke, position=stroke.position + self.score.shift) for stroke in self.ink
-        )
+    def aligned(self) -> tuple[Trajectory, ...]:
+        """The ink laid on the model, as the score does."""
+        if self.score is None:
+            return self.ink
+        shift = self.score.shift
+        return tuple(replace(stroke, position=stroke.position + shift) for stroke in self.ink)
 
     def named(self, writer: str) -> Self:
-        """The same, under a pseudonym."""
+        """Return the same under a pseudonym."""
         return replace(self, recording=replace(self.recording, writer=writer))
 
     @property
@@ -83,33 +78,35 @@ class Try:
         return any(stroke.is_coarse for stroke in self.strokes)
 
     @property
-    def is_short(self) -> bool:
-        """Whether the model has more strokes."""
-        return self.model is not None and len(self.ink) < len(self.model.strokes())
+    def missing_strokes(self) -> int:
+        """How many strokes the model has more."""
+        return 0 if self.model is None else max(0, len(self.model.strokes()) - len(self.ink))
 
 
-class Tries:
-    """Every try in order, the one on the sheet last; nothing of it is written anywhere.
+class Attempts:
+    """Every attempt in order, the one on the sheet last; nothing of it is written anywhere.
 
-    A try that was brought back stays in its place, too: whatever is then done to the sheet, it is not lost.
+    An attempt that was brought back stays in its place, too: whatever is then done to the sheet,
+    it is not lost.
     """
 
     def __init__(self) -> None:
-        self._all: list[Try | None] = [None]  # None: the sheet is empty
+        # None: the sheet is empty.
+        self._all: list[Attempt | None] = [None]
 
     @property
-    def now(self) -> Try | None:
+    def now(self) -> Attempt | None:
         """What is on the sheet."""
         return self._all[-1]
 
     @now.setter
-    def now(self, value: Try | None) -> None:
+    def now(self, value: Attempt | None) -> None:
         """Put something else on the sheet."""
         self._all[-1] = value
 
     @property
-    def newest(self) -> Try:
-        """What is on the sheet, or the try before; a RecordingError while there is none."""
+    def newest(self) -> Attempt:
+        """What is on the sheet, or the attempt before; a RecordingError while there is none."""
         newest = next((each for each in reversed(self._all) if each is not None), None)
         if newest is None:
             raise RecordingError("Nothing is written on the pad yet: write a letter first.")
@@ -117,46 +114,52 @@ class Tries:
 
     @property
     def recordings(self) -> tuple[Recording, ...]:
-        """The ink of every try."""
-        return tuple(each.recording for each in self._each())
+        """The ink of every attempt."""
+        return tuple(each.recording for each in self._list_once(self._all))
 
     @property
     def is_back(self) -> bool:
-        """Whether what is on the sheet is the try before, brought back and not changed since."""
+        """Whether what is on the sheet is the attempt before, brought back and unchanged."""
         return self.now is not None and self.now in self._all[:-1]
 
     def take_a_new_sheet(self) -> None:
-        """The try on the sheet stays among the others."""
+        """Leave the attempt on the sheet among the others."""
         if self.is_back:
             self.now = None
         elif self.now is not None:
             self._all.append(None)
 
     def bring_back(self, model: Recording | None) -> None:
-        """Onto an empty sheet the try before, if that is a try of the same letter."""
-        if len(self._all) > 1 and self._all[-2].model is model:
-            self.now = self._all[-2]
+        """Put the attempt before onto an empty sheet, if it is one at the same letter."""
+        before = self._all[-2] if len(self._all) > 1 else None
+        if before is not None and before.model is model:
+            self.now = before
 
-    def name_the_newest(self, writer: str) -> Try:
-        """The newest try under a pseudonym, in the place of the one without."""
-        newest, named = self.newest, self.newest.named(writer)
+    def name_the_newest(self, writer: str) -> Attempt:
+        """Put the newest attempt under a pseudonym in the place of the one without."""
+        newest = self.newest
+        named = newest.named(writer)
         self._all = [named if each is newest else each for each in self._all]
         return named
 
-    def scored(self, model: Recording | None, done: bool) -> list[Try]:
-        """The tries of one letter that have a score; that on the sheet only if it is done."""
-        tries = self._each(None if done else -1)
-        return [each for each in tries if each.model is model and each.score is not None]
+    def scored(self, model: Recording | None, with_sheet: bool) -> list[Attempt]:
+        """Return the attempts at one letter that have a score, with that on the sheet or not."""
+        attempts = self._list_once(self._all if with_sheet else self._all[:-1])
+        return [each for each in attempts if each.model is model and each.score is not None]
 
-    def _each(self, end: int | None = None) -> list[Try]:
-        """Every try once, up to a place in the list."""
-        return list(dict.fromkeys(each for each in self._all[:end] if each is not None))
+    @staticmethod
+    def _list_once(attempts: list[Attempt | None]) -> list[Attempt]:
+        """Return every attempt once."""
+        return list(dict.fromkeys(each for each in attempts if each is not None))
 
 
-def as_rows(tries: list[Try], first: int) -> list[dict[str, Any]]:
-    """Tries with a score as the browser shows them; `first` is the number of the first one."""
-    words = [(millimetres(each.score.distance), beside(each.score, each.size)) for each in tries]
-    return [
-        {"number": n, "mm": mm, "word": word, "counts": [len(stroke) for stroke in each.ink]}
-        for n, (each, (mm, word)) in enumerate(zip(tries, words, strict=True), first)
-    ]
+def list_rows(attempts: list[Attempt], first: int) -> list[dict[str, object]]:
+    """Return attempts with a score as the browser shows them, numbered from `first`."""
+    rows: list[dict[str, object]] = []
+    for number, attempt in enumerate(attempts, first):
+        if attempt.score is not None and attempt.model is not None:
+            word = rate_attempt(attempt.score, size_of(attempt.model.strokes()))
+            millimetres = format_millimetres(attempt.score.distance)
+            counts = [len(stroke) for stroke in attempt.ink]
+            rows.append({"number": number, "mm": millimetres, "word": word, "counts": counts})
+    return rows

@@ -6,70 +6,73 @@ import asyncio
 import threading
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
-from typing import Any
 
-_ROBOT = ThreadPoolExecutor(max_workers=1, thread_name_prefix="robot")
+Report = Callable[[str, float], None]
+"""Takes the name of a step, and the fraction of it that is done, 0 to 1."""
+
+_ROBOT_THREAD = ThreadPoolExecutor(max_workers=1, thread_name_prefix="robot")
 
 
 class StopPressed(Exception):  # noqa: N818 (not an error)
-    """Somebody pressed *Stop*."""
+    """*Stop* was pressed."""
 
 
 class Job:
-    """One piece of work, its progress and its end, told to the thread that asked.
+    """One piece of work, whose progress and end are told to the thread that started it.
 
     Args:
-        work: Called in the robot's thread with `report(step, fraction)`; what it returns is the result.
-        on_progress: Called with the step's name and the fraction of it that is done, 0 to 1.
+        work: Called in the robot's thread with `report`; what it returns is the result.
+        on_progress: Called with what `report` is called with.
         on_end: Called once, with the result or with the exception.
     """
 
     def __init__(
         self,
-        work: Callable[[Callable[[str, float], None]], Any],
-        on_progress: Callable[[str, float], None],
-        on_end: Callable[[Any], None],
+        work: Callable[[Report], object],
+        on_progress: Report,
+        on_end: Callable[[object], None],
     ):
         self._stop = threading.Event()
-        self._on_progress, self._on_end = on_progress, on_end
-        self._loop = _running_loop()
-        future = _ROBOT.submit(self._run, work)
+        self._on_progress = on_progress
+        self._on_end = on_end
+        self._loop = _find_running_loop()
+        future = _ROBOT_THREAD.submit(self._run, work)
         if self._loop is None:
             self._on_end(future.result())
         else:
-            future.add_done_callback(lambda done: self._tell(self._ended, done.result()))
+            future.add_done_callback(lambda done: self._call(self._pass_on, done.result()))
 
     def stop(self) -> None:
-        """End the work at its next report; nobody hears what came of it."""
+        """End the work at its next report; its result is dropped."""
         self._stop.set()
 
-    def _ended(self, result: Any) -> None:
-        """Pass the result on, unless somebody has pressed *Stop* since."""
+    def _pass_on(self, result: object) -> None:
+        """Pass the result on, unless *Stop* was pressed since."""
         self._on_end(StopPressed() if self._stop.is_set() else result)
 
-    def _run(self, work: Callable[[Callable[[str, float], None]], Any]) -> Any:
-        """The result of the work, or what it raised: a thread has nobody else to tell."""
+    def _run(self, work: Callable[[Report], object]) -> object:
+        """Return the result of the work, or what it raised."""
         try:
             return work(self._report)
         except Exception as error:
             return error
 
     def _report(self, step: str, fraction: float) -> None:
-        """Pass progress on; raise where somebody pressed *Stop*."""
+        """Pass progress on; raise StopPressed where *Stop* was pressed."""
         if self._stop.is_set():
             raise StopPressed
-        self._tell(self._on_progress, step, fraction)
+        self._call(self._on_progress, step, fraction)
 
-    def _tell(self, hear: Callable[..., None], *values: Any) -> None:
-        """Call `hear` in the thread that asked; without an event loop, here and now."""
+    def _call(self, callback: Callable[..., None], *values: object) -> None:
+        """Call back in the thread that started the job; without an event loop, here and now."""
         if self._loop is None:
-            hear(*values)
+            callback(*values)
         else:
-            self._loop.call_soon_threadsafe(hear, *values)
+            self._loop.call_soon_threadsafe(callback, *values)
 
 
-def _running_loop() -> asyncio.AbstractEventLoop | None:
-    """The kernel's event loop; None in a plain program."""
+def _find_running_loop() -> asyncio.AbstractEventLoop | None:
+    """Return the kernel's event loop; None in a plain program."""
     try:
         return asyncio.get_running_loop()
     except RuntimeError:

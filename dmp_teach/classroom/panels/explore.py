@@ -1,16 +1,21 @@
-"""The start panel: a person's letter, the robot's copy, sliders, and the robot that writes what is seen."""
+"""The start panel: a person's letter, the robot's copy, sliders, and a robot that writes it."""
 
 from __future__ import annotations
 
 import warnings
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import traitlets
 
-from dmp_teach.classroom.panels import messages as words
-from dmp_teach.classroom.panels.robot_panel import RobotPanel, bundle, bytes_of, letter_choices
+from dmp_teach.classroom.panels import messages
+from dmp_teach.classroom.panels.robot_panel import (
+    RobotPanel,
+    bundle,
+    list_letter_choices,
+    pack_points,
+)
+from dmp_teach.classroom.panels.sheets import fit_goal_sheet
 from dmp_teach.dmp import Settings, knob_of
 from dmp_teach.errors import RecordingError, SettingWarning
 from dmp_teach.files import bundle as bundled
@@ -21,16 +26,18 @@ from dmp_teach.robot import Page
 from dmp_teach.trajectory import Trajectory
 from dmp_teach.views import SceneView, read_beside
 
-_NEAR = "abemBDMPR"  # the letters of the paper's figures, and two that D becomes
-_OWN = "own recording"
-_MOST_KERNELS = 80
+# The letters of the paper's figures, and two that D becomes.
+NEAR_LETTERS = "abemBDMPR"
+OWN_RECORDING = "own recording"
+MAX_KERNELS = 80
 
 
 def explore(recording: Recording | str | Path | None = None, page: Page | None = None) -> Explore:
-    """A live panel: change the letter with sliders and goals, then let the robot write it.
+    """Show a live panel: change a letter with sliders and goals, then let the robot write it.
 
     Args:
-        recording: A recording, or the path of one, to begin with; None begins with our own alphabet.
+        recording: A recording, or the path of one, to begin with; None begins with our own
+            alphabet.
         page: Where the robot writes; None for a sheet of A4 on the table.
 
     Raises:
@@ -40,43 +47,38 @@ def explore(recording: Recording | str | Path | None = None, page: Page | None =
 
 
 class Explore(RobotPanel):
-    """The panel. Its knobs are traits: `n_kernels`, `kernel_width` [1/N], `stroke`, `goal_x` and `goal_y` [m]."""
+    """The start panel.
+
+    Its knobs are traits: `n_kernels`, `kernel_width` [1/N], `stroke`, `goal_x` and `goal_y` [m].
+    """
 
     _esm = bundled(Path(__file__).with_name("explore.js"))
     _css = read_beside("tokens.css") + bundle("panel.css", "paper.css")
 
-    choices = traitlets.List().tag(sync=True)
-    near = traitlets.List(list(_NEAR)).tag(sync=True)
+    near = traitlets.List(list(NEAR_LETTERS)).tag(sync=True)
     letter = traitlets.Unicode().tag(sync=True)
     knobs = traitlets.Dict().tag(sync=True)
     n_kernels = traitlets.Int(12).tag(sync=True)
-    most_kernels = traitlets.Int(_MOST_KERNELS).tag(sync=True)
+    most_kernels = traitlets.Int(MAX_KERNELS).tag(sync=True)
     kernel_width = traitlets.Float(2.0).tag(sync=True)
     stroke = traitlets.Int(0).tag(sync=True)
-    goal_shifts = traitlets.List().tag(sync=True)
+    goal_shifts: traitlets.List[list[float]] = traitlets.List().tag(sync=True)
     goal_x = traitlets.Float(0.0).tag(sync=True)
     goal_y = traitlets.Float(0.0).tag(sync=True)
-    counts = traitlets.List().tag(sync=True)
     demo = traitlets.Bytes().tag(sync=True)
-    sheet = traitlets.List().tag(sync=True)
-    message = traitlets.Dict().tag(sync=True)
-    title = traitlets.Unicode().tag(sync=True)
-    drawing = traitlets.Int(0).tag(sync=True)
     asked = traitlets.Int(0).tag(sync=True)
-    answered = traitlets.Int(0).tag(sync=True)
 
     def __init__(self, recording: Recording | str | Path | None = None, page: Page | None = None):
-        knobs = {name: _knob(name) for name in ("n_kernels", "kernel_width")}
+        knobs = {name: _describe_knob(name) for name in ("n_kernels", "kernel_width")}
         self._demo: tuple[Trajectory, ...] = ()
-        super().__init__(page, scene=SceneView(compact=True, camera="whole robot"), knobs=knobs)
+        self._drawn: tuple[object, ...] = ()
         self._own: Recording | None = None
-        self.choices = letter_choices()
+        super().__init__(page, scene=SceneView(compact=True, camera="whole robot"), knobs=knobs)
+        self.choices = list_letter_choices()
         if recording is None:
             self.letter = "a"
         else:
             self.load(recording)
-
-    # What the person does ------------------------------------------------------------------------
 
     def load(self, recording: Recording | str | Path) -> None:
         """Show a recording of one's own, beside the letters of the alphabet."""
@@ -86,37 +88,36 @@ class Explore(RobotPanel):
         self._own = own
         label = own.character or "?"
         self.choices = [
-            *(c for c in self.choices if c[0] != _OWN),
-            [_OWN, f"{label}*", f"your own {label}", ""],
+            *(choice for choice in self.choices if choice[0] != OWN_RECORDING),
+            [OWN_RECORDING, f"{label}*", f"your own {label}", ""],
         ]
-        self.near = [*_NEAR, _OWN]
-        if self.letter == _OWN:
+        self.near = [*NEAR_LETTERS, OWN_RECORDING]
+        if self.letter == OWN_RECORDING:
             self._choose()
         else:
-            self.letter = _OWN
-
-    # What is seen --------------------------------------------------------------------------------
+            self.letter = OWN_RECORDING
 
     @traitlets.observe("letter")
-    def _choose(self, change: Any = None) -> None:
-        """Another letter: its strokes, its sheet, and goals where they were taught."""
-        recording = self._own if self.letter == _OWN else recording_of(self.letter)
-        self._demo, self._drawn = recording.strokes(), None
+    def _choose(self, change: object = None) -> None:
+        """Show another letter: its strokes, its sheet, and goals as demonstrated."""
+        own = self._own if self.letter == OWN_RECORDING else None
+        self._demo = (own or recording_of(self.letter)).strokes()
+        self._drawn = ()
         with self.hold_sync(), self.hold_trait_notifications():
-            self.most_kernels = min(_MOST_KERNELS, *(len(stroke) - 1 for stroke in self._demo))
+            self.most_kernels = min(MAX_KERNELS, *(len(stroke) - 1 for stroke in self._demo))
             self.n_kernels = min(self.n_kernels, self.most_kernels)
             self.counts = [len(stroke) for stroke in self._demo]
-            self.demo = bytes_of(self._demo)
-            self.sheet = _sheet(self._demo)
+            self.demo = pack_points(self._demo)
+            self.sheet = fit_goal_sheet(self._demo)
             self.stroke = len(self._demo) - 1
             self.goal_shifts = [[0.0, 0.0] for _ in self._demo]
             self._size = None
         self._redraw()
 
     @traitlets.observe("n_kernels", "kernel_width", "goal_shifts", "stroke", "letter", "asked")
-    def _redraw(self, change: Any = None) -> None:
+    def _redraw(self, change: object = None) -> None:
         """Learn and write again, and say how far off it is."""
-        if not self._demo:
+        if not self._demo or len(self.goal_shifts) != len(self._demo):
             return
         now = (
             self.letter,
@@ -126,61 +127,50 @@ class Explore(RobotPanel):
             str(self.goal_shifts),
             self.asked,
         )
-        if len(self.goal_shifts) != len(self._demo) or now == self._drawn:
+        if now == self._drawn:
             return
         self._drawn = now
         settings = Settings.star(n_kernels=self.n_kernels, kernel_width=self.kernel_width)
-        with warnings.catch_warnings(
-            action="ignore", category=SettingWarning
-        ):  # the sentence tells of gaps
+        # The panel's sentence tells of gaps.
+        with warnings.catch_warnings(action="ignore", category=SettingWarning):
             letter = Letter.learn(self._demo, settings)
-        taught = letter.write()
+        nominal = letter.write()
         shifts = {i: shift for i, shift in enumerate(self.goal_shifts) if np.any(shift)}
-        self._written = letter.write(goal_shifts=shifts) if shifts else taught
         with self.hold_sync():
-            self.robot = bytes_of(self._written)
+            self._show_strokes(letter.write(goal_shifts=shifts) if shifts else nominal)
             self.goal_x, self.goal_y = self.goal_shifts[self.stroke]
-            self._describe(taught, shifts)
-            self._mark_older()
+            self._describe(nominal, shifts)
             self.answered = self.asked
             self.drawing += 1
 
     @traitlets.observe("goal_x", "goal_y")
-    def _move_goal(self, change: Any) -> None:
-        """A slider of somebody's own moves the goal of the chosen stroke."""
+    def _move_goal(self, change: object) -> None:
+        """Move the goal of the chosen stroke, as sliders outside of the panel ask for."""
         shift = [self.goal_x, self.goal_y]
         if self.goal_shifts and shift != list(self.goal_shifts[self.stroke]):
-            self.goal_shifts = [
-                shift if i == self.stroke else s for i, s in enumerate(self.goal_shifts)
-            ]
+            shifts = list(self.goal_shifts)
+            shifts[self.stroke] = shift
+            self.goal_shifts = shifts
 
-    def _describe(self, taught: tuple[Trajectory, ...], shifts: dict[int, list[float]]) -> None:
-        """The number, the sentence and the text alternative."""
-        error = rms_distance(self._demo, taught)
+    def _describe(self, nominal: tuple[Trajectory, ...], shifts: dict[int, list[float]]) -> None:
+        """Set the number, the sentence and the text alternative."""
+        error = rms_distance(self._demo, nominal)
         if shifts:
             stroke = self.stroke if self.stroke in shifts else max(shifts)
             goal = self._demo[stroke].position[-1] + shifts[stroke]
-            miss = float(np.linalg.norm(self._written[stroke].position[-1] - goal))
-            only = None if len(self._demo) == 1 else stroke
-            self.message = words.goal_message(
-                float(np.linalg.norm(shifts[stroke])), miss, error, only
-            )
+            miss = float(np.linalg.norm(self._strokes[stroke].position[-1] - goal))
+            moved = float(np.linalg.norm(shifts[stroke]))
+            named = None if len(self._demo) == 1 else stroke
+            self.message = messages.describe_moved_goal(moved, miss, error, named)
         else:
-            self.message = words.fit_message(error, self.n_kernels, self.kernel_width)
+            self.message = messages.describe_fit(error, self.n_kernels, self.kernel_width)
         name = next(name for key, _, name, _ in self.choices if key == self.letter)
-        self.title = words.letter_title(name, error, words.largest_gap(self._demo, taught))
+        gap = messages.describe_largest_gap(self._demo, nominal)
+        self.title = messages.describe_letter(name, error, gap)
 
 
-def _knob(name: str) -> dict[str, Any]:
-    """A knob as the panel's sliders need it."""
+def _describe_knob(name: str) -> dict[str, object]:
+    """Return a knob as the panel's sliders need it."""
     knob = knob_of(name)
     label = knob.label[0].upper() + knob.label[1:]
     return {"low": knob.low, "high": knob.high, "label": label, "term": knob.term}
-
-
-def _sheet(strokes: tuple[Trajectory, ...]) -> list[float]:
-    """What the sheet shows, [left, bottom, right, top] [m]: the letter and a margin to drag goals to."""
-    points = np.concatenate([stroke.position for stroke in strokes])
-    low, high = points.min(axis=0), points.max(axis=0)
-    margin = max(0.015, 0.14 * float((high - low).max()))
-    return [float(v) for v in (*(low - margin), *(high + margin))]

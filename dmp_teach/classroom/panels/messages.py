@@ -1,4 +1,4 @@
-"""Numbers as a child reads them: one number, one sentence, and a thing of that size."""
+"""Sentences of the panels: one number, one sentence, and a thing of that size."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from dmp_teach.ink import PadStroke
 from dmp_teach.scoring import LEVEL_WORDS, MOVEMENT_FAULTS, Score, leading_fault
 from dmp_teach.trajectory import Trajectory
 
-_THINGS = (
+_THINGS_IN_MM = (
     (0.1, "the thickness of a hair"),
     (1.0, "the width of a pen line"),
     (7.0, "the width of a pencil"),
@@ -16,39 +16,40 @@ _THINGS = (
     (100.0, "the width of a hand"),
 )
 
+Message = dict[str, str]
+"""A number, its unit, and a sentence in three parts, the middle one strong."""
+
 _APART = "Your letter and the robot’s own are this far apart on average. "
 _ALIKE = "It looks the same as the robot’s. "
-_WITHIN = (
-    0.2,
-    0.1,
-    0.04,
-)  # of the letter's size: a distance up to which a try is "nearer", "close", "the same"
-_LITTLE = 0.0025  # two widths of a pen's line and a half [m]: so much further away is a little, however near it was
+# Shares of the letter's size: a distance up to which an attempt is "nearer", "close", "the same".
+_WORD_SHARES = (0.2, 0.1, 0.04)
+# Two widths of a pen's line and a half [m]: so much further away is a little, however near it was.
+_LITTLE_FURTHER = 0.0025
 
 
-def millimetres(metres: float) -> str:
-    """A length as it is shown: "under 0.1", "7.8", "24"; never more figures than can be seen."""
+def format_millimetres(metres: float) -> str:
+    """Return a length as it is shown: "under 0.1", "7.8", "24"."""
     mm = 1000 * metres
     if mm < 0.05:
         return "under 0.1"
     return f"{mm:.1f}" if mm < 9.95 else f"{mm:.0f}"
 
 
-def as_wide_as(metres: float) -> str:
-    """The thing whose size is the nearest, on a scale of factors: "the width of a pencil"."""
+def name_comparable_width(metres: float) -> str:
+    """Return the thing of the nearest size, on a scale of factors: "the width of a pencil"."""
     mm = 1000 * metres
     if mm < 0.05:
         return "less than a hair"
-    return min(_THINGS, key=lambda thing: abs(np.log(thing[0] / mm)))[1]
+    return min(_THINGS_IN_MM, key=lambda thing: abs(np.log(thing[0] / mm)))[1]
 
 
-def centimetres(metres: float) -> str:
-    """A distance that somebody chose: "7.0 cm"."""
+def format_centimetres(metres: float) -> str:
+    """Return a distance that was chosen: "7.0 cm"."""
     return f"{100 * metres:.1f} cm"
 
 
-def what_to_try(error: float, n_kernels: int, kernel_width: float) -> str:
-    """The next thing to try, from what makes this letter differ."""
+def suggest_change(error: float, n_kernels: int, kernel_width: float) -> str:
+    """Return the next thing to try, by what makes this letter differ."""
     if error < 0.0005:
         return "The line sits on the dots."
     if kernel_width < 0.99:
@@ -58,51 +59,50 @@ def what_to_try(error: float, n_kernels: int, kernel_width: float) -> str:
     return "Try more bumps." if n_kernels < 60 else "Try a width of 1.0."
 
 
-def fit_message(error: float, n_kernels: int, kernel_width: float) -> dict[str, str]:
-    """The sentence for a letter whose goals are where they were taught."""
-    thing, after = f"{as_wide_as(error)}.", f" {what_to_try(error, n_kernels, kernel_width)}"
-    return _sentence(error, "On average the line is off the dots by ", thing, after)
+def describe_fit(error: float, n_kernels: int, kernel_width: float) -> Message:
+    """Return the message for a letter whose goals are as demonstrated."""
+    thing = f"{name_comparable_width(error)}."
+    after = f" {suggest_change(error, n_kernels, kernel_width)}"
+    return _build_message(error, "On average the line is off the dots by ", thing, after)
 
 
-def goal_message(moved: float, miss: float, error: float, stroke: int | None) -> dict[str, str]:
-    """The sentence for a goal that was moved: how far the pen stops from it, and how good the letter was before.
+def describe_moved_goal(moved: float, miss: float, error: float, stroke: int | None) -> Message:
+    """Return the message for a moved goal: how far the pen stops from it.
 
     Args:
-        moved: How far the goal is from where it was taught [m].
+        moved: How far the goal is from where it was demonstrated [m].
         miss: How far the pen stops from the moved goal [m].
-        error: The fit with all goals as taught [m].
+        error: The fit with all goals as demonstrated [m].
         stroke: Which stroke, or None where the letter has only one.
     """
     which = "goal" if stroke is None else f"goal of stroke {stroke + 1}"
-    text, after = (
-        f"You moved the {which} by {centimetres(moved)}. ",
-        f" Unmoved, the letter is {millimetres(error)} mm off.",
-    )
-    return _sentence(miss, text, f"The pen stops {millimetres(miss)} mm from the ring.", after)
+    text = f"You moved the {which} by {format_centimetres(moved)}. "
+    strong = f"The pen stops {format_millimetres(miss)} mm from the ring."
+    after = f" Unmoved, the letter is {format_millimetres(error)} mm off."
+    return _build_message(miss, text, strong, after)
 
 
-def letter_title(name: str, error: float, gap: str) -> str:
-    """The text alternative of the sheet: which letter, how far off, where the most."""
-    return f"{name[0].upper()}{name[1:]}: the robot’s line is {millimetres(error)} mm from the dots on average, {gap}."
+def describe_letter(name: str, error: float, gap: str) -> str:
+    """Return the text alternative of the sheet: which letter, how far off, where the most."""
+    distance = f"{format_millimetres(error)} mm from the dots on average"
+    return f"{name[0].upper()}{name[1:]}: the robot’s line is {distance}, {gap}."
 
 
-def largest_gap(demo: tuple[Trajectory, ...], robot: tuple[Trajectory, ...]) -> str:
-    """Where the robot is furthest from the person: "most in stroke 2, near its middle"."""
+def describe_largest_gap(demo: tuple[Trajectory, ...], robot: tuple[Trajectory, ...]) -> str:
+    """Return where the robot is furthest from the person: "most near the end of stroke 2"."""
     apart = [
         np.linalg.norm(p.position - q.position, axis=1) for p, q in zip(demo, robot, strict=True)
     ]
     stroke = int(np.argmax([a.max() for a in apart]))
     part = np.argmax(apart[stroke]) / (len(apart[stroke]) - 1)
     place = "start" if part < 1 / 3 else "middle" if part < 2 / 3 else "end"
-    return (
-        f"most near the {place} of stroke {stroke + 1}"
-        if len(demo) > 1
-        else f"most near its {place}"
-    )
+    if len(demo) == 1:
+        return f"most near its {place}"
+    return f"most near the {place} of stroke {stroke + 1}"
 
 
-def caught(number: int, stroke: PadStroke, outside: int = 0) -> str:
-    """What the pad saw of a stroke: "Stroke 2: 1.2 s, 84 points."; `outside` of its points were beyond the sheet."""
+def describe_stroke(number: int, stroke: PadStroke, outside: int = 0) -> str:
+    """Return what the pad saw of a stroke, some of whose points were beyond the sheet."""
     if outside > 0:
         return "Your pen left the sheet: write a little smaller."
     if stroke.is_dot:
@@ -112,50 +112,62 @@ def caught(number: int, stroke: PadStroke, outside: int = 0) -> str:
     return f"Stroke {number}: {stroke.path.duration:.1f} s, {stroke.points} points."
 
 
-def invitation(character: str) -> dict[str, str]:
-    """The sentence of an empty sheet."""
+def invite_to_write(character: str) -> Message:
+    """Return the message of an empty sheet."""
     if not character:
-        return _plain("Write any letter on your sheet. ", "The robot learns it as you write it.")
-    return _plain(
-        f"Write {a(character)} on your sheet. ", "Show it", " lets the robot write it first."
+        return _build_plain_message(
+            "Write any letter on your sheet. ", "The robot learns it as you write it."
+        )
+    return _build_plain_message(
+        f"Write {add_article(character)} on your sheet. ",
+        "Show it",
+        " lets the robot write it first.",
     )
 
 
-def next_stroke(done: int, of: int, character: str) -> dict[str, str]:
-    """The sentence between two strokes of a letter."""
+def ask_for_next_stroke(done: int, of: int, character: str) -> Message:
+    """Return the message between two strokes of a letter."""
     ending = f"Write the next one, or press That is all if your {character} has no more."
-    return _plain(f"The robot’s {character} has {of} strokes, yours has {done} so far. ", ending)
-
-
-def learned_message(error: float) -> dict[str, str]:
-    """The sentence for ink that is compared with nothing: how well the robot has learned it."""
-    after = " Choose a letter to compare yours with."
-    return _sentence(
-        error, "On average the robot’s line is off your dots by ", f"{as_wide_as(error)}.", after
+    return _build_plain_message(
+        f"The robot’s {character} has {of} strokes, yours has {done} so far. ", ending
     )
 
 
-def dot_message(character: str) -> dict[str, str]:
-    """The sentence for a sheet with nothing but dots, where a letter is wanted."""
-    return _plain("That is only a dot. ", "Undo", f" takes it away; then write {a(character)}.")
+def describe_learned_ink(error: float) -> Message:
+    """Return the message for ink that is compared with nothing: how well it was learned."""
+    after = " Choose a letter to compare yours with."
+    return _build_message(
+        error,
+        "On average the robot’s line is off your dots by ",
+        f"{name_comparable_width(error)}.",
+        after,
+    )
 
 
-def try_message(now: Score, before: Score | None, is_coarse: bool = False) -> dict[str, str]:
-    """The sentence for a try: how far it is from the robot's letter, in what most of all, and whether it is nearer.
+def describe_dot(character: str) -> Message:
+    """Return the message for a sheet with nothing but dots, where a letter is wanted."""
+    return _build_plain_message(
+        "That is only a dot. ", "Undo", f" takes it away; then write {add_article(character)}."
+    )
+
+
+def describe_attempt(now: Score, before: Score | None, is_coarse: bool = False) -> Message:
+    """Return the message for an attempt: how far it is, in what most, and whether it is nearer.
 
     Args:
-        now: The try's score.
-        before: That of the try before.
+        now: The attempt's score.
+        before: That of the attempt before.
         is_coarse: Whether the pad caught too few points to tell how the pen was moved.
     """
-    said = _named(now, is_coarse)
+    said = _name_fault(now, is_coarse)
     if before is None:
-        return _sentence(now.distance, _APART, said)
-    return _sentence(now.distance, f"{_APART}{said} ", compared(now.distance, before.distance))
+        return _build_message(now.distance, _APART, said)
+    comparison = compare_attempts(now.distance, before.distance)
+    return _build_message(now.distance, f"{_APART}{said} ", comparison)
 
 
-def _named(now: Score, is_coarse: bool) -> str:
-    """The fault that the score names; one of the movement only where that is known."""
+def _name_fault(now: Score, is_coarse: bool) -> str:
+    """Return the fault that the score names; one of the movement only where that is known."""
     fault = leading_fault(now.faults)
     unseen = fault is not None and fault.name in MOVEMENT_FAULTS
     if fault is None or (unseen and is_coarse):
@@ -164,62 +176,59 @@ def _named(now: Score, is_coarse: bool) -> str:
     return first.replace("the model's", "the robot’s").replace("the model", "the robot’s")
 
 
-def compared(distance: float, before: float) -> str:
-    """A distance beside that of the try before [m]; no try is called bad.
+def compare_attempts(distance: float, before: float) -> str:
+    """Return how a distance is beside that of the attempt before [m]; none is called bad.
 
-    "A little further away this time" is how the design puts every worse try; it is kept for those that are a little
-    further away, by half at most or by the width of a pen's line or two, because the number stands beside it.
+    "A little further away" is by half at most, or by the width of a pen's line or two, because
+    the number stands beside it.
     """
-    if millimetres(distance) == millimetres(before) or 0.95 * before <= distance <= 1.05 * before:
+    if (
+        format_millimetres(distance) == format_millimetres(before)
+        or 0.95 * before <= distance <= 1.05 * before
+    ):
         return "As near as the try before."
     if distance < before:
         return "Nearer than the try before."
-    return f"{'A little further' if distance <= max(1.5 * before, before + _LITTLE) else 'Further'} away this time."
+    is_little = distance <= max(1.5 * before, before + _LITTLE_FURTHER)
+    return f"{'A little further' if is_little else 'Further'} away this time."
 
 
-def beside(score: Score, size: float) -> str:
-    """A try in a word or two, for its picture: "far", "not far", "close" or "the same".
+def rate_attempt(score: Score, size: float) -> str:
+    """Return an attempt in a word or two: "far", "not far", "close" or "the same".
 
-    It is the word of the row that differs the most, but no word says that a try is nearer than its number does: a
-    letter of twice the size is far from the robot's, though nothing but its size differs.
+    It is the word of the row that differs the most, but no word says that an attempt is nearer
+    than its number does: a letter of twice the size is far from the robot's, though nothing but
+    its size differs.
 
     Args:
-        score: The try's score.
+        score: The attempt's score.
         size: How large the robot's letter is [m].
     """
-    by_distance = sum(score.distance <= part * size for part in _WITHIN)
+    by_distance = sum(score.distance <= part * size for part in _WORD_SHARES)
     level = min(by_distance, *(part.level for part in score.parts))
     return LEVEL_WORDS[level].replace("nearer", "not far")
 
 
-def a(character: str) -> str:
-    """A letter with its article: "an a", "a b"; the name of the letter is what is heard."""
-    return (
-        f"an {character}"
-        if character and character in "aefhilmnorsxAEFHILMNORSX8"
-        else f"a {character}"
-    )
+def add_article(character: str) -> str:
+    """Return a letter with its article as its name is heard: "an a", "a b"."""
+    is_vowel = character and character in "aefhilmnorsxAEFHILMNORSX8"
+    return f"an {character}" if is_vowel else f"a {character}"
 
 
-def pad_title(character: str, strokes: int, sentence: str) -> str:
-    """The text alternative of the child's sheet."""
+def describe_sheet(character: str, strokes: int, sentence: str) -> str:
+    """Return the text alternative of the pad's sheet."""
     if not strokes:
         return "Your sheet is empty."
     count = f"{strokes} stroke{'s' * (strokes > 1)}"
     return f"Your {character or 'ink'}, {count}. {sentence}".strip()
 
 
-def _plain(text: str, strong: str, after: str = "") -> dict[str, str]:
-    """A sentence without a number."""
+def _build_plain_message(text: str, strong: str, after: str = "") -> Message:
+    """Return a message without a number."""
     return {"number": "", "unit": "", "text": text, "strong": strong, "after": after}
 
 
-def _sentence(metres: float, text: str, strong: str, after: str = "") -> dict[str, str]:
-    """A sentence with the one number."""
-    return {
-        "number": millimetres(metres),
-        "unit": "mm",
-        "text": text,
-        "strong": strong,
-        "after": after,
-    }
+def _build_message(metres: float, text: str, strong: str, after: str = "") -> Message:
+    """Return a message with the one number."""
+    number = format_millimetres(metres)
+    return {"number": number, "unit": "mm", "text": text, "strong": strong, "after": after}

@@ -2,4 +2,4 @@
 
 from pathlib import Path
 
-RESTING = Path(__file__).with_name("resting.js").read_text(encoding="utf-8")
+RESTING_SCRIPT = Path(__file__).with_name("resting.js").read_text(encoding="utf-8")

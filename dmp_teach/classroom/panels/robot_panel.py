@@ -1,8 +1,9 @@
-"""What every panel with a robot shares: its job and its progress, *Stop*, cures, older letters, files of one's own."""
+"""What every panel with a robot shares: its job, *Stop*, cures, and files of one's own."""
 
 from __future__ import annotations
 
 import warnings
+from collections.abc import Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -11,8 +12,8 @@ import anywidget
 import numpy as np
 import traitlets
 
-from dmp_teach.classroom.panels.background_job import Job, StopPressed
-from dmp_teach.classroom.panels.resting import RESTING
+from dmp_teach.classroom.panels.background_job import Job, Report, StopPressed
+from dmp_teach.classroom.panels.resting import RESTING_SCRIPT
 from dmp_teach.errors import ReachWarning, TeachError
 from dmp_teach.formats import known_formats
 from dmp_teach.ink import Recording, characters
@@ -21,71 +22,97 @@ from dmp_teach.trajectory import Trajectory
 from dmp_teach.views import SceneView
 
 _HERE = Path(__file__).parent
-_STEPS = {
+PLANNING_STEPS = {
     "wake": "Waking the robot",
     "reach": "Can the arm reach the letter?",
     "joints": "Planning every joint",
 }
+# Any, here and below: JSON for the browser.
 _IDLE: dict[str, Any] = {"state": "idle"}
 
 
 def bundle(*names: str) -> str:
-    """Files beside this one, joined: a panel's scripts or its styles."""
+    """Join files beside this one."""
     return "\n".join((_HERE / name).read_text(encoding="utf-8") for name in names)
 
 
-def bytes_of(strokes: tuple[Trajectory, ...]) -> bytes:
-    """All points as float32 x, y, x, y ... [m], one stroke after the other."""
-    return (
-        np.concatenate([np.empty((0, 2)), *(stroke.position for stroke in strokes)])
-        .astype("<f4")
-        .tobytes()
-    )
+def pack_points(strokes: Sequence[Trajectory]) -> bytes:
+    """Return all points as float32 x, y, x, y ... [m], one stroke after the other."""
+    points = np.concatenate([np.empty((0, 2)), *(stroke.position for stroke in strokes)])
+    return points.astype("<f4").tobytes()
 
 
-def letter_choices() -> list[list[str]]:
-    """The letters that we have, as a panel's list shows them: value, label, name and group."""
-
-    def of(letter: str) -> tuple[str, str]:
-        if letter.isdigit():
-            return "digit", "Digits"
-        if not letter.isascii():
-            return "letter", "With accents"
-        return "letter", "Small letters" if letter.islower() else "Capitals"
-
-    return [
-        [letter, letter, f"the {what} {letter}", group]
-        for letter in characters()
-        for what, group in [of(letter)]
-    ]
+def list_letter_choices() -> list[list[str]]:
+    """Return our letters as a panel's list shows them: value, label, name and group."""
+    choices = []
+    for letter in characters():
+        kind = "digit" if letter.isdigit() else "letter"
+        if kind == "digit":
+            group = "Digits"
+        elif not letter.isascii():
+            group = "With accents"
+        else:
+            group = "Small letters" if letter.islower() else "Capitals"
+        choices.append([letter, letter, f"the {kind} {letter}", group])
+    return choices
 
 
 class RobotPanel(anywidget.AnyWidget):
-    """A panel whose letter a robot can write. It sets `_written`, `robot` and, where asked for, `_size`."""
+    """A panel with a sheet, whose letter a robot can write.
+
+    A new panel is a subclass with a script and a style sheet beside it (`_esm`, `_css`). Browser
+    and kernel talk by traits and messages, and keep in step by three numbers:
+
+    - `asked`, for panels whose knobs are traits (`Explore`): the browser raises it with each knob.
+    - `answered`: up to which question the kernel has answered. A question is a value of `asked`,
+      or a message with a number `n` (`Pad`); while the answer is out, the panel says so.
+    - `drawing`: the kernel raises it when all traits of a picture are set; the browser then draws.
+
+    Whenever the letter changes, a subclass sets within one `hold_sync()` the traits `sheet`,
+    `counts`, `message` and `title` (and its own), calls `_show_strokes` with what the robot
+    would write, and raises `answered` and `drawing`. For another letter it sets `_size` to None:
+    the robot writes as large as is seen, unless a cure has set a height [m]. It says in `load` how
+    to show a recording, and passes messages that it does not know on to `_hear`.
+
+    The other traits are set here: `robot` (the strokes, packed), `work` (idle, working or cannot),
+    `older` (whether the robot has written another letter than is seen), `scene` (its view),
+    `files` (the formats that `load` reads), and `own_id` and `resting`, by which a panel keeps its
+    state out of saved notebooks.
+    """
+
+    choices: traitlets.List[list[str]] = traitlets.List().tag(sync=True)
+    sheet: traitlets.List[float] = traitlets.List().tag(sync=True)
+    counts: traitlets.List[int] = traitlets.List().tag(sync=True)
+    message = traitlets.Dict().tag(sync=True)
+    title = traitlets.Unicode().tag(sync=True)
+    answered = traitlets.Int(0).tag(sync=True)
+    drawing = traitlets.Int(0).tag(sync=True)
 
     robot = traitlets.Bytes().tag(sync=True)
     work = traitlets.Dict(_IDLE).tag(sync=True)
     older = traitlets.Bool(False).tag(sync=True)
     scene = anywidget.WidgetTrait().tag(sync=True)
     files = traitlets.Dict(read_only=True).tag(sync=True)
-    own_id = traitlets.Unicode().tag(
-        sync=True
-    )  # by it the panel keeps itself out of saved notebooks ...
-    resting = traitlets.Unicode(RESTING).tag(sync=True)  # ... and is kept as this
+    own_id = traitlets.Unicode().tag(sync=True)
+    resting = traitlets.Unicode(RESTING_SCRIPT).tag(sync=True)
 
+    # Any: values of traits.
     def __init__(self, page: Page | None = None, **traits: Any):
         self.page = Page.table() if page is None else page
         self.motion: Motion | None = None
         self._job: Job | None = None
-        self._written: tuple[Trajectory, ...] = ()
+        self._strokes: tuple[Trajectory, ...] = ()
         self._size: float | None = None
+        self._cure: Page | float | None = None
+        # Packed strokes: those that the robot plans, and those that it has written.
+        self._in_work = b""
         self._on_the_table = b""
         super().__init__(**traits)
         self.own_id = self.model_id
         self.on_msg(self._hear)
 
     @traitlets.default("files")
-    def _files_that_open(self) -> dict[str, str]:
+    def _describe_formats(self) -> dict[str, str]:
         """Return the formats that a panel reads, for its file button."""
         names = [each.name for each in known_formats()]
         suffixes = [suffix for each in known_formats() for suffix in each.suffixes]
@@ -99,29 +126,40 @@ class RobotPanel(anywidget.AnyWidget):
         """Let the robot write exactly what is seen."""
         if self.work["state"] == "working":
             return
-        self._progress("wake", 0.0)
-        strokes, size = self._written, self._size
-        self._asked_for = self.robot
+        self._show_progress("wake", 0.0)
+        self._in_work = self.robot
+        strokes, size = self._strokes, self._size
         self._job = Job(
-            lambda report: _plan(strokes, self.page, size, report), self._progress, self._end
+            lambda report: _plan(strokes, self.page, size, report),
+            self._show_progress,
+            self._show_result,
         )
 
-    def _hear(self, _: Any, message: dict[str, Any], buffers: list[memoryview]) -> None:
-        """A button was pressed or a file was chosen."""
+    def _show_strokes(self, strokes: tuple[Trajectory, ...]) -> None:
+        """Set what the robot would write; what could not be done before is over."""
+        self._strokes = strokes
+        self.robot = pack_points(strokes)
+        self.older = self.motion is not None and self.robot != self._on_the_table
+        if self.work["state"] != "working":
+            self.work = _IDLE
+
+    def _hear(self, _: object, message: dict[str, Any], buffers: list[memoryview]) -> None:
+        """Do what a button asks for, or open a file that was chosen."""
         kind = message.get("kind")
         if kind == "write":
             self.write()
         elif kind == "stop" and self._job:
             self._job.stop()
         elif kind == "cure":
-            self._cure()
+            self._apply_cure()
         elif kind == "close":
             self.work = _IDLE
         elif kind == "file":
             self._open_bytes(message["name"], bytes(buffers[0]))
         elif kind == "too large":
-            self._cannot(
-                f"{message['name']} has {message['size'] / 1e6:.0f} MB. A recording of one letter has less than 8."
+            size = f"{message['size'] / 1e6:.0f} MB"
+            self._refuse(
+                f"{message['name']} has {size}. A recording of one letter has less than 8."
             )
 
     def _open_bytes(self, name: str, content: bytes) -> None:
@@ -132,71 +170,70 @@ class RobotPanel(anywidget.AnyWidget):
                 path.write_bytes(content)
                 self.load(path)
             except (TeachError, OSError) as error:
-                self._cannot(str(error))
+                self._refuse(str(error))
 
-    def _mark_older(self) -> None:
-        """Another letter is seen than the robot has written; what could not be done before is over."""
-        self.older = self.motion is not None and self.robot != self._on_the_table
-        self.work = self.work if self.work["state"] == "working" else _IDLE
+    def _show_progress(self, step: str, fraction: float) -> None:
+        """Show the robot's step, and how much of it is done; a bar never runs backwards."""
+        names = list(PLANNING_STEPS)
+        place = (len(names) - 1, 0.0)
+        if step in names:
+            place = (names.index(step), round(fraction, 2))
+        if self.work["state"] == "working":
+            place = max(place, (self.work["at"], self.work["fraction"]))
+        self.work = {
+            "state": "working",
+            "steps": list(PLANNING_STEPS.values()),
+            "at": place[0],
+            "fraction": place[1],
+        }
 
-    def _progress(self, step: str, fraction: float) -> None:
-        """Which step the robot is at, and how much of it is done; a bar never runs backwards."""
-        at, part = (
-            (list(_STEPS).index(step), round(fraction, 2))
-            if step in _STEPS
-            else (len(_STEPS) - 1, 0.0)
-        )
-        before = (
-            (self.work["at"], self.work["fraction"])
-            if self.work["state"] == "working"
-            else (0, 0.0)
-        )
-        at, part = max(before, (at, part))
-        self.work = {"state": "working", "steps": list(_STEPS.values()), "at": at, "fraction": part}
-
-    def _end(self, result: Any) -> None:
+    def _show_result(self, result: object) -> None:
         """Show the motion, or say what cannot be done and what would work."""
         if isinstance(result, StopPressed):
             self.work = _IDLE
         elif isinstance(result, Exception):
-            self._cannot(str(result) or type(result).__name__, getattr(result, "cure", None))
-        else:
+            self._refuse(str(result) or type(result).__name__, getattr(result, "cure", None))
+        elif isinstance(result, Motion):
             if self.scene is None:
                 self.scene = SceneView(compact=True)
-            elif self.motion is None:  # until now there was nothing to read on the page
+            elif self.motion is None:
+                # Until now there was nothing to read on the page.
                 self.scene.camera = "over the shoulder"
             self.motion = result
             self.scene.show(result)
-            self._on_the_table = self._asked_for
+            self._on_the_table = self._in_work
             self.older = self.robot != self._on_the_table
             self.work = _IDLE
 
-    def _cannot(self, sentence: str, cure: Page | float | None = None) -> None:
-        """What, by how much, and one button that cures it; the last good picture stays."""
+    def _refuse(self, sentence: str, cure: Page | float | None = None) -> None:
+        """Say what cannot be done, with one button that cures it; the last picture stays."""
         strong, dot, text = sentence.partition(". ")
-        self._remedy = cure
-        label = (
-            "Move the page there"
-            if isinstance(cure, Page)
-            else cure and f"Write it {100 * cure:.1f} cm high"
-        )
+        self._cure = cure
+        label = None
+        if isinstance(cure, Page):
+            label = "Move the page there"
+        elif cure:
+            label = f"Write it {100 * cure:.1f} cm high"
         self.work = {"state": "cannot", "strong": strong + dot.strip(), "text": text, "cure": label}
 
-    def _cure(self) -> None:
+    def _apply_cure(self) -> None:
         """Write again, on the page or in the size that works."""
-        if isinstance(self._remedy, Page):
-            self.page = self._remedy
+        if isinstance(self._cure, Page):
+            self.page = self._cure
         else:
-            self._size = self._remedy
+            self._size = self._cure
         self.work = _IDLE
         self.write()
 
 
-def _plan(strokes: tuple[Trajectory, ...], page: Page, size: float | None, report: Any) -> Any:
-    """The robot's motion; its solver is built once, in the thread that uses it."""
-    from dmp_teach.robot import Fetch  # noqa: PLC0415 (PlaCo loads when a robot is wanted)
+def _plan(
+    strokes: tuple[Trajectory, ...], page: Page, size: float | None, report: Report
+) -> Motion:
+    """Return the robot's motion; its solver is built once, in the thread that uses it."""
+    # PlaCo loads when a robot is wanted.
+    from dmp_teach.robot import Fetch  # noqa: PLC0415
 
     report("wake", 0.5)
-    # only what this module's call warns of: it is among the motion's notes, which are seen beside the robot
+    # Warnings of this module's call are among the motion's notes, beside the robot.
     warnings.filterwarnings("ignore", category=ReachWarning, module=__name__)
     return Fetch().write(strokes, page, size=size, progress=report)

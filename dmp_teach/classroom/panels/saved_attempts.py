@@ -1,4 +1,4 @@
-"""What is kept of what somebody wrote: files under a pseudonym, made by *Save* alone; *Forget* removes them."""
+"""Files of attempts under a pseudonym, made by *Save* alone and removed by *Forget*."""
 
 from __future__ import annotations
 
@@ -6,40 +6,43 @@ from dataclasses import replace
 from itertools import count
 from pathlib import Path
 
-from dmp_teach.classroom.panels.attempts import Tries
+from dmp_teach.classroom.panels.attempts import Attempts
 from dmp_teach.ink import Recording, write_json
 
-LONGEST = 8  # signs of what was written that stand in a file's name; other signs, as "/", never do
+# Longer text, and other signs than letters, as "/", never stand in a file's name.
+MAX_CHARACTER_LENGTH = 8
 
 
-class Kept:
+class SavedAttempts:
     """The files that a pad has written, and which recording is in each."""
 
     def __init__(self) -> None:
         self._saved: dict[Path, Recording] = {}
 
-    def save(self, tries: Tries, writer: str | None) -> Path:
-        """Write the newest try as JSON to where the notebook runs, once, and give it its writer's pseudonym.
+    def save(self, attempts: Attempts, writer: str | None) -> Path:
+        """Write the newest attempt as JSON to where the notebook runs, once, under a pseudonym.
 
         Args:
-            tries: What was written.
-            writer: Whose it is; None takes the recording's own, or the first pseudonym that is free.
+            attempts: What was written.
+            writer: Whose it is; None takes the recording's own, or the first pseudonym that is
+                free.
 
         Raises:
             RecordingError: Nothing is written yet.
             PathError: The folder cannot be written.
         """
-        recording, folder = tries.newest.recording, Path.cwd()
+        recording = attempts.newest.recording
+        folder = Path.cwd()
         path = next((path for path, saved in self._saved.items() if saved is recording), None)
         if path is None:
-            writer = writer or recording.writer or free_writer(folder)
-            path = free_name(folder, recording, writer)
+            writer = writer or recording.writer or find_free_pseudonym(folder)
+            path = find_free_path(folder, recording, writer)
             write_json(replace(recording, writer=writer), path)
-            self._saved[path] = tries.name_the_newest(writer).recording
+            self._saved[path] = attempts.name_the_newest(writer).recording
         return path
 
     def forget(self) -> str:
-        """Remove every file; gives their names, with commas."""
+        """Remove every file; return their names, with commas."""
         names = ", ".join(path.name for path in self._saved)
         for path in self._saved:
             path.unlink(missing_ok=True)
@@ -47,15 +50,16 @@ class Kept:
         return names
 
 
-def free_writer(folder: Path) -> str:
-    """The first pseudonym, "w01", "w02" ..., that no file in the folder carries."""
+def find_free_pseudonym(folder: Path) -> str:
+    """Return the first pseudonym, "w01", "w02" ..., that no file in the folder carries."""
     taken = {part for file in folder.iterdir() for part in file.stem.split("_")}
     return next(name for name in (f"w{n:02d}" for n in count(1)) if name not in taken)
 
 
-def free_name(folder: Path, recording: Recording, writer: str) -> Path:
-    """A name that no file has: "a_w01.json", then "a_w01_2.json"; capitals are told apart also where names are not."""
+def find_free_path(folder: Path, recording: Recording, writer: str) -> Path:
+    """Return a path that no file has: "a_w01.json", then "a_w01_2.json"."""
     character = recording.character or ""
-    stem = f"{character if character.isalnum() and len(character) <= LONGEST else 'ink'}_{writer}"
-    names = (folder / f"{stem}{'' if n == 1 else f'_{n}'}.json" for n in count(1))
-    return next(path for path in names if not path.exists())
+    if not character.isalnum() or len(character) > MAX_CHARACTER_LENGTH:
+        character = "ink"
+    names = (f"{character}_{writer}{'' if n == 1 else f'_{n}'}.json" for n in count(1))
+    return next(folder / name for name in names if not (folder / name).exists())

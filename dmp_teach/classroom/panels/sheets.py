@@ -1,7 +1,8 @@
-"""The sheet that letters are written on: how large it is, where its lines are, and where a letter is laid on it."""
+"""The sheet that letters are written on: its size, its lines, and where a letter lies on it."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from unicodedata import normalize
 
@@ -11,11 +12,14 @@ from dmp_teach.errors import RecordingError
 from dmp_teach.ink import Recording, recording_of
 from dmp_teach.trajectory import Array, Trajectory
 
-_FREE = (-0.02, -0.06, 0.14, 0.15)  # where nobody has chosen a letter [m]
+SHEET_OF_ANY_LETTER = [-0.02, -0.06, 0.14, 0.15]
+"""Left, bottom, right and top where no letter is chosen [m]; every sheet has these four."""
 
 
-def one_letter(character: str) -> str:
-    """A letter as our alphabets name it, an accent not being a sign of its own; "" is any letter.
+def check_character(character: object) -> str:
+    """Return a letter as our alphabets name it, an accent not being a sign of its own.
+
+    "" is any letter.
 
     Raises:
         RecordingError: More than one letter, or no letter at all.
@@ -32,41 +36,52 @@ def one_letter(character: str) -> str:
     return letter
 
 
-def writing_lines() -> list[float]:
-    """The lines [m]: what letters stand on, and how high small ones are."""
-    return [0.0, float(_points(recording_of("x").strokes())[:, 1].max())]
+def find_writing_lines() -> list[float]:
+    """Return the heights that letters stand on, and that small ones reach [m]."""
+    return [0.0, float(_stack_points(recording_of("x").strokes())[:, 1].max())]
 
 
-def sheet_of(strokes: tuple[Trajectory, ...]) -> list[float]:
-    """What the sheet shows, [left, bottom, right, top] [m]: a letter, the lines, and room for larger ones."""
+def fit_pad_sheet(strokes: Sequence[Trajectory]) -> list[float]:
+    """Return a sheet for writing: a letter, the lines, and room for larger ones [m]."""
     if not strokes:
-        return list(_FREE)
-    points = np.vstack([_points(strokes), [[0.0, y] for y in writing_lines()]])
-    low, high = points.min(axis=0), points.max(axis=0)
-    margin = max(0.02, 0.3 * float((high - low).max()))
-    return [float(v) for v in (*(low - margin), *(high + margin))]
+        return list(SHEET_OF_ANY_LETTER)
+    lines = [[0.0, y] for y in find_writing_lines()]
+    return _add_margin(np.vstack([_stack_points(strokes), lines]), 0.02, 0.3)
 
 
-def laid_on(recording: Recording, sheet: list[float]) -> Recording:
-    """A recording from elsewhere, moved to the middle of a sheet and onto its line, y = 0.
+def fit_goal_sheet(strokes: Sequence[Trajectory]) -> list[float]:
+    """Return a sheet for moving goals: a letter, and a margin to drag goals to [m]."""
+    return _add_margin(_stack_points(strokes), 0.015, 0.14)
+
+
+def place_on_sheet(recording: Recording, sheet: list[float]) -> Recording:
+    """Return a recording moved to the middle of a sheet and onto its line, y = 0.
 
     Args:
-        recording: Its ink may be anywhere; where nobody knows its line it stands on its lowest point.
+        recording: Its ink may be anywhere; without a baseline it stands on its lowest point.
         sheet: Left, bottom, right, top [m].
     """
-    points = _points(recording.strokes())
-    low, high = points.min(axis=0), points.max(axis=0)
+    points = _stack_points(recording.strokes())
+    low = points.min(axis=0)
+    high = points.max(axis=0)
     line = low[1] if recording.baseline is None else recording.baseline
     shift = [(sheet[0] + sheet[2] - low[0] - high[0]) / 2, -line, 0.0]
     return replace(recording, position=recording.position + shift, baseline=0.0)
 
 
-def around(sheet: list[float], strokes: tuple[Trajectory, ...]) -> list[float]:
-    """The sheet, larger where ink would lie beyond its edge."""
-    points = np.vstack([_points(strokes), [sheet[:2], sheet[2:]]])
-    return [float(v) for v in (*points.min(axis=0), *points.max(axis=0))]
+def extend_sheet(sheet: list[float], strokes: Sequence[Trajectory]) -> list[float]:
+    """Return the sheet, larger where ink would lie beyond its edge."""
+    return _add_margin(np.vstack([_stack_points(strokes), [sheet[:2], sheet[2:]]]), 0.0, 0.0)
 
 
-def _points(strokes: tuple[Trajectory, ...]) -> Array:
-    """All their points, shape (P, 2) [m]."""
+def _add_margin(points: Array, least: float, share: float) -> list[float]:
+    """Return the box of points with a margin: a share of its size, or at least so much [m]."""
+    low = points.min(axis=0)
+    high = points.max(axis=0)
+    margin = max(least, share * float((high - low).max()))
+    return [float(v) for v in (*(low - margin), *(high + margin))]
+
+
+def _stack_points(strokes: Sequence[Trajectory]) -> Array:
+    """Return all points of strokes, shape (P, 2) [m]."""
     return np.concatenate([stroke.position for stroke in strokes])

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import dmp_teach
-from dmp_teach.classroom.panels import messages as words
+from dmp_teach.classroom.panels import messages
 from dmp_teach.trajectory import Trajectory
 
 
@@ -23,7 +23,7 @@ from dmp_teach.trajectory import Trajectory
     ],
 )
 def test_a_length_is_shown_in_tenths_below_ten_millimetres_and_whole_above(metres, shown):
-    assert words.millimetres(metres) == shown
+    assert messages.format_millimetres(metres) == shown
 
 
 @pytest.mark.parametrize(
@@ -38,14 +38,14 @@ def test_a_length_is_shown_in_tenths_below_ten_millimetres_and_whole_above(metre
     ],
 )
 def test_a_length_is_compared_with_a_thing_of_that_size(metres, thing):
-    assert thing in words.as_wide_as(metres)
+    assert thing in messages.name_comparable_width(metres)
 
 
 @given(st.floats(0, 10), st.floats(0, 10))
 def test_a_longer_distance_is_never_compared_with_a_smaller_thing(a, b):
     order = ["less than", "of a hair", "pen line", "pencil", "finger", "hand"]
     rank = [
-        next(i for i, word in enumerate(order) if word in words.as_wide_as(x))
+        next(i for i, word in enumerate(order) if word in messages.name_comparable_width(x))
         for x in sorted((a, b))
     ]
     assert rank[0] <= rank[1]
@@ -53,14 +53,14 @@ def test_a_longer_distance_is_never_compared_with_a_smaller_thing(a, b):
 
 @given(st.floats(1e-6, 0.1), st.integers(1, 80), st.floats(0.2, 40))
 def test_every_fit_has_a_number_a_sentence_and_something_to_try(error, n, width):
-    message = words.fit_message(error, n, width)
+    message = messages.describe_fit(error, n, width)
     assert message["number"]
     assert message["strong"].endswith(".")
     assert message["after"].strip().endswith(".")
 
 
 def test_a_moved_goal_is_judged_by_where_the_pen_stops():
-    message = words.goal_message(moved=0.07, miss=0.0031, error=0.0004, stroke=1)
+    message = messages.describe_moved_goal(moved=0.07, miss=0.0031, error=0.0004, stroke=1)
     assert message["number"] == "3.1"
     assert "goal of stroke 2" in message["text"]
     assert "7.0 cm" in message["text"]
@@ -72,9 +72,10 @@ def test_the_largest_gap_names_the_stroke_and_the_place():
     straight = Trajectory(t, np.zeros((11, 2)))
     bent = Trajectory(t, np.where(np.arange(11)[:, None] == 9, 0.01, 0.0) * np.ones(2))
     assert (
-        words.largest_gap((straight, straight), (straight, bent)) == "most near the end of stroke 2"
+        messages.describe_largest_gap((straight, straight), (straight, bent))
+        == "most near the end of stroke 2"
     )
-    assert words.largest_gap((straight,), (bent,)) == "most near its end"
+    assert messages.describe_largest_gap((straight,), (bent,)) == "most near its end"
 
 
 def test_a_try_is_a_little_further_away_only_if_it_is():
@@ -86,7 +87,7 @@ def test_a_try_is_a_little_further_away_only_if_it_is():
         (0.00004, 0.00001, "As near as the try before."),
         (0.005, 0.010, "Nearer than the try before."),
     ):
-        assert words.compared(now, before) == said
+        assert messages.compare_attempts(now, before) == said
 
 
 @pytest.mark.parametrize("character", ["a", "D", "k"])
@@ -98,9 +99,11 @@ def test_no_try_is_called_nearer_than_its_number_is(character):
     found = []
     for times in (1.0, 1.1, 1.3, 1.6, 2.0, 2.5, 3.0):
         tried = [Trajectory(stroke.t, times * stroke.position) for stroke in model.strokes()]
-        found.append(rank.index(words.beside(dmp_teach.score(tried, model), size)))
+        found.append(rank.index(messages.rate_attempt(dmp_teach.score(tried, model), size)))
     assert found == sorted(found, reverse=True)
     assert found[0] == 3
     assert found[-1] == 0
     mirrored = [Trajectory(stroke.t, stroke.position * [-1, 1]) for stroke in model.strokes()]
-    assert words.beside(dmp_teach.score(mirrored, model), size) == "far", "whatever its number"
+    assert messages.rate_attempt(dmp_teach.score(mirrored, model), size) == "far", (
+        "whatever its number"
+    )

@@ -1,0 +1,67 @@
+"""What a pad shows of the attempt on its sheet: ink, message, rows, and the attempts before."""
+
+from __future__ import annotations
+
+from dmp_teach.classroom.panels import messages
+from dmp_teach.classroom.panels.attempts import Attempt, Attempts, list_rows
+from dmp_teach.classroom.panels.robot_panel import pack_points
+from dmp_teach.ink import Recording
+
+# All attempts are kept.
+MAX_SHOWN_ATTEMPTS = 6
+
+
+def describe_pad(
+    attempts: Attempts, model: Recording | None, character: str, is_done: bool
+) -> dict[str, object]:
+    """Return the traits of a pad that follow from what is on its sheet.
+
+    Args:
+        attempts: What was written; the last of them is on the sheet.
+        model: The robot's letter, or None.
+        character: Its name, "" for any letter.
+        is_done: Whether a letter with fewer strokes than the robot's is complete.
+    """
+    now = attempts.now
+    ink = now.ink if now else ()
+    unfinished = now is not None and now.missing_strokes > 0 and not is_done
+    scored = attempts.scored(model, with_sheet=not unfinished)
+    before = [attempt for attempt in scored if attempt is not now]
+    message, parts = _describe_attempt_now(now, before, character, unfinished)
+    said = message["text"] + message["strong"] if now else ""
+    shown = scored[-MAX_SHOWN_ATTEMPTS:]
+    shift = [0.0, 0.0]
+    if now is not None and now in scored and now.score is not None:
+        shift = now.score.shift.tolist()
+    return {
+        "ink": pack_points(ink),
+        "counts": [len(stroke) for stroke in ink],
+        "unfinished": unfinished,
+        "message": message,
+        "parts": parts,
+        "title": messages.describe_sheet(character, len(ink), said),
+        "tries": list_rows(shown, len(scored) - len(shown) + 1),
+        "tried": pack_points([stroke for attempt in shown for stroke in attempt.aligned]),
+        "shift": shift,
+    }
+
+
+def _describe_attempt_now(
+    now: Attempt | None, before: list[Attempt], character: str, unfinished: bool
+) -> tuple[messages.Message, list[dict[str, object]]]:
+    """Return the message on what is on the sheet, and a row for each part of its score."""
+    if now is None:
+        return messages.invite_to_write(character), []
+    if unfinished:
+        done = len(now.ink)
+        return messages.ask_for_next_stroke(done, done + now.missing_strokes, character), []
+    if now.score is None:
+        if character:
+            return messages.describe_dot(character), []
+        return messages.describe_learned_ink(now.letter.error), []
+    previous = before[-1].score if before else None
+    rows: list[dict[str, object]] = [
+        {"name": part.name, "level": part.level, "word": part.word, "reason": part.reason}
+        for part in now.score.parts
+    ]
+    return messages.describe_attempt(now.score, previous, now.is_coarse), rows
