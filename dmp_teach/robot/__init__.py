@@ -1,4 +1,4 @@
-"""The Fetch: its model, the page, the pen's plan and the joints that follow it."""
+"""The Fetch: its model, the page, the path of the pen and the joints that follow it."""
 
 import lazy_loader
 

@@ -12,7 +12,7 @@ from .reach.posture import START_POSTURES as START_POSTURES
 from .reach.posture import TIP_TOLERANCE as TIP_TOLERANCE
 from .ros.bag import write_rosbag as write_rosbag
 from .simulation.bullet import Mesh as Mesh
-from .simulation.bullet import picture as picture
+from .simulation.bullet import render_meshes as render_meshes
 from .simulation.run import FORCE_BAND as FORCE_BAND
 from .simulation.run import Run as Run
 from .simulation.simulate import simulate as simulate

@@ -1,4 +1,4 @@
-"""The letter on the sheet: is it one, does it fit, and where does it go."""
+"""Lay strokes out on a page, checked: whether they are ink, fit, and where they go."""
 
 from __future__ import annotations
 
@@ -14,9 +14,12 @@ from dmp_teach.trajectory import Array, Trajectory
 PAGE_MARGIN = 0.005
 """What stays free of ink along every edge of the page [m]."""
 
-_HUGE = 2.0  # ink larger than this was not measured in metres [m]
-_JUMP = 0.004  # no hand moves this much further in one step than in the steps beside it [m] ...
-_JERKED = 50.0  # ... if that asks for more than this [m/s^2]
+# Ink larger than this was not measured in metres [m].
+_HUGE = 2.0
+# No hand moves this much further in one step than in the steps beside it [m], if that needs more
+# than this [m/s^2].
+_JUMP = 0.004
+_JERKED = 50.0
 
 
 def lay_out(
@@ -25,19 +28,22 @@ def lay_out(
     at: ArrayLike | None = None,
     size: float | None = None,
 ) -> tuple[Trajectory, ...]:
-    """The strokes on the page, their clock unchanged.
+    """Lay strokes out on a page, their clock unchanged.
 
     Args:
-        strokes: 2-D strokes on one clock, x right and y up [s, m]; a single Trajectory is one stroke.
+        strokes: 2-D strokes on one clock, x right and y up [s, m]; a single Trajectory is one
+            stroke.
         page: The sheet.
-        at: Where the middle of the ink's bounding box goes, shape (2,); None: the page's centre [m].
+        at: Where the middle of the ink's bounding box goes, shape (2,); None: the page's centre
+            [m].
         size: Height of the ink; None: as it was written [m].
 
     Returns:
         The strokes in the page's frame, origin at its centre [m].
 
     Raises:
-        TrajectoryError: No strokes, something that is no stroke, three dimensions, a jump inside a stroke.
+        TrajectoryError: No strokes, something that is no stroke, three dimensions, a jump inside a
+            stroke.
         PageError: No page, ink that does not fit, or `at` or `size` that cannot be.
     """
     if not isinstance(page, Page):
@@ -56,13 +62,13 @@ def lay_out(
 
 
 def check_strokes(strokes: Iterable[Trajectory] | Trajectory) -> tuple[Trajectory, ...]:
-    """The strokes as a tuple, each of them a 2-D Trajectory; see `lay_out`."""
+    """Return the strokes as a tuple, each of them a 2-D Trajectory; see `lay_out`."""
     try:
         strokes = (strokes,) if isinstance(strokes, Trajectory) else tuple(strokes)
     except TypeError:
         raise TrajectoryError(
-            f"strokes is {kind_of(strokes)}, but must be a tuple of Trajectory, one for each stroke, "
-            "as recording.strokes() and letter.write() give them."
+            f"strokes is {kind_of(strokes)}, but must be a tuple of Trajectory, one for each "
+            "stroke, as recording.strokes() and letter.write() give them."
         ) from None
     if not strokes:
         raise TrajectoryError(
@@ -91,7 +97,10 @@ def _check_metres(extent: Array) -> None:
 
 
 def _check_jump(number: int, stroke: Trajectory) -> None:
-    """Raise where one step is much longer than both of its neighbours: two strokes in one, or a lost marker."""
+    """Raise where one step is much longer than both of its neighbours.
+
+    Then a marker was lost, or two strokes are in one.
+    """
     step, dt = np.linalg.norm(np.diff(stroke.position, axis=0), axis=1), np.diff(stroke.t)
     if len(step) < 2:
         return
@@ -100,14 +109,14 @@ def _check_jump(number: int, stroke: Trajectory) -> None:
     if jumps.any():
         row = int(np.argmax(jumps)) + 1
         raise TrajectoryError(
-            f"Stroke {number} jumps by {1000 * step[row - 1]:.1f} mm in {1000 * dt[row - 1]:.1f} ms "
-            f"at sample {row} (t = {stroke.t[row]:.3f} s), where no hand could; "
-            "cut the stroke there, or fill the gap in the recording."
+            f"Stroke {number} jumps by {1000 * step[row - 1]:.1f} mm in "
+            f"{1000 * dt[row - 1]:.1f} ms at sample {row} (t = {stroke.t[row]:.3f} s), where no "
+            "hand could; cut the stroke there, or fill the gap in the recording."
         )
 
 
 def _scale(extent: Array, page: Page, size: float | None) -> float:
-    """By how much the ink must grow, or a PageError that says what would fit."""
+    """Return by how much the ink must grow, or raise a PageError that says what would fit."""
     room = page.size - 2 * PAGE_MARGIN
     if size is not None and extent[1] < 1e-9:
         raise PageError(
@@ -131,7 +140,7 @@ def _scale(extent: Array, page: Page, size: float | None) -> float:
 
 
 def _spot(at: ArrayLike | None, extent: Array, page: Page) -> Array:
-    """The middle of the ink on the page (2,), or a PageError that says where it may be."""
+    """Return the middle of the ink (2,), or raise a PageError that says where it may be."""
     if at is None:
         return np.zeros(2)
     try:
@@ -147,12 +156,12 @@ def _spot(at: ArrayLike | None, extent: Array, page: Page) -> Array:
         # Rounded to the nearest tenth of a millimetre inwards, so that what is named works.
         x, y = np.floor(free * 1e4 + 1e-6) / 1e4
         raise PageError(
-            f"With at=({spot[0]:g}, {spot[1]:g}) the ink of {_mm(extent)} mm would run over the page's margin; "
-            f"x must be between {-x:g} and {x:g} m, y between {-y:g} and {y:g} m."
+            f"With at=({spot[0]:g}, {spot[1]:g}) the ink of {_mm(extent)} mm would run over the "
+            f"page's margin; x must be between {-x:g} and {x:g} m, y between {-y:g} and {y:g} m."
         )
     return spot
 
 
 def _mm(size: Array) -> str:
-    """A size (2,) in millimetres: '200 x 287'."""
+    """Return a size (2,) in millimetres: '200 x 287'."""
     return " x ".join(f"{1000 * side:.0f}" for side in size)

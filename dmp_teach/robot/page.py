@@ -1,4 +1,4 @@
-"""The sheet of paper, as the robot sees it."""
+"""The sheet of paper in the robot's world."""
 
 from __future__ import annotations
 
@@ -21,7 +21,9 @@ _BOARD = locked([[0, 0, -1], [-1, 0, 0], [0, 1, 0]])
 
 @dataclass(frozen=True, eq=False)
 class Page:
-    """A sheet in the robot's world: origin at its centre, x right, y up the page, z out of the paper.
+    """A sheet in the robot's world.
+
+    Its origin is at its centre, x points right, y up the page, z out of the paper.
 
     Args:
         X_world_page: Pose of the page in the world, shape (4, 4) [m].
@@ -43,12 +45,14 @@ class Page:
         rigid = np.allclose(R.T @ R, np.eye(3), atol=1e-9) and np.linalg.det(R) > 0
         if not rigid or not np.allclose(X[3], (0, 0, 0, 1)):
             raise PageError(
-                "X_world_page must be a rigid pose: a rotation, a place, and 0 0 0 1 in its last row."
+                "X_world_page must be a rigid pose: a rotation, a place, and 0 0 0 1 in its last "
+                "row."
             )
         if np.abs(X[:3, 3]).max() > 10:
             place = ", ".join(f"{value:g}" for value in X[:3, 3])
             raise PageError(
-                f"The page's centre is at ({place}) m, 10 m or more from the robot; is that in millimetres?"
+                f"The page's centre is at ({place}) m, 10 m or more from the robot; is that in "
+                "millimetres?"
             )
         for name in ("width", "height"):
             value = finite(name, getattr(self, name), "a length in metres, such as 0.21")
@@ -73,7 +77,7 @@ class Page:
         turn: float = 0.0,
         yaw: float = 0.0,
     ) -> Page:
-        """A sheet on a table or a desk: its right is the world's -y, its up is +x.
+        """Lay a sheet on a table or a desk: its right is the world's -y, its up is +x.
 
         Args:
             x: Where its centre is, ahead of the robot [m].
@@ -83,7 +87,8 @@ class Page:
             height: Along the page's y [m].
             tilt: How far its top is raised, about the page's own x axis [rad].
             turn: How far the sheet is turned on its desk, to the left as one reads it [rad].
-            yaw: How far the desk with its sheet is turned about the vertical, to the robot's left [rad].
+            yaw: How far the desk with its sheet is turned about the vertical, to the robot's left
+                [rad].
 
         Raises:
             PageError: What is no number, or so large that it must have been meant in another unit.
@@ -103,7 +108,7 @@ class Page:
         turn: float = 0.0,
         yaw: float = 0.0,
     ) -> Page:
-        """A sheet on a whiteboard that faces the robot: its right is the world's -y, its up is +z.
+        """Hang a sheet on a whiteboard before the robot: its right is the world's -y, its up +z.
 
         Everything else is as for `table`; a board that leans back has a negative `tilt`.
         """
@@ -137,30 +142,30 @@ class Page:
         return np.array([self.width, self.height], dtype=float)
 
     def moved(self, shift: ArrayLike) -> Page:
-        """The same sheet, its centre shifted by (3,) in the world [m]."""
+        """Return the same sheet, its centre shifted by (3,) in the world [m]."""
         X = self.X_world_page.copy()
         X[:3, 3] += np.asarray(shift, dtype=float)
         return Page(X, self.width, self.height)
 
     def __repr__(self) -> str:
-        """What one types to get it, to a micrometre."""
+        """Show what to type to get it, to a micrometre."""
         usual = getattr(Page, self.kind)()
-        said = dict(
-            zip(
-                "xyz",
-                zip(self.X_world_page[:3, 3], usual.X_world_page[:3, 3], strict=True),
-                strict=True,
-            )
-        )
-        if tuple(self.size) != A4:
-            said |= {"width": (self.width, np.inf), "height": (self.height, np.inf)}
-        said |= {
-            name: (value, 0.0)
-            for name, value in zip(("tilt", "turn", "yaw"), self.angles, strict=True)
-        }
+        tilt, turn, yaw = self.angles
+        x, y, z = self.X_world_page[:3, 3]
+        usual_x, usual_y, usual_z = usual.X_world_page[:3, 3]
+        usual_size = (np.inf, np.inf) if tuple(self.size) != A4 else A4
         words = [
             f"{name}={round(value, 6):.7g}"
-            for name, (value, left_out) in said.items()
+            for name, value, left_out in (
+                ("x", x, usual_x),
+                ("y", y, usual_y),
+                ("z", z, usual_z),
+                ("width", self.width, usual_size[0]),
+                ("height", self.height, usual_size[1]),
+                ("tilt", tilt, 0.0),
+                ("turn", turn, 0.0),
+                ("yaw", yaw, 0.0),
+            )
             if abs(value - left_out) > 5e-7
         ]
         return f"Page.{self.kind}({', '.join(words)})"
@@ -171,19 +176,23 @@ class Page:
         return self.X_world_page[:3, 2]
 
     def to_world(self, points: ArrayLike) -> Array:
-        """Points of the page, (..., 2) or (..., 3) with a height over the paper, in the world (..., 3) [m]."""
+        """Return points of the page in the world (..., 3) [m].
+
+        Args:
+            points: On the page, (..., 2), or (..., 3) with a height over the paper [m].
+        """
         points = np.asarray(points, dtype=float)
         R, centre = self.X_world_page[:3, :3], self.X_world_page[:3, 3]
         return points @ R[:, : points.shape[-1]].T + centre
 
     def to_page(self, points: ArrayLike) -> Array:
-        """Points of the world (..., 3) in the page's frame (..., 3) [m]."""
+        """Return points of the world (..., 3) in the page's frame (..., 3) [m]."""
         R, centre = self.X_world_page[:3, :3], self.X_world_page[:3, 3]
         return (np.asarray(points, dtype=float) - centre) @ R
 
 
 def _four_by_four(values: ArrayLike) -> Array:
-    """`values` as a (4, 4) array of finite numbers, or a sentence that says what they are."""
+    """Return `values` as a (4, 4) array of finite numbers, or raise a PageError."""
     try:
         X = np.array(values, dtype=float)
     except (TypeError, ValueError) as error:
@@ -194,31 +203,32 @@ def _four_by_four(values: ArrayLike) -> Array:
 
 
 def _pose(kind: str, centre: tuple[Any, Any, Any], tilt: Any, turn: Any, yaw: Any) -> Array:
-    """The pose (4, 4) of a sheet on a table or a board."""
+    """Return the pose (4, 4) of a sheet on a table or a board."""
     X = np.eye(4)
     X[:3, 3] = [
         finite(name, value, "a place in metres, such as 0.7")
         for name, value in zip("xyz", centre, strict=True)
     ]
-    tilt, turn, yaw = (_angle(*given) for given in (("tilt", tilt), ("turn", turn), ("yaw", yaw)))
-    about_the_vertical = Rotation.from_euler("Z", yaw).as_matrix()
-    on_the_desk = Rotation.from_euler("XZ", (tilt, turn)).as_matrix()
+    angles = _angle("tilt", tilt), _angle("turn", turn)
+    about_the_vertical = Rotation.from_euler("Z", _angle("yaw", yaw)).as_matrix()
+    on_the_desk = Rotation.from_euler("XZ", angles).as_matrix()
     X[:3, :3] = about_the_vertical @ (_TABLE if kind == "table" else _BOARD) @ on_the_desk
     return X
 
 
 def _angle(name: str, value: Any) -> float:
-    """An angle of at most a whole turn [rad]."""
+    """Return an angle of at most a whole turn [rad], or raise a PageError."""
     angle = finite(name, value, "an angle in radians, such as 0.35")
     if abs(angle) > 2 * np.pi:
         raise PageError(
-            f"{name} is {angle:g} rad, more than a whole turn. If that is in degrees, write {np.radians(angle):.4g}."
+            f"{name} is {angle:g} rad, more than a whole turn. If that is in degrees, write "
+            f"{np.radians(angle):.4g}."
         )
     return angle
 
 
 def finite(name: str, value: Any, meaning: str) -> float:
-    """A finite number, or a PageError that says what it should be."""
+    """Return a finite number, or raise a PageError that says what it should be."""
     try:
         found = float(value)
     except (TypeError, ValueError):

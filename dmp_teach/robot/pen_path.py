@@ -1,15 +1,18 @@
-"""The pen's way: hover above the start, touch, write, lift, and over to the next stroke.
+"""Connect strokes to one path of the pen: hover, touch, write, lift, and over to the next.
 
-The path of the ink is the letter's own. Only the clock changes: every stroke begins and ends at rest, because
-strokes that were cut at a lift start at up to half a metre a second, and no arm can do that.
+The path of the ink is the letter's own. Only the clock changes: every stroke begins and ends at
+rest, because strokes that were cut at a lift start at up to half a metre a second, and no arm can
+do that.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline, PchipInterpolator
 
 from dmp_teach.trajectory import Array, Trajectory, locked
@@ -18,24 +21,25 @@ RATE = 240
 """Samples a second [Hz]."""
 
 HOVER = 0.025
-"""How high the nib waits and travels over the paper [m]."""
+"""Height at which the nib waits and travels over the paper [m]."""
 
 STROKE_RAMP = 0.2
-"""How long a stroke takes to get from rest to the speed of the recording, and back at its end [s]."""
+"""Time of a stroke from rest to the speed of the recording, and back at its end [s]."""
 
 LIFT_TIME = 0.3
-"""How long the pen takes up to the hover, or down [s]."""
+"""Time of the pen up to the hover, or down [s]."""
 
 LONGEST_LIFT = 1.5
 """Longer pauses between strokes are shortened to this [s]."""
 
-_TRAVEL_SPEED = 0.3  # at most this fast over the paper [m/s] ...
-_TRAVEL_PUSH = 3.0  # ... and no harder than this [m/s^2]
+# The greatest speed [m/s] and acceleration [m/s^2] over the paper.
+_TRAVEL_SPEED = 0.3
+_TRAVEL_ACCELERATION = 3.0
 
 
 @dataclass(frozen=True, eq=False)
 class PenPlan:
-    """Where the nib is meant to be.
+    """Where the nib is meant to be, sample by sample.
 
     Args:
         t: Times from 0, evenly spaced, shape (T,) [s].
@@ -45,7 +49,7 @@ class PenPlan:
 
     t: Array
     position: Array
-    pen_down: Array
+    pen_down: NDArray[np.bool_]
 
     def __post_init__(self) -> None:
         """Lock the arrays."""
@@ -61,11 +65,12 @@ class PenPlan:
 
 @dataclass(frozen=True, eq=False)
 class Segment:
-    """A part of the pen's way, from rest to rest.
+    """A part of the pen's path, from rest to rest.
 
     Args:
         steps: How many samples it takes when nothing slows it, at least 1.
-        at: Places on the page, with their heights (n, 3) [m], for parts (n,) of its time between 0 and 1.
+        at: Places on the page, with their heights (n, 3) [m], for parts (n,) of its time between 0
+            and 1.
         down: Whether the nib is on the letter.
     """
 
@@ -76,7 +81,9 @@ class Segment:
 
 @dataclass(frozen=True, eq=False)
 class PenPath:
-    """The pen's way, which can be followed on any clock. At rest between two segments, it stands on a sample.
+    """The pen's path, which can be followed on any clock.
+
+    At rest between two segments, the pen stands on a sample.
 
     Args:
         segments: One after the other.
@@ -86,51 +93,48 @@ class PenPath:
 
     @property
     def rests(self) -> Array:
-        """Numbers of the samples at which the pen is at rest: where segments begin, and the end, shape (P + 1,)."""
+        """The samples at which the pen is at rest: where segments begin, and the end, (P + 1,)."""
         return np.cumsum([0, *(segment.steps for segment in self.segments)])
 
     def plan(self, samples: Array | None = None) -> PenPlan:
-        """The way, sampled at `RATE`.
+        """Sample the path at `RATE`.
 
         Args:
-            samples: Which sample of the unhurried plan is due at each sample of this one: from 0 to the last, in
-                fractions too, but whole at every one of `rests`, shape (T,). None: all of them.
+            samples: Which sample of the unhurried plan is due at each sample of this one: from 0 to
+                the last, in fractions too, but whole at every one of `rests`, shape (T,). None: all
+                of them.
         """
         rests = self.rests
         samples = np.arange(rests[-1] + 1.0) if samples is None else samples
         position, down = np.empty((len(samples), 3)), np.zeros(len(samples), bool)
         for segment, start in zip(self.segments, rests[:-1], strict=True):
-            first, stop = (
-                np.searchsorted(samples, start),
-                np.searchsorted(samples, start + segment.steps, side="right"),
-            )
-            rows = slice(
-                first + down[first], stop
-            )  # a sample between a stroke and the air is the stroke's
+            first = np.searchsorted(samples, start)
+            stop = np.searchsorted(samples, start + segment.steps, side="right")
+            # A sample between a stroke and the air is the stroke's.
+            rows = slice(first + down[first], stop)
             position[rows] = segment.at((samples[rows] - start) / segment.steps)
             down[rows] = segment.down
         return PenPlan(np.arange(len(samples)) / RATE, position, down)
 
 
 def connect_strokes(strokes: tuple[Trajectory, ...]) -> PenPath:
-    """The pen's way over strokes that lie on the page.
+    """Return the pen's path over strokes that lie on the page.
 
-    A stroke takes its own duration and `STROKE_RAMP` more. A lift takes as long as it did on the recording's clock,
-    but no less than the pen needs and no more than `LONGEST_LIFT`.
+    A stroke takes its own duration and `STROKE_RAMP` more. A lift takes as long as it did on the
+    recording's clock, but no less than the pen needs and no more than `LONGEST_LIFT`.
 
     Args:
         strokes: On the page, as `lay_out` gives them [m].
     """
     first, last = strokes[0].position[0], strokes[-1].position[-1]
-    segments = [_move(_above(first), _on(first), LIFT_TIME)]
-    for before, stroke in zip((None, *strokes), strokes, strict=False):
-        segments += [] if before is None else _lift_over(before, stroke)
-        segments.append(_draw(stroke))
+    segments = [_move(_above(first), _on(first), LIFT_TIME), _draw(strokes[0])]
+    for before, stroke in pairwise(strokes):
+        segments += [*_lift_over(before, stroke), _draw(stroke)]
     return PenPath((*segments, _move(_on(last), _above(last), LIFT_TIME)))
 
 
 def _draw(stroke: Trajectory) -> Segment:
-    """A stroke on the paper, at rest on its ends."""
+    """Return a stroke on the paper, at rest on its ends."""
     curve = interpolate(stroke)
     lasts, clock = ease_in_and_out(stroke.duration)
 
@@ -141,10 +145,10 @@ def _draw(stroke: Trajectory) -> Segment:
 
 
 def interpolate(stroke: Trajectory) -> Callable[[Array], Array]:
-    """A smooth curve through every sample of a stroke.
+    """Return a smooth curve through every sample of a stroke.
 
-    A cubic spline (Fritsch and Carlson's monotone one where the times are so uneven that the cubic would swing
-    out between two samples by half a step or more).
+    A cubic spline (Fritsch and Carlson's monotone one where the times are so uneven that the cubic
+    would swing out between two samples by half a step or more).
     """
     cubic = CubicSpline(stroke.t, stroke.position)
     swing = np.linalg.norm(
@@ -162,14 +166,17 @@ def interpolate(stroke: Trajectory) -> Callable[[Array], Array]:
 def ease_in_and_out(
     duration: float, ramp: float = STROKE_RAMP
 ) -> tuple[float, Callable[[Array], Array]]:
-    """A clock that starts and stops gently: its speed rises from 0 as 3 u^2 - 2 u^3, u = t / ramp, and falls so too.
+    """Return a clock that starts and stops gently.
+
+    Its speed rises from 0 as 3 u^2 - 2 u^3, u = t / ramp, and falls so too.
 
     Args:
         duration: What the clock shows in the end [s].
         ramp: How long the rise takes, and the fall [s].
 
     Returns:
-        How long the clock runs (duration + ramp, at least 2 ramp), and what it shows at times (T,) [s].
+        How long the clock runs (duration + ramp, at least 2 ramp), and what it shows at times (T,)
+        [s].
     """
     speed = min(1.0, duration / ramp)
     lasts = 2 * ramp + (duration - speed * ramp) / speed
@@ -183,7 +190,7 @@ def ease_in_and_out(
 
 
 def _risen(u: Array) -> Array:
-    """The integral of 3 u^2 - 2 u^3."""
+    """Return the integral of 3 u^2 - 2 u^3."""
     return u**3 - u**4 / 2
 
 
@@ -191,8 +198,9 @@ def _lift_over(before: Trajectory, after: Trajectory) -> list[Segment]:
     """Lift, travel, touch between two strokes."""
     start, end = before.position[-1], after.position[0]
     far = float(np.linalg.norm(end - start))
-    # A move with least jerk peaks at 1.875 of its mean speed, and at 5.77 distances over its duration squared.
-    travel = max(1.875 * far / _TRAVEL_SPEED, np.sqrt(5.77 * far / _TRAVEL_PUSH))
+    # A move with least jerk peaks at 1.875 of its mean speed, and at 5.77 distances over its
+    # duration squared.
+    travel = max(1.875 * far / _TRAVEL_SPEED, np.sqrt(5.77 * far / _TRAVEL_ACCELERATION))
     needed = 2 * LIFT_TIME + travel
     longer = np.clip(after.t[0] - before.t[-1], needed, max(needed, LONGEST_LIFT)) / needed
     return [
@@ -203,7 +211,7 @@ def _lift_over(before: Trajectory, after: Trajectory) -> list[Segment]:
 
 
 def _move(start: Array, end: Array, duration: float) -> Segment:
-    """A straight move in the air from rest to rest with least jerk (Flash and Hogan 1985)."""
+    """Return a straight move in the air with least jerk (Flash and Hogan 1985)."""
 
     def at(s: Array) -> Array:
         return start + (end - start) * (10 * s**3 - 15 * s**4 + 6 * s**5)[:, None]
@@ -212,15 +220,15 @@ def _move(start: Array, end: Array, duration: float) -> Segment:
 
 
 def _steps(duration: float) -> int:
-    """How many samples a segment of the plan takes, at least one; it lasts no less than asked."""
+    """Return how many samples a segment takes, at least one; it lasts no less than `duration`."""
     return max(1, int(np.ceil(duration * RATE - 1e-6)))
 
 
 def _on(points: Array) -> Array:
-    """Points of the page (..., 2) on the paper (..., 3)."""
+    """Return points of the page (..., 2) on the paper (..., 3)."""
     return np.concatenate([points, np.zeros((*points.shape[:-1], 1))], axis=-1)
 
 
 def _above(points: Array) -> Array:
-    """Points of the page (..., 2) at the hover height (..., 3)."""
+    """Return points of the page (..., 2) at the hover height (..., 3)."""
     return _on(points) + np.array([0, 0, HOVER])

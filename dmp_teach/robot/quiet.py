@@ -9,9 +9,8 @@ import sys
 import threading
 from collections.abc import Iterator
 
-_one_at_a_time = (
-    threading.Lock()
-)  # two at once would each put back what the other has put there: silence for ever
+# Two at once would each put back what the other has put there: silence for ever.
+_one_at_a_time = threading.Lock()
 
 
 @contextlib.contextmanager
@@ -35,7 +34,6 @@ def quiet() -> Iterator[None]:
 
 def _flush() -> None:
     """Let C write what it has kept, so that it does not come out later."""
-    with contextlib.suppress(
-        OSError, AttributeError, TypeError
-    ):  # Windows has another name for its library
+    # Windows has another name for its library.
+    with contextlib.suppress(OSError, AttributeError, TypeError):
         ctypes.CDLL(None).fflush(None)

@@ -1,4 +1,7 @@
-"""A real ROS 1 on loopback, where Debian's packages are: a master, a player, and a listener in the system's Python."""
+"""A real ROS 1 on loopback, where Debian's packages are.
+
+A master, a player, and a listener in the system's Python.
+"""
 
 import base64
 import json
@@ -17,12 +20,13 @@ HAS_ROS = (
     )
 )
 ALONE = ["unshare", "--user", "--map-root-user", "--net"]
-"""A network of one's own, of loopback alone: the C++ player listens on every address that it finds."""
+"""A network of one's own, of loopback alone: the C++ player listens on every address."""
 
 WORLD = """
 import base64, fcntl, json, os, signal, socket, struct, subprocess, sys, threading, time
 bag, port, alone, *topics = sys.argv[1:]
-if alone == "True":  # loopback is down in a new network: ifr_name lo, IFF_UP | IFF_RUNNING, SIOCSIFFLAGS
+# Loopback is down in a new network: ifr_name lo, IFF_UP | IFF_RUNNING, SIOCSIFFLAGS.
+if alone == "True":
     with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as line:
         fcntl.ioctl(line, 0x8914, struct.pack("16sh14x", b"lo", 0x41))
 import rospy
@@ -32,7 +36,8 @@ heard, all_heard = {}, threading.Event()
 def hear(message, topic):
     header = message._connection_header
     data = base64.b64encode(message._buff).decode()
-    heard[topic] = dict(type=header["type"], md5=header["md5sum"], latched=header.get("latching") == "1", data=data)
+    latched = header.get("latching") == "1"
+    heard[topic] = dict(type=header["type"], md5=header["md5sum"], latched=latched, data=data)
     if len(heard) == len(topics):
         all_heard.set()
 
@@ -59,7 +64,7 @@ print(json.dumps(heard))
 
 
 def play_on_a_real_roscore(bag, topics, home):
-    """What a listener receives while a bag is played: per topic its type, md5 sum, latch and data."""
+    """What a listener receives while a bag is played: type, md5 sum, latch and data by topic."""
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
         port = str(probe.getsockname()[1])

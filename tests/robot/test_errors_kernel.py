@@ -1,4 +1,4 @@
-"""The kernel never dies: robots dropped, made again and interrupted in any order, in a process of its own."""
+"""The kernel never dies: robots dropped, made again and interrupted in any order."""
 
 import os
 import subprocess

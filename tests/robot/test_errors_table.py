@@ -1,4 +1,4 @@
-"""What a user can do wrong, and what they read: a test for every row of the table in the robot's design.
+"""What a user can do wrong, and what they read: a test for every row of the design's table.
 
 Row, column and value of a file that cannot be read: see the tests of the reader.
 """
@@ -119,7 +119,8 @@ def test_partial_ink_which_part_and_the_cure(motion):
     pytest.importorskip("pybullet", reason="pybullet is not on this platform")
     told = " ".join(simulate(motion, page_tilt=np.radians(5)).findings)
     assert re.search(
-        r"of the letter has no ink, .*: there the tip is up to [\d.]+ mm over the paper\. Plan again",
+        r"of the letter has no ink, .*: there the tip is up to [\d.]+ mm over the paper\. "
+        "Plan again",
         told,
     )
 

@@ -15,7 +15,7 @@ from scipy.spatial.transform import Rotation
 
 from dmp_teach.errors import JointError, TrajectoryError
 from dmp_teach.files.writing import ASSETS
-from dmp_teach.robot.model.kinematics import GRIP, Model
+from dmp_teach.robot.model.kinematics import REST, Model
 
 ROBOTS = ("fetch.urdf", "fetch_sprung.urdf")
 
@@ -44,7 +44,7 @@ positions = st.lists(st.floats(-3.2, 3.2), min_size=len(DRIVEN), max_size=len(DR
 
 
 def composed(q):
-    """A second route: SciPy's rotations and places (not matrices of poses), from the table of facts."""
+    """A second route: SciPy's rotations and places, no poses, from the table of facts."""
     found = {"base_link": (Rotation.identity(), np.zeros(3))}
     for row in facts("fetch_joints.csv"):
         R, p = found[row["parent"]]
@@ -175,7 +175,7 @@ def test_the_fingers_touch_the_holder_where_they_rest():
     lower, upper = (
         getattr(fetch().joint("r_gripper_finger_joint"), name) for name in ("lower", "upper")
     )
-    assert lower < GRIP < upper
+    assert lower < REST["r_gripper_finger_joint"] < upper
 
 
 @pytest.mark.parametrize("name", ROBOTS)

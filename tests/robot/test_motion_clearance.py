@@ -71,8 +71,9 @@ def refusal(page):
 def test_a_page_too_near_is_refused_with_the_pair_the_moment_the_depth_and_a_page_that_works(page):
     error = refusal(page)
     assert re.match(
-        r"The arm would touch the robot: after \d\.\d\d s the arm's (wrist|gripper|forearm|elbow|upper arm) would "
-        r"(go into|come within \d+ mm of) the robot's (head|torso|base|shoulder)(, \d+ mm deep|; 10 mm must .*)\. Try",
+        r"The arm would touch the robot: after \d\.\d\d s the arm's "
+        r"(wrist|gripper|forearm|elbow|upper arm) would (go into|come within \d+ mm of) "
+        r"the robot's (head|torso|base|shoulder)(, \d+ mm deep|; 10 mm must .*)\. Try",
         str(error),
     )
     assert repr(error.cure) in str(error)

@@ -76,7 +76,8 @@ def test_a_clock_heeds_the_joint_that_hurries_and_says_where():
     assert clock.slow_down(speeds)
     (note,) = clock.notes
     assert note.startswith(
-        f"slowed from {way.rests[-1] / RATE:.2f} s to {(len(clock.samples) - 1) / RATE:.2f} s: fast,"
+        f"slowed from {way.rests[-1] / RATE:.2f} s to "
+        f"{(len(clock.samples) - 1) / RATE:.2f} s: fast,"
     )
     start, end, times = map(
         float,

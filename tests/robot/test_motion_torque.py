@@ -10,11 +10,11 @@ from dmp_teach.robot.arm import JOINTS
 from dmp_teach.robot.fetch import Fetch
 from dmp_teach.robot.model.kinematics import Model
 from dmp_teach.robot.model.reduced import reduced_robot
-from dmp_teach.robot.model.urdf import origin
+from dmp_teach.robot.model.urdf import read_origin
 from dmp_teach.robot.motion import describe_overloads
 from dmp_teach.robot.page import Page
-from dmp_teach.robot.simulation.bullet import client
-from dmp_teach.robot.simulation.world import SLIDE, World
+from dmp_teach.robot.simulation.bullet import open_world
+from dmp_teach.robot.simulation.world import SLIDE_JOINT, World
 from dmp_teach.trajectory import Trajectory
 from tests.robot.ink import LETTER
 from tests.robot.sound import LIMITS, MODEL
@@ -34,7 +34,7 @@ def bodies(path=ASSETS / "fetch.urdf"):
             yield (
                 link.attrib["name"],
                 float(inertial.find("mass").attrib["value"]),
-                origin(inertial)[:, 3],
+                read_origin(inertial)[:, 3],
             )
 
 
@@ -44,7 +44,7 @@ def height_energy(q):
 
 
 def test_at_rest_a_motor_holds_what_lifting_would_gain():
-    """Another route: gravity's torque is the slope of the energy of height, by our own kinematics."""
+    """Another route: gravity's torque is the slope of the energy of height, by our kinematics."""
     q, still, step = RNG.uniform(LOW, HIGH, (20, len(JOINTS))), np.zeros((20, len(JOINTS))), 1e-5
     needed = reduced_robot(JOINTS).torques(q, still, still)
     for joint in range(len(JOINTS)):
@@ -59,7 +59,7 @@ def test_in_motion_it_agrees_with_pybullet():
     motion = Fetch().write(LETTER, Page.board())
     v = np.gradient(motion.q, motion.t, axis=0)
     a = np.gradient(v, motion.t, axis=0)
-    with client() as (bullet, number):
+    with open_world() as (bullet, number):
         felt = World(bullet, number, motion, motion.page, "rigid").dynamics(motion.q, v, a)
     np.testing.assert_allclose(motion.torque, felt, atol=1e-3 * EFFORTS.min())
 
@@ -75,14 +75,17 @@ def test_the_torque_of_a_motion_is_one_row_a_sample_locked_and_made_once():
 
 def test_the_sprung_pens_slide_has_a_force_too():
     sprung = Model.load(ASSETS / "fetch_sprung.urdf")
-    names = (*JOINTS, SLIDE)
+    names = (*JOINTS, SLIDE_JOINT)
     q = np.zeros((1, len(names)))
     needed = reduced_robot(names).torques(q, 0 * q, 0 * q)[0]
-    carried = {sprung.joint(SLIDE).child}
+    carried = {sprung.joint(SLIDE_JOINT).child}
     for joint in sprung.joints:
         carried |= {joint.child} if joint.parent in carried else set()
     mass = sum(mass for name, mass, _ in bodies(ASSETS / "fetch_sprung.urdf") if name in carried)
-    up = sprung.frame(sprung.joint(SLIDE).child, q, names)[0, 2, :3] @ sprung.joint(SLIDE).axis
+    up = (
+        sprung.frame(sprung.joint(SLIDE_JOINT).child, q, names)[0, 2, :3]
+        @ sprung.joint(SLIDE_JOINT).axis
+    )
     assert needed[-1] == pytest.approx(9.81 * mass * up, rel=1e-9)
     assert needed[-1] != 0
 
@@ -95,8 +98,9 @@ def test_more_than_a_motor_gives_is_said_with_the_moment_and_the_cure():
     assert len(told) == (share.max(axis=0) > 1).sum() == 1
     row, joint = np.unravel_index(share.argmax(), share.shape)
     assert told[0].startswith(
-        f"{JOINTS[joint]} needs {abs(motion.torque[row, joint]):.1f} N m after {motion.t[row]:.2f} s, "
-        f"but its motor gives {EFFORTS[joint]:g} N m. Write slower: there the pen must take "
+        f"{JOINTS[joint]} needs {abs(motion.torque[row, joint]):.1f} N m "
+        f"after {motion.t[row]:.2f} s, but its motor gives {EFFORTS[joint]:g} N m. "
+        "Write slower: there the pen must take "
     )
 
 
@@ -108,7 +112,8 @@ def test_a_weight_that_is_too_much_is_not_cured_by_patience():
     (note,) = describe_overloads(motion, feeble)
     assert note.startswith("torso_lift_joint needs ")
     assert note.endswith(
-        ", but its motor gives 225 N. The weight of the arm alone is too much: move the page nearer."
+        ", but its motor gives 225 N. The weight of the arm alone is too much: "
+        "move the page nearer."
     )
 
 

@@ -75,7 +75,7 @@ def test_the_end_is_shown_unless_a_time_is_given(shown, tmp_path):
 def test_every_client_is_closed(shown, tmp_path):
     pybullet = pytest.importorskip("pybullet")
     picture(shown, tmp_path)
-    with pytest.raises(ValueError, match="never"), physics.client() as (_, number):
+    with pytest.raises(ValueError, match="never"), physics.open_world() as (_, number):
         raise ValueError("never")
     assert not pybullet.isConnected(number)
 
@@ -87,7 +87,8 @@ def test_without_pybullet_it_says_what_still_works(shown, tmp_path, without_pybu
 
 
 def test_a_picture_prints_nothing(tmp_path):
-    draw = "from tests.views.moves import sway; from dmp_teach.views.scene.view import view; import sys; "
+    draw = "from tests.views.moves import sway; from dmp_teach.views.scene.view import view; "
+    draw += "import sys; "
     draw += "view(sway(seconds=0.5)).png(sys.argv[1], width=64, height=64)"
     done = subprocess.run(
         [sys.executable, "-c", draw, tmp_path / "a.png"],

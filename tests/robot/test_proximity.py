@@ -1,4 +1,4 @@
-"""Distances of the arm's parts, beside another route: points on one shape, and the other's surface."""
+"""Distances of the arm's parts, beside those of points on their surfaces."""
 
 from functools import cache
 from itertools import product
@@ -10,7 +10,7 @@ import pytest
 from dmp_teach.files.writing import ASSETS
 from dmp_teach.robot.arm import JOINTS, SAFETY_SHELL
 from dmp_teach.robot.model.proximity import Proximity, plain
-from dmp_teach.robot.model.urdf import origin
+from dmp_teach.robot.model.urdf import read_origin
 from dmp_teach.robot.page import Page
 from tests.robot.sound import LIMITS, MODEL
 
@@ -30,7 +30,7 @@ def shapes():
             (shape,) = element.find("geometry")
             sides = [shape.get(name) for name in ("size", "radius", "length") if shape.get(name)]
             size = np.array(" ".join(sides).split(), dtype=float)
-            found.append((link.attrib["name"], shape.tag, size, origin(element)))
+            found.append((link.attrib["name"], shape.tag, size, read_origin(element)))
     return found
 
 
@@ -126,7 +126,7 @@ def test_what_touches_is_what_has_no_distance():
 
 
 def test_no_shape_is_smaller_than_the_real_link():
-    """Judged by the boxes around the real links; wheels and laser are inside the base's cylinder."""
+    """Judged by the boxes around the real links; wheels and laser are inside the base."""
     text = (ASSETS / "fetch_links.csv").read_text(encoding="utf-8")
     lines = [line.split(",") for line in text.splitlines()]
     compared = 0

@@ -158,13 +158,13 @@ def test_an_arm_stretches_for_the_ink_only_not_for_the_rest_of_the_page():
     ],
     ids=repr,
 )
-def test_a_page_in_the_robots_body_is_refused_with_the_pair_the_moment_the_depth_and_a_page_that_works(
+def test_a_page_in_the_robots_body_is_refused_with_pair_moment_depth_and_a_page_that_works(
     page, part, deep
 ):
     message = refusal(page)
     found = re.match(
-        r"The page would go through the robot's body: from 0\.00 s on, it and the robot's (torso|base) "
-        r"would overlap by (\d+) mm\. Try Page\.",
+        r"The page would go through the robot's body: from 0\.00 s on, it and the robot's "
+        r"(torso|base) would overlap by (\d+) mm\. Try Page\.",
         message,
     )
     assert found[1] == part

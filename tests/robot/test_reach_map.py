@@ -43,7 +43,7 @@ def test_a_table_is_out_of_reach_where_a_board_is_not(by_tilt):
     assert list(by_tilt.reached[:, FAR.index(0.9)]) == [False, True, True]
 
 
-def test_what_is_missing_grows_with_the_distance_and_is_nothing_where_the_arm_is_only_in_its_own_way(
+def test_what_is_missing_grows_with_the_distance_and_is_nothing_where_only_the_arm_is_in_its_way(
     by_tilt,
 ):
     assert (by_tilt.residual[:, FAR.index(1.3)] > 0.1).all()

@@ -252,7 +252,7 @@ def test_stamps_that_say_when_to_begin_say_now_and_no_stamp_is_a_time_of_day(bag
 
 
 def test_the_types_are_those_of_noetic(bag):
-    """Sums of control_msgs 1.5 and nav_msgs 1.13, as their own Python and C++ headers state them."""
+    """Sums of control_msgs 1.5 and nav_msgs 1.13, as their own headers state them."""
     found = read(bag)
     assert found[GOAL_TOPIC][0].digest == "cff5c1d533bf2f82dd0138d57f4304bb"
     assert found[PATH_TOPIC][0].digest == "6227e2b7e9cce15051f669a5e197bbf7"
@@ -299,7 +299,8 @@ def test_the_file_is_written_whole_or_not_at_all(motion, tmp_path, monkeypatch):
     [
         (
             "folded",
-            r"start is 'folded', but must be \"tucked\", None, or the positions of the 8 joints torso",
+            r"start is 'folded', but must be \"tucked\", None, or the positions of the 8 joints "
+            "torso",
         ),
         ([0.0] * 7, r"must be .*the 8 joints"),
         ([np.nan] * 8, r"must be .*the 8 joints"),

@@ -13,9 +13,9 @@ import dmp_teach as teach
 from dmp_teach.errors import MissingPartError, SettingError
 from dmp_teach.robot.model.kinematics import Model
 from dmp_teach.robot.simulation import bullet as physics
-from dmp_teach.robot.simulation.run import FORCE_BAND, describe_part, distances
+from dmp_teach.robot.simulation.run import FORCE_BAND, describe_part, measure_distances
 from dmp_teach.robot.simulation.simulate import simulate
-from dmp_teach.robot.simulation.world import NIB, PENS, SLIDE
+from dmp_teach.robot.simulation.world import NIB_RADIUS, PENS, SLIDE_JOINT
 from tests.recordings import RECORDINGS, needs_recordings
 from tests.robot import ink
 from tests.robot.ink import law
@@ -123,7 +123,7 @@ def test_the_clock_and_the_joints_are_the_plans_and_the_pen_slides():
     plan = written()
     run = simulate(plan)
     np.testing.assert_array_equal(run.t, plan.t)
-    assert run.motion.joint_names == (*plan.joint_names, SLIDE)
+    assert run.motion.joint_names == (*plan.joint_names, SLIDE_JOINT)
     assert np.abs(run.motion.q[:, :-1] - plan.q).max() < 1e-4
     slide = run.motion.q[:, -1]
     assert np.abs(slide[0]) < 1e-9
@@ -134,7 +134,7 @@ def test_the_clock_and_the_joints_are_the_plans_and_the_pen_slides():
 
 
 def test_the_force_is_the_springs_and_the_pens_weight():
-    """0.4 N from the spring everywhere; flat on a table the pen of 13 g adds its weight, 0.127 N."""
+    """0.4 N from the spring everywhere; on a table the pen of 13 g adds its weight, 0.127 N."""
     for page, force in (("table", 0.4 + 0.013 * 9.81), ("board", 0.4)):
         run = simulate(written("i", "slanted", page, 0.10))
         np.testing.assert_allclose(np.median(run.force[run.writing]), force, atol=0.005)
@@ -142,11 +142,11 @@ def test_the_force_is_the_springs_and_the_pens_weight():
 
 def test_the_model_has_the_nib_and_the_slide_that_the_physics_counts_on():
     fixed, sprung = (Model.load(PENS[pen]) for pen in ("rigid", "sprung"))
-    slide = sprung.joint(SLIDE)
+    slide = sprung.joint(SLIDE_JOINT)
     assert (slide.type, slide.lower, slide.upper) == ("prismatic", -0.012, 0.0)
     near, far = (model.frame("pen_tip", np.zeros((1, 0)), ())[0] for model in (fixed, sprung))
     np.testing.assert_allclose(far[:3, 3] - near[:3, 3], 0.004 * near[:3, 2], atol=1e-12)
-    with physics.client() as (bullet, number):
+    with physics.open_world() as (bullet, number):
         robot = bullet.loadURDF(str(PENS["sprung"]), physicsClientId=number)
         count = bullet.getNumJoints(robot, physicsClientId=number)
         names = [
@@ -156,7 +156,7 @@ def test_the_model_has_the_nib_and_the_slide_that_the_physics_counts_on():
             robot, names.index("pen_tip"), physicsClientId=number
         )[0]
     assert kind == pybullet.GEOM_SPHERE
-    assert size[0] == NIB
+    assert size[0] == NIB_RADIUS
 
 
 def test_a_page_6_mm_too_low_gets_no_ink():
@@ -168,7 +168,8 @@ def test_a_page_6_mm_too_low_gets_no_ink():
     (sentence,) = run.findings
     assert sentence.startswith("No ink: the pen's tip stayed 1.")
     assert sentence.endswith(
-        "2.0 mm over the paper. Plan again for the page as it lies: Fetch().write(strokes, run.page)."
+        "2.0 mm over the paper. Plan again for the page as it lies: "
+        "Fetch().write(strokes, run.page)."
     )
     assert "no ink" in repr(run)
 
@@ -268,7 +269,7 @@ def test_distances_are_those_to_the_nearest_piece_of_the_letter():
     rows = np.linspace(0, len(letter) - 1, 100 * len(letter))
     fine = np.column_stack([np.interp(rows, np.arange(len(letter)), column) for column in letter.T])
     expected = np.linalg.norm(points[:, None] - fine, axis=2).min(axis=1)
-    np.testing.assert_allclose(distances(points, motion), expected, atol=2e-6)
+    np.testing.assert_allclose(measure_distances(points, motion), expected, atol=2e-6)
 
 
 def test_a_run_cannot_be_changed():
@@ -338,7 +339,8 @@ def test_an_interrupted_kernel_keeps_what_was_written(clients):
     np.testing.assert_array_equal(run.force, whole.force[: len(run.force)])
     assert len(run.ink) == 1
     assert run.findings == (
-        f"Stopped after {run.duration:.2f} s of {whole.duration:.2f} s; what was written until then is kept.",
+        f"Stopped after {run.duration:.2f} s of {whole.duration:.2f} s; what was written "
+        "until then is kept.",
     )
     assert "stopped" in repr(run)
     assert not any(pybullet.isConnected(number) for number in clients)

@@ -10,7 +10,7 @@ from dmp_teach.robot.model.kinematics import Model
 from dmp_teach.robot.motion import Motion
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.simulation.run import Run
-from dmp_teach.robot.simulation.world import PENS, SLIDE
+from dmp_teach.robot.simulation.world import PENS, SLIDE_JOINT
 from dmp_teach.trajectory import Trajectory
 from dmp_teach.views.scene.stage import WAITING_JOINTS
 
@@ -47,7 +47,7 @@ def sway(seconds=2.4, rate=240, size=0.06, page=None):
 def pressed(motion):
     """What a motion might become without pybullet: the pen pushed in by 4 mm wherever it writes, harder and softer."""
     slide = np.where(motion.pen_down, -0.004, 0.0)
-    q, names = np.column_stack([motion.q, slide]), (*motion.joint_names, SLIDE)
+    q, names = np.column_stack([motion.q, slide]), (*motion.joint_names, SLIDE_JOINT)
     tip = Model.load(PENS["sprung"]).frame("pen_tip", q, names)[:, :3, 3]
     happened = replace(motion, q=q, joint_names=names, tip=tip)
     force = np.where(motion.pen_down, 0.6 + 0.9 * np.sin(3 * motion.t) ** 3, 0.0).clip(0.0)

@@ -13,7 +13,7 @@ from PIL import Image
 
 from dmp_teach.errors import ViewError
 from dmp_teach.robot.simulation.run import FORCE_BAND, Run
-from dmp_teach.robot.simulation.world import SLIDE
+from dmp_teach.robot.simulation.world import SLIDE_JOINT
 from dmp_teach.views.scene import pen_force
 from dmp_teach.views.scene.commands import record_stage
 from dmp_teach.views.scene.picture import INK_RGBA
@@ -192,7 +192,7 @@ def test_only_motions_and_runs_can_be_shown(run):
 
 def test_the_run_of_the_tests_is_one(run):
     assert isinstance(run, Run)
-    assert run.motion.joint_names[-1] == SLIDE
+    assert run.motion.joint_names[-1] == SLIDE_JOINT
     assert run.shape_error < 1e-6
 
 

@@ -1,4 +1,4 @@
-"""The robot as it is drawn and measured: links, joints, and where each link is. No PlaCo needed."""
+"""The robot's links and joints, and where each link is. No PlaCo needed."""
 
 from __future__ import annotations
 
@@ -16,11 +16,10 @@ from dmp_teach.files import ASSETS
 from dmp_teach.robot.model.urdf import Joint, Visual, read_robot, read_visuals
 from dmp_teach.trajectory import Array
 
-GRIP = 0.0083  # where the fingers touch the pen's holder [m]
-REST = {
-    "r_gripper_finger_joint": GRIP,
-    "l_gripper_finger_joint": GRIP,
-}  # joints that are not named; all others at 0
+# Where the fingers touch the pen's holder [m].
+_GRIP = 0.0083
+REST = {"r_gripper_finger_joint": _GRIP, "l_gripper_finger_joint": _GRIP}
+"""Positions of joints that are not named; all others are at 0 [m]."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -60,30 +59,31 @@ class Model:
         return next(link for link in self.links if link not in carried)
 
     def joint(self, name: str) -> Joint:
-        """A joint by its name.
+        """Return a joint by its name.
 
         Raises:
             JointError: No joint of that name; names the nearest ones.
         """
         found = {joint.name: joint for joint in self.joints}
         if name not in found:
-            raise JointError(unknown("joint", name, found))
+            raise JointError(describe_unknown("joint", name, found))
         return found[name]
 
     def link_poses(self, q: ArrayLike, joint_names: Sequence[str]) -> dict[str, Array]:
-        """Where every link is: the product of the joints' poses from the root outwards.
+        """Compute where every link is: the product of the joints' poses from the root outwards.
 
         Args:
             q: Joint positions, shape (T, J), or (J,) for one moment [rad, m].
-            joint_names: J names, one a column of q. Of joints that are not named, the fingers hold the pen
-                (`REST`) and all others stay at 0.
+            joint_names: J names, one a column of q. Of joints that are not named, the fingers hold
+                the pen (`REST`) and all others stay at 0.
 
         Returns:
-            X_world_link for each link, each of shape (T, 4, 4), to be read only [m]. Of a link that does not move it is
-            one pose, repeated without a copy.
+            X_world_link for each link, each of shape (T, 4, 4), to be read only [m]. Of a link that
+            does not move it is one pose, repeated without a copy.
 
         Raises:
-            JointError: A joint that the robot does not have, that cannot move, or that is named twice.
+            JointError: A joint that the robot does not have, that cannot move, or that is named
+                twice.
             TrajectoryError: q has not one column for each name, or a value that is not finite.
         """
         q = np.atleast_2d(np.asarray(q, dtype=float))
@@ -96,29 +96,30 @@ class Model:
         return {link: np.broadcast_to(X, (len(q), 4, 4)) for link, X in poses.items()}
 
     def frame(self, name: str, q: ArrayLike, joint_names: Sequence[str]) -> Array:
-        """Where one link is: `frame("pen_tip", q, names)` has shape (T, 4, 4) [m].
+        """Compute where one link is: `frame("pen_tip", q, names)` has shape (T, 4, 4) [m].
 
         Raises:
             JointError: No link of that name; names the nearest ones.
         """
         if name not in self.links:
-            raise JointError(unknown("frame", name, self.links))
+            raise JointError(describe_unknown("frame", name, self.links))
         return self.link_poses(q, joint_names)[name]
 
     @cached_property
     def visuals(self) -> tuple[Visual, ...]:
-        """All pieces of the shell; their files are read when first asked for."""
+        """All pieces of the shell; their files are read when first used."""
         return tuple(read_visuals(self.path))
 
     def _check(self, q: Array, joint_names: Sequence[str]) -> None:
-        """Raise unless q has a finite column for each name, and each name is a joint that moves, named once."""
+        """Raise unless q has a finite column for each of some joints that move, named once."""
         if q.ndim != 2 or q.shape[1] != len(joint_names):
             raise TrajectoryError(
-                f"q has shape {q.shape}, but needs one column for each of {len(joint_names)} joints."
+                f"q has shape {q.shape}, but needs one column for each of {len(joint_names)} "
+                "joints."
             )
         for column, name in enumerate(joint_names):
             if name not in self.joint_names:
-                raise JointError(unknown("joint that moves", name, self.joint_names))
+                raise JointError(describe_unknown("joint that moves", name, self.joint_names))
             if name in joint_names[:column]:
                 raise JointError(
                     f"The joint {name!r} is named twice; each column of q needs a joint of its own."
@@ -130,8 +131,8 @@ class Model:
             )
 
 
-def unknown(kind: str, name: str, known: Iterable[str]) -> str:
-    """A sentence that says which names come nearest."""
+def describe_unknown(kind: str, name: str, known: Iterable[str]) -> str:
+    """Return a sentence that says which names come nearest."""
     known = list(known)
     near = difflib.get_close_matches(name, known, n=3, cutoff=0.3) or known[:3]
     return (

@@ -1,4 +1,4 @@
-"""A URDF read into values: joints, and the pieces of the shell."""
+"""Read a URDF into values: joints, and the pieces of the shell."""
 
 from __future__ import annotations
 
@@ -23,7 +23,8 @@ class Joint:
         parent: The link before.
         child: The link that moves.
         X_parent_joint: Pose of the child in the parent when the joint is at 0, shape (4, 4) [m].
-        axis: Unit vector in the child's frame, shape (3,); the joint turns about it or slides along it.
+        axis: Unit vector in the child's frame, shape (3,); the joint turns about it or slides along
+            it.
         lower: Least position; minus infinity where there is none [rad or m].
         upper: Greatest position; infinity where there is none [rad or m].
         velocity: Greatest speed [rad/s or m/s].
@@ -46,7 +47,7 @@ class Joint:
         _lock(self, "X_parent_joint", "axis")
 
     def pose(self, q: Array) -> Array:
-        """Pose of the child in the parent at positions q (T,) [rad or m], shape (T, 4, 4)."""
+        """Return the pose of the child in the parent at q (T,) [rad or m], shape (T, 4, 4)."""
         X = np.tile(self.X_parent_joint, (len(q), 1, 1))
         if self.type == "prismatic":
             X[:, :3, 3] += q[:, None] * (self.X_parent_joint[:3, :3] @ self.axis)
@@ -64,7 +65,8 @@ class Visual:
         X_link_visual: Its pose in the link, shape (4, 4) [m].
         vertices: Corners, in the piece's own frame, shape (V, 3) [m].
         normals: The shell's outward direction at each corner, shape (V, 3).
-        faces: Triangles by the numbers of their corners, counter-clockwise seen from outside, shape (F, 3).
+        faces: Triangles by the numbers of their corners, counter-clockwise seen from outside, shape
+            (F, 3).
         color: Red, green, blue, opacity between 0 and 1, shape (4,).
     """
 
@@ -82,7 +84,7 @@ class Visual:
 
 
 def read_robot(path: Path) -> tuple[str, tuple[str, ...], tuple[Joint, ...]]:
-    """The robot's name, its links, and its joints, each after the one that carries its parent.
+    """Read the robot's name, links and joints, each after the one that carries its parent.
 
     Raises:
         JointError: A joint whose parent is never reached from the root.
@@ -94,7 +96,7 @@ def read_robot(path: Path) -> tuple[str, tuple[str, ...], tuple[Joint, ...]]:
 
 
 def read_visuals(path: Path) -> Iterator[Visual]:
-    """The pieces of the shell, their meshes read from beside the URDF.
+    """Yield the pieces of the shell, their meshes read from beside the URDF.
 
     Raises:
         JointError: A visual that is not a mesh.
@@ -111,7 +113,7 @@ def _lock(value: object, *names: str) -> None:
 
 
 def _turn(axis: Array, angles: Array) -> Array:
-    """Turns about a unit axis by angles (T,) [rad], shape (T, 3, 3): I + sin K + (1 - cos) K K (Rodrigues)."""
+    """Return rotations (T, 3, 3) about a unit axis: I + sin K + (1 - cos) K K (Rodrigues)."""
     x, y, z = axis
     K = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
     return (
@@ -122,24 +124,24 @@ def _turn(axis: Array, angles: Array) -> Array:
 
 
 def _numbers(element: ET.Element | None, name: str, default: str) -> Array:
-    """The numbers in an attribute of an element that may be absent."""
+    """Return the numbers in an attribute of an element that may be absent."""
     return np.array(
         (default if element is None else element.attrib.get(name, default)).split(), dtype=float
     )
 
 
-def origin(element: ET.Element) -> Array:
-    """The pose in an <origin>: a place, and turns about the fixed x, y and z, in this order."""
-    origin = element.find("origin")
+def read_origin(element: ET.Element) -> Array:
+    """Read the pose in an <origin>: a place, and turns about the fixed x, y and z, in order."""
+    found = element.find("origin")
     X = np.eye(4)
-    for axis, angle in zip(np.eye(3), _numbers(origin, "rpy", "0 0 0"), strict=True):
+    for axis, angle in zip(np.eye(3), _numbers(found, "rpy", "0 0 0"), strict=True):
         X[:3, :3] = _turn(axis, np.array([angle]))[0] @ X[:3, :3]
-    X[:3, 3] = _numbers(origin, "xyz", "0 0 0")
+    X[:3, 3] = _numbers(found, "xyz", "0 0 0")
     return X
 
 
 def _joint(element: ET.Element) -> Joint:
-    """A <joint>."""
+    """Read a <joint>."""
     parent, child = element.find("parent"), element.find("child")
     axis, limit = _numbers(element.find("axis"), "xyz", "1 0 0"), element.find("limit")
     bounds = {} if limit is None else {key: float(value) for key, value in limit.attrib.items()}
@@ -150,21 +152,22 @@ def _joint(element: ET.Element) -> Joint:
         type=element.attrib["type"],
         parent="" if parent is None else parent.attrib["link"],
         child="" if child is None else child.attrib["link"],
-        X_parent_joint=origin(element),
+        X_parent_joint=read_origin(element),
         axis=axis / (np.linalg.norm(axis) or 1.0),
         **bounds,
     )
 
 
 def _root_first(links: tuple[str, ...], joints: tuple[Joint, ...]) -> tuple[Joint, ...]:
-    """The joints, each after the one that carries its parent; otherwise as they were."""
+    """Return the joints, each after the one that carries its parent; otherwise as they were."""
     reached = set(links) - {joint.child for joint in joints}
     waiting, ordered = list(joints), []
     while waiting:
         ready = next((joint for joint in waiting if joint.parent in reached), None)
         if ready is None:
             raise JointError(
-                f"Joint {waiting[0].name!r} hangs on {waiting[0].parent!r}, which the root never reaches."
+                f"Joint {waiting[0].name!r} hangs on {waiting[0].parent!r}, which the root never "
+                "reaches."
             )
         waiting.remove(ready)
         ordered.append(ready)
@@ -173,7 +176,7 @@ def _root_first(links: tuple[str, ...], joints: tuple[Joint, ...]) -> tuple[Join
 
 
 def _visual(link: str, element: ET.Element, folder: Path) -> Visual:
-    """A <visual> with a mesh beside the URDF."""
+    """Read a <visual> with a mesh beside the URDF."""
     mesh, color = element.find("geometry/mesh"), element.find("material/color")
     if mesh is None:
         raise JointError(
@@ -181,12 +184,17 @@ def _visual(link: str, element: ET.Element, folder: Path) -> Visual:
         )
     vertices, normals, faces = read_obj(folder / mesh.attrib["filename"])
     return Visual(
-        link, origin(element), vertices, normals, faces, _numbers(color, "rgba", "0.7 0.7 0.7 1")
+        link,
+        read_origin(element),
+        vertices,
+        normals,
+        faces,
+        _numbers(color, "rgba", "0.7 0.7 0.7 1"),
     )
 
 
 def read_obj(path: Path) -> tuple[Array, Array, Array]:
-    """Vertices (V, 3) [m], normals (V, 3) and triangles (F, 3) of a Wavefront file with a normal for each vertex."""
+    """Read vertices (V, 3) [m], normals (V, 3), one for each, and triangles (F, 3) of Wavefront."""
     rows: dict[str, list[list[str]]] = {"v": [], "vn": [], "f": []}
     for line in path.read_text(encoding="utf-8").splitlines():
         kind, *values = line.split() or [""]

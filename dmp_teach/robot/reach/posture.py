@@ -58,7 +58,7 @@ _FOREARM = (
 )
 # How near the fingers and the pen come is seen when the motion is planned.
 _FINGERS_AND_PEN = ("l_gripper", "r_gripper", "pen")
-# Where no page can lie: the base's cylinder, its radius, height and middle, and the torso's box [m].
+# Where no page can lie: the base's cylinder and the torso's box [m].
 _BASE_RADIUS, _BASE_HEIGHT = 0.29, 0.38
 _TORSO = np.array([0.36, 0.36, 0.95])
 _TORSO_MIDDLE = np.array([-0.09, 0.0, 0.775])
@@ -140,7 +140,7 @@ def overlap_with_body(page: Page) -> str:
 
 
 def _starts(solver: Solver, page: Page) -> Iterator[Array]:
-    """Yield the fixed postures, those for such a page first, and some random ones: always the same."""
+    """Yield the fixed postures, those for such a page first, and random ones, always the same."""
     yield from START_POSTURES if page.normal[2] > 0.7 else START_POSTURES[[2, 3, 0, 1]]
     low, high = np.maximum(solver.lower, -np.pi), np.minimum(solver.upper, np.pi)
     yield from np.random.default_rng(0).uniform(low, high, (_RANDOM, len(low)))
@@ -178,7 +178,7 @@ def _try_posture(solver: Solver, start: Array, page: Page, low: Array, high: Arr
 
 
 def _effort_between(solver: Solver, moved: Array, turned: Array) -> float:
-    """Return what the joints must do on a way between places, at `WRITING_SPEED`, in parts of limits.
+    """Return what a way between places asks of the joints, in parts of their speed limits.
 
     An arm that is straight between the two, and bent at both, shows in nothing else. Nor does a
     joint that passes half a turn: its angle starts again from the other side, and PlaCo would pull

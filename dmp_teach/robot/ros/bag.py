@@ -1,13 +1,18 @@
-"""The letter for a real Fetch: a ROS 1 bag that its own controller understands. No ROS needed to write it.
+"""Write a motion as a ROS 1 bag that a real Fetch's controller understands, without ROS.
 
-The bag holds one goal for the arm's trajectory controller, and the way of the pen to look at in rviz. Facts of the
-Fetch's controller (robot_controllers, `follow_joint_trajectory`) that shape the goal:
+The bag holds one goal for the arm's trajectory controller, and the way of the pen to look at in
+rviz. Facts of the Fetch's controller (robot_controllers, `follow_joint_trajectory`) that shape the
+goal:
 
-- a stamp of 0 means "now". Any other would be in the past when the bag is played, and the arm would jump to where it
-  should be by then. So no stamp in the bag is a time of day, and the same motion gives the same file, byte for byte;
-- it goes from where it is to the first point in that point's time: `LEAD`, long enough for the torso from any height;
-- between points it draws cubics through positions and velocities. With ours it draws the very spline they come from;
-- all goals carry the same id, so that a bag played twice does not cut into itself: an id that is known is left alone.
+- a stamp of 0 means "now". Any other would be in the past when the bag is played, and the arm would
+  jump to where it should be by then. So no stamp in the bag is a time of day, and the same motion
+  gives the same file, byte for byte;
+- it goes from where it is to the first point in that point's time: `LEAD`, long enough for the
+  torso from any height;
+- between points it draws cubics through positions and velocities. With ours it draws the very
+  spline they come from;
+- all goals carry the same id, so that a bag played twice does not cut into itself: an id that is
+  known is left alone.
 """
 
 from __future__ import annotations
@@ -27,7 +32,7 @@ from scipy.spatial.transform import Rotation
 from dmp_teach.errors import JointError, MissingPartError, SettingError, TrajectoryError
 from dmp_teach.files import write_whole
 from dmp_teach.robot.arm import JOINTS
-from dmp_teach.robot.model.kinematics import Model
+from dmp_teach.robot.model.kinematics import Joint, Model
 from dmp_teach.robot.motion import Motion
 from dmp_teach.robot.ros.untuck import TUCKED, find_way
 from dmp_teach.trajectory import Array, Trajectory, locked
@@ -36,35 +41,44 @@ GOAL_TOPIC = "/arm_with_torso_controller/follow_joint_trajectory/goal"
 PATH_TOPIC = "/dmp_teach/pen_path"
 
 LEAD = 6.0
-"""When the first point is reached [s]: time to get to it, and for a hand to get to the stop button."""
+"""Time of the first point [s]: to get to it, and for a hand to get to the stop button."""
 
 PACE = 0.5
 """On the way to the page no joint goes faster than this part of its limit."""
 
-_RATE = 24  # points a second on the way to the page; the writing keeps its own [Hz]
-_SHORTEST = 0.5  # a leg of the way takes at least this [s]
-_PATH_AT, _GOAL_AT = (
-    1.0,
-    3.0,
-)  # in the bag [s]: the goal comes later, when all who listen have found its player
+# Points a second on the way to the page; the writing keeps its own [Hz].
+_RATE = 24
+# A leg of the way takes at least this [s].
+_SHORTEST = 0.5
+# Times in the bag [s]: the goal comes later, when all who listen have found its player.
+_PATH_AT = 1.0
+_GOAL_AT = 3.0
 
-_MESSAGES = {  # of control_msgs, which rosbags does not bring; the order and names of fields make their md5 sums
+# Of control_msgs, which rosbags does not bring; the order and names of fields make their md5 sums.
+_MESSAGES = {
     "JointTolerance": "string name\nfloat64 position\nfloat64 velocity\nfloat64 acceleration\n",
-    "FollowJointTrajectoryGoal": "trajectory_msgs/JointTrajectory trajectory\nJointTolerance[] path_tolerance\n"
-    "JointTolerance[] goal_tolerance\nduration goal_time_tolerance\n",
-    "FollowJointTrajectoryActionGoal": "Header header\nactionlib_msgs/GoalID goal_id\nFollowJointTrajectoryGoal goal\n",
+    "FollowJointTrajectoryGoal": (
+        "trajectory_msgs/JointTrajectory trajectory\nJointTolerance[] path_tolerance\n"
+        "JointTolerance[] goal_tolerance\nduration goal_time_tolerance\n"
+    ),
+    "FollowJointTrajectoryActionGoal": (
+        "Header header\nactionlib_msgs/GoalID goal_id\nFollowJointTrajectoryGoal goal\n"
+    ),
 }
-_GOAL, _PATH = "control_msgs/msg/FollowJointTrajectoryActionGoal", "nav_msgs/msg/Path"
+_GOAL = "control_msgs/msg/FollowJointTrajectoryActionGoal"
+_PATH = "nav_msgs/msg/Path"
 
 
 @dataclass(frozen=True, eq=False)
 class Schedule:
-    """What the arm's controller is told: a point a row.
+    """What the arm's controller is sent: a point a row.
 
     Args:
-        t: Times from the start of the goal, increasing from `LEAD`, whole nanoseconds, shape (T,) [s].
+        t: Times from the start of the goal, increasing from `LEAD`, whole nanoseconds, shape (T,)
+            [s].
         q: Joint positions in the order of `JOINTS`, shape (T, 8) [m, rad].
-        velocity: The derivative of the cubic spline through them, 0 at both ends, shape (T, 8) [m/s, rad/s].
+        velocity: The derivative of the cubic spline through them, 0 at both ends, shape (T, 8)
+            [m/s, rad/s].
         writing: The row where the motion itself begins.
     """
 
@@ -84,22 +98,25 @@ def write_rosbag(
 ) -> Path:
     """Write a motion as a ROS 1 bag that makes a real Fetch write it.
 
-    `rosbag play` sends the goal (control_msgs/FollowJointTrajectoryActionGoal on `GOAL_TOPIC`) and the way of the nib
-    (nav_msgs/Path in base_link, latched, on `PATH_TOPIC`). The arm unfolds, writes, and stays with the pen lifted off
-    the page. What stands around the robot is not known here: keep a hand on its stop button.
+    `rosbag play` sends the goal (control_msgs/FollowJointTrajectoryActionGoal on `GOAL_TOPIC`) and
+    the way of the nib (nav_msgs/Path in base_link, latched, on `PATH_TOPIC`). The arm unfolds,
+    writes, and stays with the pen lifted off the page. What stands around the robot is not known
+    here: keep a hand on its stop button.
 
     Args:
         motion: What to write, from `Fetch().write`.
-        path: Where to, ending with .bag; its folder must exist. A file that is there is replaced in one step.
-        start: How the arm stands before: "tucked" as the Fetch folds it to drive (`TUCKED`), or its eight joint
-            positions in the order of `JOINTS` (8,) [m, rad]. From there it goes to the page without touching the robot
-            or what the page lies on. None: the arm is at the motion's start already, brought there by other means.
+        path: Where to, ending with .bag; its folder must exist. A file that is there is replaced in
+            one step.
+        start: How the arm stands before: "tucked" as the Fetch folds it to drive (`TUCKED`), or its
+            eight joint positions in the order of `JOINTS` (8,) [m, rad]. From there it goes to the
+            page without touching the robot or what the page lies on. None: the arm is at the
+            motion's start already, brought there by other means.
 
     Returns:
         The path.
 
     Raises:
-        MissingPartError: rosbags is not installed.
+        MissingPartError: rosbags or PlaCo is not installed.
         TrajectoryError: Not a motion, or one that the Fetch's limits do not allow.
         JointError: A motion of other joints.
         SettingError: A start that is none, or out of the joints' limits.
@@ -115,7 +132,7 @@ def write_rosbag(
 
 
 def schedule(motion: Motion, start: str | ArrayLike | None = "tucked") -> Schedule:
-    """The points of the goal: the way from the start to the page, then the motion. Arguments and errors as above."""
+    """Compute the points of the goal: the way to the page, then the motion; see `write_rosbag`."""
     _check(motion)
     t, q = motion.t, motion.q
     if start is None:
@@ -134,7 +151,7 @@ def schedule(motion: Motion, start: str | ArrayLike | None = "tucked") -> Schedu
 
 
 def _timed(way: Array) -> tuple[Array, Array]:
-    """Times (T,) [s] and joints (T, 8) along a way (N, 8): each leg from rest to rest with least jerk."""
+    """Return times (T,) [s] and joints (T, 8) along a way (N, 8), at rest at each, least jerk."""
     fastest = np.array([joint.velocity for joint in _joints()])
     t, q = [np.zeros(1)], [way[:1]]
     for one, other in pairwise(way):
@@ -146,14 +163,14 @@ def _timed(way: Array) -> tuple[Array, Array]:
     return np.concatenate(t), np.concatenate(q)
 
 
-def _joints() -> list:
-    """The arm's joints, with their limits."""
+def _joints() -> list[Joint]:
+    """Return the arm's joints, with their limits."""
     model = Model.load()
     return [model.joint(name) for name in JOINTS]
 
 
 def _start(start: Any) -> Array:
-    """The joints before the way to the page."""
+    """Return the joints before the way to the page."""
     if isinstance(start, str) and start == "tucked":
         return TUCKED
     try:
@@ -162,13 +179,14 @@ def _start(start: Any) -> Array:
         q = np.empty(0)
     if q.shape != (len(JOINTS),) or not np.isfinite(q).all():
         raise SettingError(
-            f'start is {start!r}, but must be "tucked", None, or the positions of the {len(JOINTS)} joints '
-            f"{', '.join(JOINTS)} [m, rad]."
+            f'start is {start!r}, but must be "tucked", None, or the positions of the '
+            f"{len(JOINTS)} joints {', '.join(JOINTS)} [m, rad]."
         )
     for joint, value in zip(_joints(), q, strict=True):
         if not joint.lower <= value <= joint.upper:
             raise SettingError(
-                f"start has {joint.name} at {value:g}, but it must be between {joint.lower:g} and {joint.upper:g}."
+                f"start has {joint.name} at {value:g}, but it must be between {joint.lower:g} and "
+                f"{joint.upper:g}."
             )
     return q
 
@@ -181,13 +199,14 @@ def _check(motion: Any) -> None:
         )
     if motion.joint_names != JOINTS:
         raise JointError(
-            f"The motion moves {', '.join(motion.joint_names)}; the arm's controller takes {JOINTS}."
+            f"The motion moves {', '.join(motion.joint_names)}; the arm's controller takes "
+            f"{JOINTS}."
         )
     Trajectory(motion.t, motion.q)
 
 
 def _check_limits(t: Array, q: Array, velocity: Array) -> None:
-    """Raise where a joint would be asked for more than it can do: this goes to a real robot."""
+    """Raise where a joint would have to do more than it can: this goes to a real robot."""
     for number, joint in enumerate(_joints()):
         unit = "m" if joint.type == "prismatic" else "rad"
         for what, value, low, high, of in (
@@ -198,23 +217,24 @@ def _check_limits(t: Array, q: Array, velocity: Array) -> None:
             if bad.any():
                 row = int(np.argmax(bad))
                 raise TrajectoryError(
-                    f"The {what} of {joint.name} is {value[row]:.3f} {of} after {t[row]:.2f} s, but must be between "
-                    f"{low:g} and {high:g}; let Fetch().write plan the motion again."
+                    f"The {what} of {joint.name} is {value[row]:.3f} {of} after {t[row]:.2f} s, "
+                    f"but must be between {low:g} and {high:g}; let Fetch().write plan the motion "
+                    "again."
                 )
 
 
 @cache
 def ros_types() -> Any:
-    """The messages of ROS Noetic, and those of control_msgs that a goal is made of."""
+    """Return the types of ROS Noetic's messages, and of control_msgs that a goal is made of."""
     try:
         from rosbags.typesys import Stores, get_types_from_msg, get_typestore  # noqa: PLC0415
     except ImportError as error:
         raise MissingPartError(
-            f"A bag for the real robot is written by rosbags, which is not here ({error}). All else works without it. "
-            "To get it: python3 -m pip install rosbags"
+            f"A bag for the real robot is written by rosbags, which is not here ({error}). All "
+            "else works without it. To get it: python3 -m pip install rosbags"
         ) from None
     store = get_typestore(Stores.ROS1_NOETIC)
-    found = {}
+    found: dict[str, Any] = {}
     for name, text in _MESSAGES.items():
         found |= get_types_from_msg(text, f"control_msgs/msg/{name}")
     store.register(found)
@@ -222,7 +242,7 @@ def ros_types() -> Any:
 
 
 def _write(store: Any, path: Path, goal: Any, pen_path: Any) -> None:
-    """Both messages in a new bag. The goal is not latched: who connects late must not be sent off by an old one."""
+    """Write both messages; the goal is not latched, lest an old one sends off who connects late."""
     from rosbags.rosbag1 import Writer  # noqa: PLC0415
 
     with Writer(path) as bag:
@@ -237,7 +257,7 @@ def _write(store: Any, path: Path, goal: Any, pen_path: Any) -> None:
 
 
 def _goal(store: Any, points: Schedule) -> Any:
-    """The goal. Tolerances stay empty, for the controller's own: it refuses any that are given."""
+    """Return the goal, its tolerances empty: the controller refuses any that are given."""
     kinds, none = store.types, np.empty(0)
     point, now = kinds["trajectory_msgs/msg/JointTrajectoryPoint"], _time(store, 0.0)
     trajectory = kinds["trajectory_msgs/msg/JointTrajectory"](
@@ -258,7 +278,7 @@ def _goal(store: Any, points: Schedule) -> Any:
 
 
 def _pen_path(store: Any, motion: Motion, points: Schedule) -> Any:
-    """The way of the nib while it writes, in the robot's frame; a pose has its time on the goal's clock."""
+    """Return the way of the nib while it writes, in the robot's frame, on the goal's clock."""
     kinds = store.types
     pose, posed = kinds["geometry_msgs/msg/Pose"], kinds["geometry_msgs/msg/PoseStamped"]
     place, turned = kinds["geometry_msgs/msg/Point"], kinds["geometry_msgs/msg/Quaternion"]
@@ -275,10 +295,10 @@ def _pen_path(store: Any, motion: Motion, points: Schedule) -> Any:
 
 
 def _header(store: Any, t: float) -> Any:
-    """A header in the robot's own frame: the world of a motion has its origin in the robot's base."""
+    """Return a header in the robot's own frame: a motion's world has its origin in the base."""
     return store.types["std_msgs/msg/Header"](seq=0, stamp=_time(store, t), frame_id="base_link")
 
 
 def _time(store: Any, t: float, kind: str = "Time") -> Any:
-    """A time or a duration of ROS."""
+    """Return a time or a duration of ROS."""
     return store.types[f"builtin_interfaces/msg/{kind}"](*divmod(round(1e9 * t), 10**9))

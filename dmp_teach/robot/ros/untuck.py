@@ -19,7 +19,7 @@ from dmp_teach.robot.motion import Motion
 from dmp_teach.trajectory import Array, locked
 
 TUCKED = locked([0.05, 1.32, 1.40, -0.20, 1.72, 0.0, 1.66, 0.0])
-"""How the Fetch folds its arm to drive: torso [m], then the arm's joints from the shoulder [rad]."""
+"""How the Fetch folds its arm to drive: torso [m], then the joints from the shoulder [rad]."""
 
 ROBOT_CLEARANCE = 0.01
 """The arm keeps this far from the robot [m], unless it starts or ends nearer: then so near."""

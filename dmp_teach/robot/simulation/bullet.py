@@ -1,4 +1,4 @@
-"""Everything that pybullet does for us; so far, pictures without a browser."""
+"""pybullet's worlds and its renderer, which draws pictures without a browser."""
 
 from __future__ import annotations
 
@@ -13,16 +13,16 @@ from dmp_teach.errors import MissingPartError
 from dmp_teach.robot.quiet import quiet
 from dmp_teach.trajectory import Array
 
-Mesh = tuple[Array, Array, Array, Sequence[float]]
-"""Vertices (V, 3) in the world [m], normals (V, 3), triangles (F, 3), and red, green, blue, opacity."""
+Mesh = tuple[Array, Array, NDArray[np.int64], Sequence[float]]
+"""Vertices (V, 3) in the world [m], normals (V, 3), triangles (F, 3), and a colour (4,)."""
 
+# The renderer has no smooth edges: draw so many times larger, then average.
 _FINER = 2
-"""The renderer has no smooth edges: draw so many times larger, then average."""
 
 
 @contextmanager
-def client() -> Iterator[tuple[ModuleType, int]]:
-    """A pybullet world without a window, closed at the end: one that stays open keeps 30 MB.
+def open_world() -> Iterator[tuple[ModuleType, int]]:
+    """Open a pybullet world without a window; one that stays open keeps 30 MB.
 
     Raises:
         MissingPartError: pybullet is not installed.
@@ -43,7 +43,7 @@ def client() -> Iterator[tuple[ModuleType, int]]:
         pybullet.disconnect(number)
 
 
-def picture(
+def render_meshes(
     meshes: Sequence[Mesh],
     *,
     eye: ArrayLike,
@@ -72,15 +72,15 @@ def picture(
     Raises:
         MissingPartError: pybullet is not installed.
     """
-    with client() as (bullet, number):
+    with open_world() as (bullet, number):
         for mesh in meshes:
             _add(bullet, number, mesh)
         _, _, pixels, depth, _ = bullet.getCameraImage(
             width * _FINER,
             height * _FINER,
-            bullet.computeViewMatrix(list(eye), list(target), list(up)),
+            bullet.computeViewMatrix(*(np.asarray(at).tolist() for at in (eye, target, up))),
             bullet.computeProjectionMatrixFOV(field_of_view, width / height, 0.05, 12.0),
-            lightDirection=list(lamp),
+            lightDirection=np.asarray(lamp).tolist(),
             shadow=0,
             flags=bullet.ER_NO_SEGMENTATION_MASK,
             lightAmbientCoeff=0.62,

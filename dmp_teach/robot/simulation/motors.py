@@ -1,4 +1,4 @@
-"""What moves the simulated joints: motors as one wishes them, and motors as they are."""
+"""Motors of the simulated joints: as one wishes them, and as they are."""
 
 from __future__ import annotations
 
@@ -8,23 +8,25 @@ from dmp_teach.robot.motion import Motion
 from dmp_teach.robot.simulation.world import World
 from dmp_teach.trajectory import Array
 
-_GAIN = 0.5  # which part of an error in position an ideal motor makes good in one step
+# The part of an error in position that an ideal motor makes good in one step.
+_GAIN = 0.5
+# More than any letter needs [N m, N].
+_STRONG = 1e5
 
-_STRONG = 1e5  # more than any letter asks for [N m, N]
-
-BANDWIDTH = 80.0
+_BANDWIDTH = 80.0
 """How quickly a real motor answers to an error [rad/s]."""
 
-DRY = (0.003, 0.010)
+_DRY_FRICTION = (0.003, 0.010)
 """Dry friction of a joint: between these parts of its greatest effort."""
 
-MASSES = 0.05
+_MASS_ERROR = 0.05
 """Every link is heavier or lighter than the controller thinks, by a normal deviate of so much."""
 
-ENCODERS = 0.0004
-"""Every joint is up to so much away from where its encoder says [rad]; a torso of 1 m away from it [m]."""
+_ENCODER_ERROR = 0.0004
+"""Every joint is up to so much away from where its encoder says [rad, m]."""
 
-_EVERY = 24  # samples for which one mass matrix is good enough
+# Samples for which one mass matrix is good enough.
+_EVERY = 24
 
 
 class IdealMotors:
@@ -54,10 +56,11 @@ class IdealMotors:
 
 
 class RealMotors:
-    """Motors with dry friction and limited efforts, encoders that are a little off, a model that is a little wrong.
+    """Motors with dry friction and limited efforts, and encoders and a model that are a little off.
 
-    The controller is a computed torque, tau = h(q, q', q'') + M (w^2 e + 2 w e') with w = `BANDWIDTH`: h is what the
-    model needs for the plan, M its mass matrix, e what the encoders say is missing.
+    The controller is a computed torque, tau = h(q, q', q'') + M (w^2 e + 2 w e') with
+    w = `_BANDWIDTH`: h is what the model needs for the plan, M its mass matrix, e what the encoders
+    say is missing.
 
     Args:
         world: The world; its links get new masses here.
@@ -71,22 +74,22 @@ class RealMotors:
         self._v = np.gradient(motion.q, dt, axis=0)
         self._needed = world.dynamics(motion.q, self._v, np.gradient(self._v, dt, axis=0))
         self._inertia = [world.inertia(q) for q in motion.q[::_EVERY]]
-        self._off = rng.uniform(-ENCODERS, ENCODERS, len(world.arm))
-        self._rub(rng.uniform(*DRY, len(world.arm)) * world.limits)
-        self._weigh(1 + MASSES * rng.standard_normal(len(world.links)).clip(-3, 3))
+        self._off = rng.uniform(-_ENCODER_ERROR, _ENCODER_ERROR, len(world.arm))
+        self._rub(rng.uniform(*_DRY_FRICTION, len(world.arm)) * world.limits)
+        self._weigh(1 + _MASS_ERROR * rng.standard_normal(len(world.links)).clip(-3, 3))
 
     def push(self, row: int, q: list[float], v: list[float]) -> Array:
-        """The efforts for the way from sample `row` - 1 to sample `row`, shape (J,) [N m, N]."""
+        """Set out from sample `row` - 1 to sample `row`; return the efforts (J,) [N m, N]."""
         world, now = self._world, row - 1
         wrong = self._q[now] - q[: len(world.arm)] - self._off
-        pull = BANDWIDTH**2 * wrong + 2 * BANDWIDTH * (self._v[now] - v)
+        pull = _BANDWIDTH**2 * wrong + 2 * _BANDWIDTH * (self._v[now] - v)
         effort = self._needed[now] + self._inertia[now // _EVERY] @ pull
         effort = np.clip(effort, -world.limits, world.limits)
         world.send(world.arm, world.bullet.TORQUE_CONTROL, forces=effort.tolist())
         return effort
 
     def _rub(self, friction: Array) -> None:
-        """Dry friction (J,) [N m, N]: a motor that wants to stand still and has no more than that to say."""
+        """Set dry friction (J,) [N m, N]: a weak motor that wants to stand still."""
         for number, force in zip(self._world.arm, friction, strict=True):
             self._world.call(
                 "setJointMotorControl2",
@@ -98,7 +101,7 @@ class RealMotors:
             )
 
     def _weigh(self, factors: Array) -> None:
-        """Other masses than the model's; the shape of each link stays."""
+        """Set other masses than the model's; the shape of each link stays."""
         for number, factor in zip(self._world.links, factors, strict=True):
             mass, _, inertia, *_ = self._world.call("getDynamicsInfo", self._world.robot, number)
             self._world.call(

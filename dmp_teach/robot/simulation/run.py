@@ -1,4 +1,4 @@
-"""What happened when a motion met the paper: joints, ink and force, and how far that is from what was planned."""
+"""A motion as it met the paper: joints, ink and force, and how far that is from the plan."""
 
 from __future__ import annotations
 
@@ -33,14 +33,16 @@ class Run:
     """A motion as physics let it happen.
 
     Args:
-        motion: As it happened: `q` holds the joints where they were (with `pen_slide_joint` last, for a sprung pen),
-            `tip` where the pen's tip was, `page` where the sheet really lay; `target`, `pen_down` and `strokes` are
-            the plan's.
-        planned: The motion that was asked for.
-        ink: The strokes on the page, one for each time that the nib touched the paper, with the times at which it
-            was there (page frame, origin at its centre) [s], [m].
-        nib: The place of the ball at the tip that is nearest to the paper, in the page's frame, shape (T, 3) [m].
-        force: With which the nib pressed on the paper during the step before each sample, shape (T,) [N].
+        motion: As it happened: `q` holds the joints where they were (with `pen_slide_joint` last,
+            for a sprung pen), `tip` where the pen's tip was, `page` where the sheet really lay;
+            `target`, `pen_down` and `strokes` are the plan's.
+        planned: The motion as it was planned.
+        ink: The strokes on the page, one for each time that the nib touched the paper, with the
+            times at which it was there (page frame, origin at its centre) [s], [m].
+        nib: The place of the ball at the tip that is nearest to the paper, in the page's frame,
+            shape (T, 3) [m].
+        force: With which the nib pressed on the paper during the step before each sample, shape
+            (T,) [N].
         contact: True where that left ink, shape (T,).
         effort: Of the motors in that step, shape (T, J) [N m, N].
         limits: The greatest efforts of the joints, shape (J,) [N m, N].
@@ -85,18 +87,18 @@ class Run:
 
     @cached_property
     def letter(self) -> Array:
-        """Where ink was meant to be, at every sample with the pen down, on the page, shape (N, 2) [m]."""
+        """Where ink was meant to be on the page, sample by sample, shape (N, 2) [m]."""
         return self.planned.page.to_page(self.planned.target[self.planned.pen_down])[:, :2]
 
     @property
-    def writing(self) -> Array:
+    def writing(self) -> BoolArray:
         """True where the pen was meant to write and did, shape (T,)."""
         return self.contact & self.motion.pen_down
 
     @cached_property
     def distances(self) -> Array:
-        """How far each sample with `writing` is from the nearest place of the planned letter, shape (K,) [m]."""
-        return distances(self.nib[self.writing, :2], self.planned)
+        """Distances of the samples with `writing` from the planned letter, shape (K,) [m]."""
+        return measure_distances(self.nib[self.writing, :2], self.planned)
 
     @property
     def shape_error(self) -> float:
@@ -107,14 +109,14 @@ class Run:
 
     @property
     def force_band(self) -> tuple[float, float]:
-        """Between which forces the pen pressed for nine tenths of the writing: 5 and 95 % [N]."""
+        """Forces between which the pen pressed for nine tenths of the writing: 5 and 95 % [N]."""
         pressed = self.force[self.motion.pen_down]
         low, high = np.percentile(pressed, [5, 95]) if len(pressed) else (0.0, 0.0)
         return float(low), float(high)
 
     @cached_property
-    def missing(self) -> Array:
-        """True at each place of `letter` that was to be written by now and has no ink within 2 mm, shape (N,)."""
+    def missing(self) -> BoolArray:
+        """True at each place of `letter` until now that has no ink within 2 mm, shape (N,)."""
         places = self.letter[: int(self.motion.pen_down.sum())]
         if not self.writing.any():
             return np.ones(len(places), bool)
@@ -122,10 +124,10 @@ class Run:
 
     @cached_property
     def ink_in_the_air(self) -> float:
-        """How much ink is where none was meant to be: drawn with the pen up, over 2 mm from the letter [m]."""
+        """Length of ink drawn with the pen up, over 2 mm from the letter [m]."""
         drawn = self.contact[1:] & self.contact[:-1] & ~self.motion.pen_down[1:]
         far = drawn.copy()
-        far[drawn] = distances(self.nib[1:][drawn, :2], self.planned) > INK_COVER
+        far[drawn] = measure_distances(self.nib[1:][drawn, :2], self.planned) > INK_COVER
         steps = np.linalg.norm(np.diff(self.nib[:, :2], axis=0), axis=1)
         return float(steps[far].sum())
 
@@ -137,32 +139,32 @@ class Run:
     @property
     def findings(self) -> tuple[str, ...]:
         """What went wrong, in sentences with the cure; empty where nothing did."""
-        told = (
-            _stopped(self),
-            _missing_ink(self),
-            _pressed(self),
-            _astray(self),
-            _stray_ink(self),
-            _tired(self),
+        checks = (
+            _describe_stop,
+            _describe_missing_ink,
+            _describe_pressure,
+            _describe_offset,
+            _describe_stray_ink,
+            _describe_tired_joint,
         )
-        return tuple(sentence for sentence in told if sentence)
+        return tuple(sentence for check in checks if (sentence := check(self)))
 
     def __repr__(self) -> str:
-        """In one line, without the numbers."""
+        """Show it in one line, without the numbers."""
         low, high = self.force_band
-        ink = (
-            f"ink {1000 * self.shape_error:.2f} mm rms from the letter, "
-            if self.writing.any()
-            else "no ink, "
-        )
+        ink = "no ink"
+        if self.writing.any():
+            ink = f"ink {1000 * self.shape_error:.2f} mm rms from the letter"
+        kind = f"{self.motors} motors, {self.pen} pen"
         stopped = ", stopped" if self.stopped else ""
-        return f"Run({self.duration:.2f} s, {self.motors} motors, {self.pen} pen, {ink}{low:.2f} to {high:.2f} N{stopped})"
+        return f"Run({self.duration:.2f} s, {kind}, {ink}, {low:.2f} to {high:.2f} N{stopped})"
 
 
-def distances(points: Array, planned: Motion) -> Array:
-    """How far points of the page (K, 2) are from the nearest place of the planned letter, shape (K,) [m].
+def measure_distances(points: Array, planned: Motion) -> Array:
+    """Return the distances of points of the page (K, 2) from the planned letter, shape (K,) [m].
 
-    The letter is a chain of straight pieces from sample to sample; of these, those near the point are tried.
+    The letter is a chain of straight pieces from sample to sample; of these, those near the point
+    are tried.
     """
     down = planned.pen_down
     letter = planned.page.to_page(planned.target)[:, :2]
@@ -179,103 +181,109 @@ def distances(points: Array, planned: Motion) -> Array:
     return np.linalg.norm(offset - part[..., None] * along, axis=-1).min(axis=1)
 
 
-def _stopped(run: Run) -> str:
-    """Interrupted."""
+def _describe_stop(run: Run) -> str:
+    """Say when the simulation was interrupted."""
     if not run.stopped:
         return ""
-    return f"Stopped after {run.duration:.2f} s of {run.planned.duration:.2f} s; what was written until then is kept."
+    return (
+        f"Stopped after {run.duration:.2f} s of {run.planned.duration:.2f} s; what was written "
+        "until then is kept."
+    )
 
 
-def _missing_ink(run: Run) -> str:
-    """No ink, or not everywhere: how far from the paper, and which part."""
+def _describe_missing_ink(run: Run) -> str:
+    """Say where ink is missing, and how far the pen was from the paper there."""
     down = run.motion.pen_down
     if not down.any():
         return ""
     gap = 1000 * np.maximum(run.nib[down, 2], 0.0)
     if not run.writing.any():
-        return f"No ink: the pen's tip stayed {gap.min():.1f} to {gap.max():.1f} mm over the paper. {_PLAN_AGAIN}"
+        return (
+            f"No ink: the pen's tip stayed {gap.min():.1f} to {gap.max():.1f} mm over the paper. "
+            f"{_PLAN_AGAIN}"
+        )
     share = run.missing.mean()
     if share < _SPARE:
         return ""
     where = describe_part(run.letter[: len(run.missing)], run.missing)
     over = gap[run.missing].max(initial=0.0)
     return (
-        f"{_percent(share)} of the letter has no ink, {where}: there the tip is up to {over:.1f} mm over the paper. "
-        f"{_PLAN_AGAIN}"
+        f"{_percent(share)} of the letter has no ink, {where}: there the tip is up to {over:.1f} "
+        f"mm over the paper. {_PLAN_AGAIN}"
     )
 
 
-def _pressed(run: Run) -> str:
-    """Too hard: how many newtons, and whether the pen survives."""
-    down = run.motion.pen_down
-    hard = run.force[down] > FORCE_BAND[1]
+def _describe_pressure(run: Run) -> str:
+    """Say where the pen was pressed too hard, and whether it survives."""
+    hard = run.force[run.motion.pen_down] > FORCE_BAND[1]
     most = run.greatest_force
     if run.pen == "rigid" and most > BREAKING_FORCE:
         return (
-            f"The pen would break: it is pushed with {most:.0f} N, and {BREAKING_FORCE:.0f} N are enough to break one. "
-            'A rigid pen cannot give way: use pen="sprung".'
+            f"The pen would break: it is pushed with {most:.0f} N, and {BREAKING_FORCE:.0f} N are "
+            'enough to break one. A rigid pen cannot give way: use pen="sprung".'
         )
     if not hard.any() or hard.mean() < _SPARE:
         return ""
     where = describe_part(run.letter[: len(hard)], hard)
     cure = 'Use pen="sprung".' if run.pen == "rigid" else _PLAN_AGAIN
     fate = f", and {BREAKING_FORCE:.0f} N would break the pen" if most > BREAKING_FORCE else ""
-    return f"Pressed too hard, {where}: up to {most:.1f} N, where {FORCE_BAND[1]} N are enough{fate}. {cure}"
-
-
-def _astray(run: Run) -> str:
-    """Ink beside the letter."""
-    if not run.writing.any() or run.shape_error <= _ASTRAY:
-        return ""
     return (
-        f"The ink is {1000 * run.shape_error:.1f} mm from the letter on average: the arm could not follow. "
-        "Write more slowly: letter.write(duration=...)."
+        f"Pressed too hard, {where}: up to {most:.1f} N, where {FORCE_BAND[1]} N are enough{fate}. "
+        f"{cure}"
     )
 
 
-def _stray_ink(run: Run) -> str:
-    """Ink between the strokes."""
+def _describe_offset(run: Run) -> str:
+    """Say how far the ink is beside the letter."""
+    if not run.writing.any() or run.shape_error <= _ASTRAY:
+        return ""
+    return (
+        f"The ink is {1000 * run.shape_error:.1f} mm from the letter on average: the arm could not "
+        "follow. Write more slowly: letter.write(duration=...)."
+    )
+
+
+def _describe_stray_ink(run: Run) -> str:
+    """Say how much ink lies between the strokes."""
     if run.ink_in_the_air <= 0.0005:
         return ""
-    length = 1000 * run.ink_in_the_air
-    return f"{length:.0f} mm of ink lie between the strokes, where the pen was meant to be up. {_PLAN_AGAIN}"
+    return (
+        f"{1000 * run.ink_in_the_air:.0f} mm of ink lie between the strokes, where the pen was "
+        f"meant to be up. {_PLAN_AGAIN}"
+    )
 
 
-def _tired(run: Run) -> str:
-    """Joints that gave all they had, or would have had to give more, and not just for a moment."""
+def _describe_tired_joint(run: Run) -> str:
+    """Say which joint gave all it has, or had to give more, and not just for a moment."""
     share = (np.abs(run.effort) >= 0.999 * run.limits).mean(axis=0)
     if share.max(initial=0.0) < _SPARE or run.greatest_force > BREAKING_FORCE:
         return ""
     worst = int(np.argmax(share))
-    name, most, limit = (
-        run.planned.joint_names[worst],
-        np.abs(run.effort[:, worst]).max(),
-        run.limits[worst],
-    )
-    unit = "N" if name.startswith("torso") else "N m"
+    name, limit = run.planned.joint_names[worst], run.limits[worst]
+    most = np.abs(run.effort[:, worst]).max()
+    unit = "N" if name == "torso_lift_joint" else "N m"
     does = "needs up to" if most > 1.001 * limit else "gives all of"
     return (
-        f"{name} {does} {most:.0f} {unit} for {_percent(share[worst])} of the time; it has {limit:.0f}. "
-        "Write more slowly, or move the page nearer to the robot."
+        f"{name} {does} {most:.0f} {unit} for {_percent(share[worst])} of the time; it has "
+        f"{limit:.0f}. Write more slowly, or move the page nearer to the robot."
     )
 
 
-def describe_part(letter: Array, chosen: Array) -> str:
-    """Where on a letter (N, 2) the chosen points (N,) are: "at its top", "on its left", "all over it"."""
+def describe_part(letter: Array, chosen: BoolArray) -> str:
+    """Say where on a letter (N, 2) the chosen points (N,) are: "at its top", "all over it"."""
     low, high = letter.min(axis=0), letter.max(axis=0)
     side = np.maximum(high - low, 1e-9)
-    middle = (letter[chosen].mean(axis=0) - (low + high) / 2) / side
-    x, y = middle
+    x, y = (letter[chosen].mean(axis=0) - (low + high) / 2) / side
     words = []
     if abs(y) > 0.15:
         words.append("at its top" if y > 0 else "at its bottom")
     if abs(x) > 0.15:
         words.append("on its right" if x > 0 else "on its left")
-    return (
-        " and ".join(words) if words else "all over it" if chosen.mean() > 0.5 else "in its middle"
-    )
+    if words:
+        return " and ".join(words)
+    return "all over it" if chosen.mean() > 0.5 else "in its middle"
 
 
 def _percent(share: float) -> str:
-    """A share, never rounded to nothing."""
+    """Return a share in per cent, never rounded to nothing."""
     return f"{max(1, round(100 * share))} %"

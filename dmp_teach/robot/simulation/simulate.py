@@ -1,4 +1,4 @@
-"""A motion under gravity, with a pen that presses on paper."""
+"""Simulate a motion under gravity, with a pen that presses on paper."""
 
 from __future__ import annotations
 
@@ -11,24 +11,27 @@ import numpy as np
 
 from dmp_teach.errors import SettingError, kind_of
 from dmp_teach.robot.model.kinematics import Model
-from dmp_teach.robot.motion import Motion
+from dmp_teach.robot.motion import BoolArray, Motion
 from dmp_teach.robot.page import Page
-from dmp_teach.robot.simulation.bullet import client
+from dmp_teach.robot.simulation.bullet import open_world
 from dmp_teach.robot.simulation.motors import IdealMotors, RealMotors
 from dmp_teach.robot.simulation.run import Run
-from dmp_teach.robot.simulation.world import NIB, PENS, RIGID_PRESS, SLIDE, World
+from dmp_teach.robot.simulation.world import NIB_RADIUS, PENS, RIGID_PRESS, SLIDE_JOINT, World
 from dmp_teach.trajectory import Array, Trajectory
 
-MOTORS = ("ideal", "real")
+_MOTORS = ("ideal", "real")
 
-INK = 0.03
+_INK_FORCE = 0.03
 """Ink falls where the nib presses with more than this [N]."""
 
-SLOWEST = 200
+LEAST_RATE = 200
 """A motion with fewer samples a second is too coarse to be simulated [Hz]."""
 
-_FARTHEST, _STEEPEST = 0.1, 0.5
-_OFTEN = 24  # steps between two reports of progress
+# The greatest errors of the page [m], [rad].
+_FARTHEST = 0.1
+_STEEPEST = 0.5
+# Steps between two reports of progress.
+_OFTEN = 24
 
 
 def simulate(
@@ -41,18 +44,21 @@ def simulate(
     pen: str = "sprung",
     progress: Callable[[str, float], Any] | None = None,
 ) -> Run:
-    """What happens when a motion meets gravity and paper.
+    """Simulate what happens when a motion meets gravity and paper.
 
     Args:
-        motion: The plan, at least `SLOWEST` samples a second, evenly spaced.
-        motors: "ideal" ones follow the plan; "real" ones have dry friction and limited efforts, encoders that are a
-            little off, and a controller whose idea of the arm's masses is a little wrong.
+        motion: The plan, at least `LEAST_RATE` samples a second, evenly spaced.
+        motors: "ideal" ones follow the plan; "real" ones have dry friction and limited efforts,
+            encoders that are a little off, and a controller whose idea of the arm's masses is a
+            little wrong.
         seed: Of what is a little off in real motors; the same seed gives the same run, bit for bit.
         page_height_error: How much higher the paper lies than planned, along its normal [m].
-        page_tilt: How far the page is turned about its own x axis through its centre; positive raises its top [rad].
-        pen: "sprung", pressed in by 4 mm; or "rigid", pressed into the paper by 0.5 mm, which is what it breaks of.
-        progress: Called as `progress("physics", fraction)`. It may raise to stop: the error then carries what was
-            written so far as its `.run`.
+        page_tilt: How far the page is turned about its own x axis through its centre; positive
+            raises its top [rad].
+        pen: "sprung", pressed in by 4 mm; or "rigid", pressed into the paper by 0.5 mm, which is
+            what it breaks of.
+        progress: Called as `progress("physics", fraction)`. It may raise to stop: the error then
+            carries what was written so far as its `.run`.
 
     Returns:
         The `Run`. An interrupted kernel gives what was written so far, with `.stopped` True.
@@ -62,18 +68,18 @@ def simulate(
         MissingPartError: pybullet is not installed.
     """
     _check(motion)
-    _check_known("motors", motors, MOTORS)
+    _check_known("motors", motors, _MOTORS)
     _check_known("pen", pen, tuple(PENS))
     _check_size("page_height_error", page_height_error, _FARTHEST, "m", "millimetres")
     _check_size("page_tilt", page_tilt, _STEEPEST, "rad", "degrees")
     if not isinstance(seed, int | np.integer) or isinstance(seed, bool) or seed < 0:
         raise SettingError(f"seed is {seed!r}, but must be a whole number, 0 or more.")
-    page = _really(
-        motion.page, page_height_error + (RIGID_PRESS if pen == "rigid" else 0.0), page_tilt
-    )
+    height = page_height_error + (RIGID_PRESS if pen == "rigid" else 0.0)
+    page = _displace(motion.page, height, page_tilt)
     recorder = _Recorder(motion, pen)
-    failure, stopped = None, False
-    with client() as (bullet, number):
+    failure: Exception | None = None
+    stopped = False
+    with open_world() as (bullet, number):
         try:
             world = World(bullet, number, motion, page, pen)
             rng = np.random.default_rng(seed)
@@ -91,18 +97,19 @@ def simulate(
             failure, stopped = error, True
     run = recorder.run(page, pen, motors, stopped)
     if failure is not None:
-        with contextlib.suppress(AttributeError):  # some errors take no more words
-            failure.run = run
+        # Some errors take no more attributes.
+        with contextlib.suppress(AttributeError):
+            setattr(failure, "run", run)  # noqa: B010 (no type of error has it)
         raise failure
     return run
 
 
 class _Recorder:
-    """What was felt at every step; an interruption leaves all steps before it."""
+    """What was measured at every step; an interruption leaves all steps before it."""
 
     def __init__(self, motion: Motion, pen: str) -> None:
         self.motion, self.model = motion, _model(pen)
-        self.names = (*motion.joint_names, *([SLIDE] if pen == "sprung" else []))
+        self.names = (*motion.joint_names, *([SLIDE_JOINT] if pen == "sprung" else []))
         self.limits = np.array([self.model.joint(name).effort for name in motion.joint_names])
         length, joints = motion.q.shape
         self.q = np.zeros((length, len(self.names)))
@@ -119,23 +126,21 @@ class _Recorder:
         for row in range(1, last + 1):
             if row % _OFTEN == 1:
                 report("physics", (row - 1) / last)
-            asked = motors.push(row, q, v)
-            q, v, felt, force = world.step()
-            self.q[row], self.force[row] = q, force
-            self.effort[row] = felt if asked is None else asked
+            commanded = motors.push(row, q, v)
+            q, v, effort, force = world.step()
+            self.q[row] = q
+            self.force[row] = force
+            self.effort[row] = effort if commanded is None else commanded
             self.rows = row + 1
         report("physics", 1.0)
 
     def run(self, page: Page, pen: str, motors: str, stopped: bool) -> Run:
-        """The run, as far as it went."""
+        """Return the run, as far as it went."""
         plan, rows = self.motion, slice(self.rows)
         X = self.model.frame("pen_tip", self.q[rows], self.names)
-        nib = page.to_page(X[:, :3, 3] - NIB * X[:, :3, 2]) - (
-            0.0,
-            0.0,
-            NIB,
-        )  # the ball's place nearest to the paper
-        contact = self.force[rows] > INK
+        # The place of the ball nearest to the paper.
+        nib = page.to_page(X[:, :3, 3] - NIB_RADIUS * X[:, :3, 2]) - (0.0, 0.0, NIB_RADIUS)
+        contact = self.force[rows] > _INK_FORCE
         happened = Motion(
             t=plan.t[rows],
             q=self.q[rows],
@@ -164,12 +169,12 @@ class _Recorder:
 
 @lru_cache(maxsize=2)
 def _model(pen: str) -> Model:
-    """The robot with a pen, read once."""
+    """Return the robot with a pen, read once."""
     return Model.load(PENS[pen])
 
 
-def _strokes(t: Array, nib: Array, contact: Array) -> tuple[Trajectory, ...]:
-    """A stroke for each stay on the paper; a touch of a single step begins where that step did."""
+def _strokes(t: Array, nib: Array, contact: BoolArray) -> tuple[Trajectory, ...]:
+    """Return a stroke for each stay on the paper; a touch of a single step begins where it did."""
     edges = np.flatnonzero(
         np.diff(np.concatenate([[False], contact, [False]]).astype(int))
     ).reshape(-1, 2)
@@ -177,8 +182,8 @@ def _strokes(t: Array, nib: Array, contact: Array) -> tuple[Trajectory, ...]:
     return tuple(Trajectory(t[start:stop], nib[start:stop, :2]) for start, stop in pieces)
 
 
-def _really(page: Page, height: float, tilt: float) -> Page:
-    """Where a page lies that is higher [m] and turned about its own x axis [rad]; the same one where it is neither."""
+def _displace(page: Page, height: float, tilt: float) -> Page:
+    """Return a page that lies higher [m] and is turned about its own x axis [rad]."""
     if height == 0 and tilt == 0:
         return page
     c, s = np.cos(tilt), np.sin(tilt)
@@ -196,9 +201,9 @@ def _check(motion: Any) -> None:
             f"motion is {kind}, but must be a Motion; Fetch().write(strokes, page) gives one."
         )
     steps = np.diff(motion.t)
-    if len(steps) < 1 or not np.allclose(steps, steps[0], rtol=1e-3) or steps[0] * SLOWEST > 1:
+    if len(steps) < 1 or not np.allclose(steps, steps[0], rtol=1e-3) or steps[0] * LEAST_RATE > 1:
         raise SettingError(
-            f"The motion must have at least {SLOWEST} samples a second, evenly spaced; "
+            f"The motion must have at least {LEAST_RATE} samples a second, evenly spaced; "
             "Fetch().write(strokes, page) gives 240."
         )
 
@@ -216,5 +221,6 @@ def _check_size(name: str, value: Any, most: float, unit: str, hint: str) -> Non
     number = value if isinstance(value, int | float | np.number) else np.nan
     if not abs(number) <= most:
         raise SettingError(
-            f"{name} is {value!r} {unit}, but must be between {-most} and {most} {unit}; was it in {hint}?"
+            f"{name} is {value!r} {unit}, but must be between {-most} and {most} {unit}; was it in "
+            f"{hint}?"
         )

@@ -18,25 +18,23 @@ from dmp_teach.trajectory import Array
 PENS = {"sprung": ASSETS / "fetch_sprung.urdf", "rigid": ASSETS / "fetch.urdf"}
 """The robot with a pen that slides on a spring, or with one that is held fast."""
 
-SLIDE = "pen_slide_joint"
-STIFFNESS = 100.0
-"""Of the pen's spring [N/m]."""
-
-PRESS = 0.004
-"""How far the paper pushes the spring in, where it lies as planned [m]."""
+SLIDE_JOINT = "pen_slide_joint"
 
 RIGID_PRESS = 0.0005
 """A rigid pen that is to write must be pressed a little, too [m]."""
 
-NIB = 0.0015
+NIB_RADIUS = 0.0015
 """Radius of the ball at the pen's tip [m]."""
 
-FRICTION = 0.15
-"""Of the nib on the paper."""
-
-_DAMPING = 1.6  # of the pen's slide, 0.7 of what would be critical [N s/m]
+# The pen's spring: its stiffness [N/m], and its damping, 0.7 of what would be critical [N s/m].
+_STIFFNESS = 100.0
+_DAMPING = 1.6
+# Of the nib on the paper.
+_FRICTION = 0.15
 _GRAVITY = 9.81
-_TABLE = (0.10, 0.02)  # how far the table reaches beyond the sheet, and how thick it is [m]
+# How far the table reaches beyond the sheet, and how thick it is [m].
+_TABLE_MARGIN = 0.10
+_TABLE_DEPTH = 0.02
 
 
 class StepResult(NamedTuple):
@@ -83,7 +81,7 @@ class World:
         links = {fact[12].decode(): fact[0] for fact in self._facts}
         self.arm = [numbers[name] for name in motion.joint_names]
         self.limits = np.array([self._facts[n][10] for n in self.arm])
-        self._slide = numbers.get(SLIDE)
+        self._slide = numbers.get(SLIDE_JOINT)
         self._tip = links["pen_tip"]
         self._pushed = 0.0
         self._place(motion.q[0])
@@ -92,7 +90,7 @@ class World:
         self.send = partial(bullet.setJointMotorControlArray, self.robot, physicsClientId=number)
 
     def call(self, name: str, *args: Any, **options: Any) -> Any:
-        """One of pybullet's functions, in this world."""
+        """Call one of pybullet's functions in this world; it has no types."""
         return getattr(self.bullet, name)(*args, **options, physicsClientId=self._number)
 
     @property
@@ -101,15 +99,15 @@ class World:
         return range(len(self._facts))
 
     def step(self) -> StepResult:
-        """Let one step of time pass, after the motors have been told what to do."""
+        """Let one step of time pass, after the motors have been set."""
         if self._slide is not None:
-            # a motor's torque lasts for one step, and adds up if it is set twice
+            # A motor's torque lasts for one step, and adds up if it is set twice.
             self.call(
                 "setJointMotorControl2",
                 self.robot,
                 self._slide,
                 self.bullet.TORQUE_CONTROL,
-                force=-STIFFNESS * self._pushed,
+                force=-_STIFFNESS * self._pushed,
             )
         self.call("stepSimulation")
         states = self.call("getJointStates", self.robot, self._read)
@@ -122,7 +120,7 @@ class World:
         return StepResult(q, [state[1] for state in arm], [state[3] for state in arm], force)
 
     def dynamics(self, q: Array, v: Array, a: Array) -> Array:
-        """The efforts that a movement needs by the model, pen in the air, shape (T, J) [N m, N].
+        """Compute the efforts of a movement by the model, pen in the air, shape (T, J) [N m, N].
 
         Args:
             q: Positions, shape (T, J) [rad, m].
@@ -143,7 +141,7 @@ class World:
         return efforts
 
     def inertia(self, q: Array) -> Array:
-        """How hard the arm is to accelerate by the model, shape (J, J) [kg m^2, kg m, kg]."""
+        """Return the arm's mass matrix by the model, shape (J, J) [kg m^2, kg m, kg]."""
         full, columns = self._all_joints()
         full[columns] = q
         return np.array(self.call("calculateMassMatrix", self.robot, full.tolist()))[
@@ -151,22 +149,22 @@ class World:
         ]
 
     def _all_joints(self) -> tuple[Array, list[int]]:
-        """Positions of all joints at rest, and which of them belong to the arm."""
+        """Return positions of all joints at rest, and which of them belong to the arm."""
         moving = [fact for fact in self._facts if fact[2] != self.bullet.JOINT_FIXED]
         full = np.array([REST.get(fact[1].decode(), 0.0) for fact in moving])
         order = [fact[0] for fact in moving]
         return full, [order.index(number) for number in self.arm]
 
     def _place(self, q: Array) -> None:
-        """Everything where it starts; all joints that do not write are held; only the nib can touch anything."""
+        """Put the robot where it starts, with all else held; only the nib can touch anything."""
         for number in range(-1, len(self._facts)):
             self.call("setCollisionFilterGroupMask", self.robot, number, 0, 0)
         self.call("setCollisionFilterGroupMask", self.robot, self._tip, 1, 1)
         self.call("changeDynamics", self.robot, self._tip, lateralFriction=1.0)
         for number, position in zip(self.arm, q, strict=True):
             self.call("resetJointState", self.robot, number, position, 0.0)
-            # not the URDF's damping: at full speed it would ask more of the wrist's roll than its motor has
-            # (5 N m s/rad, 2.27 rad/s, 7.36 N m)
+            # Not the URDF's damping: at full speed it would ask more of the wrist's roll than its
+            # motor has (5 N m s/rad, 2.27 rad/s, 7.36 N m).
             self.call("changeDynamics", self.robot, number, jointDamping=0.0)
         for fact in self._facts:
             number, position = fact[0], REST.get(fact[1].decode(), 0.0)
@@ -178,21 +176,22 @@ class World:
                 "force": fact[10],
             }
             if number == self._slide:
-                control = {
-                    "controlMode": self.bullet.VELOCITY_CONTROL,
-                    "force": 0.0,
-                }  # no motor: the spring is ours
+                # No motor: the spring is ours.
+                control = {"controlMode": self.bullet.VELOCITY_CONTROL, "force": 0.0}
                 self.call("changeDynamics", self.robot, number, jointDamping=_DAMPING)
             self.call("resetJointState", self.robot, number, position, 0.0)
             self.call("setJointMotorControl2", self.robot, number, **control)
 
     def _lay(self, page: Page) -> int:
-        """The sheet on its table or board: a box whose upper face is the paper."""
-        margin, thick = _TABLE
-        halves = [page.width / 2 + margin, page.height / 2 + margin, thick / 2]
+        """Lay the sheet on its table or board: a box whose upper face is the paper."""
+        halves = [
+            page.width / 2 + _TABLE_MARGIN,
+            page.height / 2 + _TABLE_MARGIN,
+            _TABLE_DEPTH / 2,
+        ]
         box = self.call("createCollisionShape", self.bullet.GEOM_BOX, halfExtents=halves)
         turn = Rotation.from_matrix(page.X_world_page[:3, :3]).as_quat()
-        middle = page.to_world((0.0, 0.0, -thick / 2))
+        middle = page.to_world((0.0, 0.0, -_TABLE_DEPTH / 2))
         body = self.call("createMultiBody", 0, box, -1, middle.tolist(), turn.tolist())
-        self.call("changeDynamics", body, -1, lateralFriction=FRICTION)
+        self.call("changeDynamics", body, -1, lateralFriction=_FRICTION)
         return body

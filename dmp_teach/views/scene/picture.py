@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from PIL import Image
 
 from dmp_teach.errors import SettingError
-from dmp_teach.robot import Mesh, picture
+from dmp_teach.robot import Mesh, render_meshes
 from dmp_teach.views.scene.cameras import Camera, check_camera_name
 from dmp_teach.views.scene.force_strip import draw_force_strip
 from dmp_teach.views.scene.packing import Faces
@@ -70,7 +70,7 @@ def _render(
     slope = camera.slope(width / height)
 
     def render(pen_only: bool) -> NDArray[np.uint8]:
-        return picture(
+        return render_meshes(
             _collect_meshes(stage, time, pen_only),
             eye=camera.eye,
             target=camera.target,
