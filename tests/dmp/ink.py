@@ -1,8 +1,15 @@
-"""Random ink for the laws: smooth or not, straight, closed and crossing, tiny and large, in 1 to 3 dimensions."""
+"""Random ink for the laws: smooth or not, straight, closed and crossing, in 1 to 3 dimensions."""
+
+import math
+from contextlib import suppress
+from itertools import product
 
 import numpy as np
 from hypothesis import strategies as st
 
+from dmp_teach.dmp.kernels import KERNELS
+from dmp_teach.dmp.settings import Settings
+from dmp_teach.errors import SettingError
 from dmp_teach.trajectory import Trajectory
 
 
@@ -33,7 +40,7 @@ def letters(draw):
 
 @st.composite
 def scrawls(draw):
-    """Anything that is a trajectory: straight, closed, still, or noise; 2 to 2000 samples; times even or not."""
+    """Anything that is a trajectory: straight, closed, still, noise; 2 to 2000 samples."""
     rng = np.random.default_rng(draw(st.integers(0, 10**6)))
     n = draw(st.one_of(st.integers(2, 60), st.integers(2, 2000)))
     dimensions, duration = draw(st.integers(1, 3)), draw(st.floats(0.01, 20.0))
@@ -52,7 +59,8 @@ def scrawls(draw):
     return Trajectory(t, path * draw(st.floats(1e-5, 1.0)))
 
 
-INK = {  # what a path of parts u (T, 1) of its time is, for a generator of random numbers and D dimensions
+# What a path of parts u (T, 1) of its time is, for random numbers and D dimensions.
+INK = {
     "waves": lambda u, rng, D: (
         letter(len(u), dimensions=D, seed=int(rng.integers(10**6)), size=1.0).position
     ),
@@ -80,6 +88,23 @@ def any_ink(draw):
     if draw(st.integers(0, 4)) == 0:
         t[1:-1] += rng.uniform(-0.4, 0.4, n - 2) * t[1]
     return Trajectory(draw(st.sampled_from([0.0, 12.5])) + t, path * 10 ** draw(st.floats(-4, 0)))
+
+
+def kernel_settings():
+    """Every kernel in the settings that it goes with: widths, sigmas, places and sides."""
+    widths, sigmas = (0.7, 1.0, 2.5, math.inf), (0.5, math.inf)
+    sides = ("middles", "both"), ("ends", "both"), ("grid", "one")
+    for kernel, width, sigma, (centers, side) in product(KERNELS, widths, sigmas, sides):
+        chosen = {
+            "kernel": kernel,
+            "kernel_width": width,
+            "kernel_sigma": sigma,
+            "kernel_centers": centers,
+            "kernel_sides": side,
+        }
+        with suppress(SettingError):
+            Settings(**chosen)
+            yield chosen
 
 
 def in_all_its_steps(p, goal):

@@ -1,7 +1,8 @@
-"""How near a letter comes to the one that was shown: the table of the design, in mm, at equal times.
+"""How near a letter comes to its demonstration: the table of the design, mm at equal times.
 
-The bounds stand for two sets of strokes: the `a` of 15 writers, and the `D` of 15 writers. The recordings marked w00
-are the authors' own, noisier by their sensor's single samples, and are bounded by that noise.
+The bounds stand for two sets of strokes: the `a` of 15 writers, and the `D` of 15 writers. The
+recordings marked w00 are the authors' own, noisier by their sensor's single samples, and are
+bounded by that noise.
 """
 
 from functools import cache
@@ -111,6 +112,7 @@ def test_more_kernels_draw_nearer():
         assert found[0] > 2 * found[1] > 4 * found[2]
 
 
+@pytest.mark.filterwarnings("ignore::dmp_teach.errors.SettingWarning")
 def test_gaps_between_kernels_draw_worst_and_touching_ones_best():
     """What the paper found over kernel width, for regression kernel by kernel."""
     demo = letter(300, 2.5, seed=2)

@@ -30,27 +30,32 @@ def closed(path):
     [
         (
             {"kernel": "mollifier", "kernel_width": math.inf},
-            "kernel is 'mollifier' and kernel_width is inf, but a mollifier falls to 0 at its ends and must have some: "
+            "kernel is 'mollifier' and kernel_width is inf, but a mollifier falls to 0 at its "
+            "ends and must have some: "
             "give kernel_width a number, 2 for instance.",
         ),
         (
             {"kernel": "mollifier", "kernel_sigma": 0.65},
-            "kernel is 'mollifier' and kernel_sigma is 0.65, but a mollifier has no sigma, its width alone shapes it: "
+            "kernel is 'mollifier' and kernel_sigma is 0.65, but a mollifier has no sigma, its "
+            "width alone shapes it: "
             "give kernel_sigma=math.inf.",
         ),
         (
             {"kernel_sides": "one", "kernel_width": math.inf},
-            "kernel_sides is 'one', but this gaussian of kernel_width inf cannot be left open on one side: "
+            "kernel_sides is 'one', but this gaussian of kernel_width inf cannot be left open on "
+            "one side: "
             "give kernel='gaussian' and kernel_width a number, or kernel_sides='both'.",
         ),
         (
             {"kernel_sides": "one", "kernel": "mollifier", "kernel_width": 2.0},
-            "kernel_sides is 'one', but this mollifier of kernel_width 2 cannot be left open on one side: "
+            "kernel_sides is 'one', but this mollifier of kernel_width 2 cannot be left open on "
+            "one side: "
             "give kernel='gaussian' and kernel_width a number, or kernel_sides='both'.",
         ),
         (
             {"alpha": 5000.0, "damping": 0.2},
-            "alpha is 5000 and damping 0.2, but no step of ours can follow so stiff a spring that swings so much: "
+            "alpha is 5000 and damping 0.2, but no step of ours can follow so stiff a spring "
+            "that swings so much: "
             "use an alpha of at most 2000, or a damping nearer to 1.",
         ),
         ({"alpha": 20_000.0}, "alpha is 20000.0, but it must be between 1 and 10000."),
@@ -146,7 +151,8 @@ def test_the_original_names_the_one_coordinate_that_ends_where_it_began(axis, na
 @pytest.mark.parametrize("path", [CLOSED, CLOSED[:, :1], np.column_stack([CLOSED, T * (1 - T)])])
 def test_a_similarity_refuses_a_closed_stroke_and_names_dmp_star(path):
     words = (
-        "transform is 'similarity', but this stroke is closed: its goal is its start, and no turn or scale carries "
+        "transform is 'similarity', but this stroke is closed: its goal is its start, and no "
+        "turn or scale carries "
         "one point elsewhere. DMP* can learn it: transform='star'."
     )
     with pytest.raises(SettingError, match=f"^{re.escape(words)}$"):
@@ -155,7 +161,7 @@ def test_a_similarity_refuses_a_closed_stroke_and_names_dmp_star(path):
 
 
 def test_a_closed_stroke_learned_as_dmp_star_is_not_led_by_a_similarity():
-    """Its weights are the same, so a stroke from a shelf changes its transformation without being learned again."""
+    """Its weights are the same: a stroke from a shelf changes its transformation unlearned."""
     star = DMP.imitate(closed(CLOSED))
     turned = replace(star, settings=replace(star.settings, transform="similarity"))
     np.testing.assert_allclose(turned.rollout().position, star.rollout().position, atol=1e-12)
@@ -167,7 +173,8 @@ def test_a_closed_stroke_learned_as_dmp_star_is_not_led_by_a_similarity():
 def test_a_similarity_refuses_to_end_at_its_start_and_names_dmp_star():
     p = DMP.imitate(letter(), Settings.star(transform="similarity"))
     words = (
-        "The goal is the start, but transform 'similarity' would shrink the whole letter to that point: ask for "
+        "The goal is the start, but transform 'similarity' would shrink the whole letter to that "
+        "point: ask for "
         "another goal, or learn it as DMP*, transform='star'."
     )
     for asked in (
@@ -184,16 +191,19 @@ def test_a_similarity_refuses_to_end_at_its_start_and_names_dmp_star():
     [
         (
             {"n_kernels": 2, "kernel_width": 0.5},
-            r"Kernels leave gaps: f is 0 in 49\.8 % of the movement, at 0\.000 to 0\.251 s, 0\.753 to 1\.255 s, "
+            r"Kernels leave gaps: f is 0 in 49\.8 % of the movement, at 0\.000 to 0\.251 s, "
+            r"0\.753 to 1\.255 s, "
             r"1\.757 to 2\.000 s from its start\. A kernel_width of 1 or more closes them\.",
         ),
         (
             {"n_kernels": 10, "kernel_width": 0.5},
-            r"Kernels leave gaps: .*, at 0\.000 to 0\.05. s, .*, .* and 8 more times from its start\. A kernel_width",
+            r"Kernels leave gaps: .*, at 0\.000 to 0\.05. s, .*, .* and 8 more times from its "
+            r"start\. A kernel_width",
         ),
         (
             {"kernel": "mollifier", "n_kernels": 4},
-            r"Kernels leave gaps: .* A mollifier is 0 at its ends: give it a kernel_width over 1, 2 for instance\.",
+            r"Kernels leave gaps: .* A mollifier is 0 at its ends: give it a kernel_width over "
+            r"1, 2 for instance\.",
         ),
         (
             {"kernel_centers": "ends", "n_kernels": 3},

@@ -49,17 +49,20 @@ def test_trembling_goes_and_a_straight_line_stays():
         (
             15,
             120,
-            "Not smoothed: 15 samples at 120 a second; a filter of 10 Hz needs at least 20 samples at 25 a second.",
+            "Not smoothed: 15 samples at 120 a second; a filter of 10 Hz needs at least 20 "
+            "samples at 25 a second.",
         ),
         (
             60,
             20,
-            "Not smoothed: 60 samples at 20 a second; a filter of 10 Hz needs at least 20 samples at 25 a second.",
+            "Not smoothed: 60 samples at 20 a second; a filter of 10 Hz needs at least 20 "
+            "samples at 25 a second.",
         ),
         (
             50,
             1000,
-            "Not smoothed: 50 samples at 1000 a second; a filter of 10 Hz needs at least 100 samples at 25 a sec",
+            "Not smoothed: 50 samples at 1000 a second; a filter of 10 Hz needs at least 100 "
+            "samples at 25 a sec",
         ),
     ],
 )

@@ -60,7 +60,7 @@ def test_two_halves_of_a_letter_join_to_the_letter(preset, seed, overlap, cut):
 @few
 @given(presets, st.integers(0, 99), st.sampled_from([0.0, 0.05, 0.2, -0.3]))
 def test_nothing_jumps_at_a_joint(preset, seed, overlap):
-    """Halving all steps halves the change of the velocity from one to the next: it is continuous."""
+    """Halving all steps halves the change of the velocity from one to the next."""
     pieces = [letter(150, 1.2, seed=seed), letter(200, 1.5, seed=seed + 1)]
     pieces[1] = beside(pieces[1], pieces[0].position[-1] - pieces[1].position[0] + 0.005)
     change = []
@@ -90,7 +90,7 @@ def test_nothing_jumps_at_a_joint(preset, seed, overlap):
 
 @pytest.mark.parametrize("overlap", [0.3, 0.6])
 def test_at_a_joint_the_pen_passes_from_one_path_to_the_other_by_their_shares(overlap):
-    """Two springs alike: what the moving goal needs is given, so that the pen does not trail behind it."""
+    """Two springs alike: what the moving goal needs is given, so that the pen does not trail."""
     settings = Settings.star(alpha=30.0, n_kernels=20, integrator="exact", smoothing=None)
     t = np.linspace(0, 1.5, 1201)
     lines = [
@@ -129,7 +129,7 @@ def test_the_pen_does_not_stop_between_two_strokes_that_overlap(preset):
 @pytest.mark.parametrize("preset", [*PRESETS, Settings.as_fixed])
 @pytest.mark.parametrize("phase", ["linear", "sigmoid"])
 def test_letters_side_by_side_are_joined_on_the_way_and_keep_their_shapes(preset, phase):
-    """A negative overlap is a time for the way: the goal moves from the end of the one to the start of the next."""
+    """A negative overlap is a time for the way, in which the goal moves to the next start."""
     one, two = letter(200, 1.6, seed=1), beside(letter(240, 2.0, seed=2), (0.3, 0.0))
     parts = [DMP.imitate(each, preset(phase=phase)) for each in (one, two)]
     drawn = chain(parts, overlap=-0.5)

@@ -54,7 +54,7 @@ def test_all_transformations_draw_the_same_path_at_the_demonstrated_goal(demo, p
 @few
 @given(letters(), presets, shifts)
 def test_any_goal_is_reached(demo, preset, shift):
-    """The goal's own miss is the demonstrated one plus a hundredth of the shift at most: exp(-alpha/2), alpha >= 12."""
+    """The miss is the demonstrated one and at most exp(-alpha/2) of the shift, alpha >= 12."""
     p = DMP.imitate(demo, preset())
     end = p.rollout().position[-1] - p.goal
     moved = p.rollout(goal=p.goal + shift).position[-1] - (p.goal + shift)
@@ -197,7 +197,10 @@ def test_the_last_sample_is_the_end_whatever_dt(seconds, steps):
     assert drawn.t[-1] == seconds
 
 
-REFUSED = "n_kernels is|original form cannot|stroke is closed|a mollifier|cannot be left open|no step of ours"
+REFUSED = (
+    "n_kernels is|original form cannot|stroke is closed|kernel is|cannot be left open|"
+    "no step of ours"
+)
 
 
 def one_of(each):
@@ -211,6 +214,7 @@ def one_of(each):
     )
 
 
+@pytest.mark.filterwarnings("ignore::dmp_teach.errors.SettingWarning")
 @settings(max_examples=300, deadline=None)
 @given(scrawls(), st.fixed_dictionaries({each.name: one_of(each) for each in knobs()}), shifts)
 def test_no_setting_in_range_gives_nan(demo, chosen, shift):

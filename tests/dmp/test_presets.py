@@ -1,4 +1,4 @@
-"""One table in the code and one in the documentation say every field of every preset; readings cost what they cost."""
+"""One table in the code and one in the documentation say every field of every preset."""
 
 import dataclasses
 import math
@@ -18,7 +18,8 @@ from tests.dmp.test_accuracy import strokes
 from tests.recordings import needs_recordings
 
 ROOM = Path(dmp_teach.dmp.__file__).parent
-COSTS = {  # [mm], median: of a reading in the text, changed alone in the paper as fixed; what DMP* makes of the switch
+# [mm], median: of a reading in the text, changed alone in the paper as fixed.
+COSTS = {
     "one-sided kernels: x - c_i <= theta": (10, 60),
     "xdot = -x/T, which is exponential": (0.7, 3),
     "N centres evenly in [0, 1], both ends included": (1, 5),

@@ -1,4 +1,4 @@
-"""The fast path against a plain loop, against SciPy's own integrator, and against its own finer steps."""
+"""The fast path against the textbook's loops, SciPy's own integrator, and its own finer steps."""
 
 import warnings
 from itertools import pairwise
@@ -187,7 +187,7 @@ def test_what_was_drawn_is_finite_or_named():
 
 
 def exact(p, goal, times):
-    """The same movement by SciPy's integrator, kernel by kernel so that no jump of the forcing hides in a step."""
+    """The same by SciPy's integrator, kernel by kernel: no jump of f hides in a step."""
     way, D = goal - p.start, len(goal)
     v = (
         p.start_velocity

@@ -23,7 +23,7 @@ class Placement(Choice):
 
     def places(self, number: int) -> Array:
         """Return m_i, the middles of the kernels in 1/N, shape (N,)."""
-        return np.arange(number) + 0.5
+        return np.arange(number, dtype=float) + 0.5
 
 
 PLACEMENTS: Registry[type[Placement]] = Registry()
@@ -63,4 +63,4 @@ class Grid(Placement):
 
     def places(self, number: int) -> Array:
         """Return m_i, from 1 to N."""
-        return np.arange(number) + 1.0
+        return np.arange(number, dtype=float) + 1

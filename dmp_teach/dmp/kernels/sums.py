@@ -28,7 +28,7 @@ class Overlap:
     @property
     def inactive(self) -> NDArray[np.bool_]:
         """At which samples no kernel is active, shape (T,)."""
-        return ~self.psi.any(axis=1)
+        return (self.psi == 0).all(axis=1)
 
     @cached_property
     def shares(self) -> Array:
