@@ -13,7 +13,7 @@ from dmp_teach.files import ASSETS
 from dmp_teach.robot.model.kinematics import Model
 from dmp_teach.robot.model.proximity import Proximity
 from dmp_teach.robot.model.reduced import placo_missing
-from dmp_teach.robot.pen_path import RATE
+from dmp_teach.robot.pen_path import MOTION_RATE
 from dmp_teach.robot.quiet import quiet
 from dmp_teach.trajectory import Array
 
@@ -56,7 +56,7 @@ class Solver:
         self.state_size = len(self._robot.state.q)
         self.columns = {name: self._robot.get_joint_offset(name) for name in JOINTS}
         self._speeds = [self._robot.get_joint_v_offset(name) for name in JOINTS]
-        solver.dt = 1 / RATE
+        solver.dt = 1 / MOTION_RATE
         # With a free base the robot flies to the page.
         solver.mask_fbase(True)
         for name in self.model.joint_names:
@@ -98,7 +98,7 @@ class Solver:
             self._robot.set_joint(self.model.joint(name).name, float(value))
         self._robot.update_kinematics()
         self.mask("torso_lift_joint", not torso)
-        self._solver.dt = 1 / RATE
+        self._solver.dt = 1 / MOTION_RATE
         self._solver.enable_velocity_limits(False)
         self._axis.targetAxis_world = -normal + 1e-9 * np.array([normal[1], normal[2], normal[0]])
         self._tip.configure("tip", "soft", 1.0)
@@ -124,7 +124,7 @@ class Solver:
         self._solver.enable_velocity_limits(True)
         for self._solver.dt in finer:
             self.go(target, 50)
-        self._solver.dt = 1 / RATE
+        self._solver.dt = 1 / MOTION_RATE
         self._solver.enable_velocity_limits(False)
 
     def glide(self, target: Array) -> None:
@@ -168,7 +168,7 @@ class Solver:
 
     def speeds(self, q: Array) -> Array:
         """Return the speeds between samples (T, J) as parts of the joints' limits, (T - 1, J)."""
-        return np.abs(np.diff(q, axis=0)) * RATE / self.fastest
+        return np.abs(np.diff(q, axis=0)) * MOTION_RATE / self.fastest
 
     def follow(
         self,

@@ -32,8 +32,8 @@ _LAG = 3e-5
 # Nearer than this to something, a posture may have been refused for it [m].
 _FORESEEN = 0.03
 
-Strokes = tuple[Trajectory, ...]
-Progress = Callable[[str, float], Any]
+PlacedStrokes = tuple[Trajectory, ...]
+PlanProgress = Callable[[str, float], Any]
 """What it returns is not used."""
 
 
@@ -59,7 +59,7 @@ class Fetch:
         page: Page,
         at: ArrayLike | None = None,
         size: float | None = None,
-        progress: Progress | None = None,
+        progress: PlanProgress | None = None,
     ) -> Motion:
         """Plan how the pen in the gripper writes strokes on a page.
 
@@ -76,10 +76,11 @@ class Fetch:
                 "joints" and how much of each is done, 0 to 1. It may raise to stop the planning.
 
         Returns:
-            The motion, `RATE` samples a second. The same input gives the same motion, bit for bit.
+            The motion, `MOTION_RATE` samples a second. The same input gives the same motion, bit
+            for bit.
 
         Raises:
-            TrajectoryError: Strokes that no hand could write.
+            TrajectoryError: PlacedStrokes that no hand could write.
             PageError: Ink that does not fit on the page.
             ReachError: The arm cannot get to the ink, or would touch the robot or what the page
                 lies on; says where, by how much, and which page works.
@@ -95,7 +96,7 @@ class Fetch:
 
 
 def _plan(
-    solver: Solver, page: Page, strokes: Strokes, report: Progress = _silent
+    solver: Solver, page: Page, strokes: PlacedStrokes, report: PlanProgress = _silent
 ) -> tuple[Motion, str]:
     """Return the motion, and a warning where the arm is nearly stretched out.
 
@@ -125,7 +126,7 @@ def _plan(
     return replace(motion, notes=notes), reach.warning
 
 
-def _refusal(solver: Solver, page: Page, strokes: Strokes, error: Unreachable) -> ReachError:
+def _refusal(solver: Solver, page: Page, strokes: PlacedStrokes, error: Unreachable) -> ReachError:
     """Return what is wrong, and the first page on which the same ink has been planned."""
     ink = _ink(strokes)
     area = ink.min(axis=0), ink.max(axis=0)
@@ -145,7 +146,7 @@ def _refusal(solver: Solver, page: Page, strokes: Strokes, error: Unreachable) -
 
 
 def _follow(
-    solver: Solver, start: Array, page: Page, strokes: Strokes, report: Progress
+    solver: Solver, start: Array, page: Page, strokes: PlacedStrokes, report: PlanProgress
 ) -> tuple[PenPlan, Array, Array, tuple[str, ...]]:
     """Return the plan, slowed where a joint could not follow, joints (T, J), tip (T, 4, 4), notes.
 
@@ -190,12 +191,12 @@ def _check_tip(X_world_tip: Array, plan: PenPlan, page: Page) -> None:
         )
 
 
-def _ink(strokes: Strokes) -> Array:
+def _ink(strokes: PlacedStrokes) -> Array:
     """Return all points of the strokes on the page, shape (N, 2) [m]."""
     return np.concatenate([stroke.position for stroke in strokes])
 
 
-def _foreseen_collision(solver: Solver, page: Page, strokes: Strokes) -> str:
+def _foreseen_collision(solver: Solver, page: Page, strokes: PlacedStrokes) -> str:
     """Say when the arm comes against something, and how deep; empty where no plan shows it."""
     ink = _ink(strokes)
     posture = find_posture(solver, page, ink.min(axis=0), ink.max(axis=0))

@@ -17,7 +17,7 @@ from scipy.interpolate import CubicSpline, PchipInterpolator
 
 from dmp_teach.trajectory import Array, Trajectory, locked
 
-RATE = 240
+MOTION_RATE = 240
 """Samples a second [Hz]."""
 
 HOVER = 0.025
@@ -97,7 +97,7 @@ class PenPath:
         return np.cumsum([0, *(segment.steps for segment in self.segments)])
 
     def plan(self, samples: Array | None = None) -> PenPlan:
-        """Sample the path at `RATE`.
+        """Sample the path at `MOTION_RATE`.
 
         Args:
             samples: Which sample of the unhurried plan is due at each sample of this one: from 0 to
@@ -114,7 +114,7 @@ class PenPath:
             rows = slice(first + down[first], stop)
             position[rows] = segment.at((samples[rows] - start) / segment.steps)
             down[rows] = segment.down
-        return PenPlan(np.arange(len(samples)) / RATE, position, down)
+        return PenPlan(np.arange(len(samples)) / MOTION_RATE, position, down)
 
 
 def connect_strokes(strokes: tuple[Trajectory, ...]) -> PenPath:
@@ -221,7 +221,7 @@ def _move(start: Array, end: Array, duration: float) -> Segment:
 
 def _steps(duration: float) -> int:
     """Return how many samples a segment takes, at least one; it lasts no less than `duration`."""
-    return max(1, int(np.ceil(duration * RATE - 1e-6)))
+    return max(1, int(np.ceil(duration * MOTION_RATE - 1e-6)))
 
 
 def _on(points: Array) -> Array:

@@ -14,7 +14,7 @@ import numpy as np
 from scipy.interpolate import CubicHermiteSpline
 from scipy.ndimage import convolve1d, find_objects, label, minimum_filter1d
 
-from dmp_teach.robot.pen_path import RATE, PenPath
+from dmp_teach.robot.pen_path import MOTION_RATE, PenPath
 from dmp_teach.trajectory import Array
 
 SPEED_SHARE = 0.9
@@ -78,7 +78,7 @@ class TimeScaling:
         names = ", ".join(self._names[joint] for joint in np.argsort(-worst) if worst[joint] > 1)
         told = ", ".join(text for *_, text in places[:_DESCRIBED])
         more = f" and {len(places) - _DESCRIBED} more places" if len(places) > _DESCRIBED else ""
-        before, after = self._path.rests[-1] / RATE, (len(self.samples) - 1) / RATE
+        before, after = self._path.rests[-1] / MOTION_RATE, (len(self.samples) - 1) / MOTION_RATE
         return (
             f"slowed from {before:.2f} s to {after:.2f} s: {names}, so that none goes faster than "
             f"{SPEED_SHARE} of its limit. Slower is {told}{more}",
@@ -103,7 +103,7 @@ class TimeScaling:
                 )
                 yield (
                     float(late[run].sum()),
-                    f"{where} from {ends[0] / RATE:.2f} s to {ends[1] / RATE:.2f} s "
+                    f"{where} from {ends[0] / MOTION_RATE:.2f} s to {ends[1] / MOTION_RATE:.2f} s "
                     f"(up to {1 + late[run].max():.1f} times, for {self._names[needed.argmax()]})",
                 )
 
@@ -120,7 +120,7 @@ def lateness(needed: Array) -> Array:
         needed: How many times slower than usual each sample of a segment from rest to rest must be,
             shape (n,).
     """
-    reach = round(EASING * RATE)
+    reach = round(EASING * MOTION_RATE)
     window = np.hanning(2 * reach + 3)[1:-1]
     rate = minimum_filter1d(1 / needed, 2 * reach + 1, mode="nearest")
     rate = convolve1d(rate, window / window.sum(), mode="nearest")

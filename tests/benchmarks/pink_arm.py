@@ -19,7 +19,7 @@ from pink.tasks import FrameTask, PostureTask
 from dmp_teach.files.writing import ASSETS
 from dmp_teach.robot.model.kinematics import REST
 from dmp_teach.robot.motion import Motion
-from dmp_teach.robot.pen_path import RATE
+from dmp_teach.robot.pen_path import MOTION_RATE
 from dmp_teach.trajectory import Array
 
 POSITION, AXIS, POSTURE, DAMPING = 1.0, 0.3, 1e-3, 1e-6
@@ -58,7 +58,7 @@ class PinkArm:
         states = np.empty((len(self._path), self._model.nq))
         for row, place in enumerate(self._path):
             target.translation = place
-            arm.integrate_inplace(solve(arm, tasks, limits), 1 / RATE)
+            arm.integrate_inplace(solve(arm, tasks, limits), 1 / MOTION_RATE)
             states[row] = arm.q
         return np.column_stack([np.full(len(states), self._torso), self._unpacked(states)])
 
@@ -76,18 +76,24 @@ class PinkArm:
 
 def _as_documented(arm: Configuration, tasks: list, limits: list) -> Array:
     return solve_ik(
-        arm, tasks, 1 / RATE, solver="daqp", damping=DAMPING, limits=limits, safety_break=False
+        arm,
+        tasks,
+        1 / MOTION_RATE,
+        solver="daqp",
+        damping=DAMPING,
+        limits=limits,
+        safety_break=False,
     )
 
 
 def _straight(arm: Configuration, tasks: list, limits: list) -> Array:
-    problem = build_ik(arm, tasks, 1 / RATE, DAMPING, limits)
+    problem = build_ik(arm, tasks, 1 / MOTION_RATE, DAMPING, limits)
     sides = len(problem.h)
     low, kinds = np.full(sides, -np.inf), np.zeros(sides, np.int32)
     step, _, found, _ = daqp.solve(problem.P, problem.q, problem.G, problem.h, low, kinds)
     if found != 1:
         raise ArithmeticError(f"DAQP found no solution: {found}.")
-    return step * RATE
+    return step * MOTION_RATE
 
 
 def _packed(model: pinocchio.Model, positions: dict[str, float]) -> Array:

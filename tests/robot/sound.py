@@ -4,7 +4,7 @@ import numpy as np
 
 from dmp_teach.robot.arm import JOINTS
 from dmp_teach.robot.model.kinematics import Model
-from dmp_teach.robot.pen_path import RATE
+from dmp_teach.robot.pen_path import MOTION_RATE
 from dmp_teach.robot.time_scaling import SPEED_SHARE
 
 MODEL = Model.load()
@@ -24,10 +24,12 @@ def assert_sound(motion):
     assert (motion.q >= [joint.lower - 1e-9 for joint in LIMITS]).all()
     assert (motion.q <= [joint.upper + 1e-9 for joint in LIMITS]).all()
     speed = (
-        np.abs(np.diff(motion.q, axis=0)).max(axis=0) * RATE / [joint.velocity for joint in LIMITS]
+        np.abs(np.diff(motion.q, axis=0)).max(axis=0)
+        * MOTION_RATE
+        / [joint.velocity for joint in LIMITS]
     )
     assert speed.max() <= SPEED_SHARE + 1e-9
-    np.testing.assert_allclose(motion.t, np.arange(len(motion.t)) / RATE)
+    np.testing.assert_allclose(motion.t, np.arange(len(motion.t)) / MOTION_RATE)
     assert (
         len(motion.q)
         == len(motion.tip)

@@ -12,7 +12,7 @@ from dmp_teach.errors import JointError, MissingPartError, ReachError
 from dmp_teach.robot.arm import JOINTS, Solver, solver_here
 from dmp_teach.robot.fetch import Fetch
 from dmp_teach.robot.page import Page
-from dmp_teach.robot.pen_path import RATE, connect_strokes
+from dmp_teach.robot.pen_path import MOTION_RATE, connect_strokes
 from dmp_teach.trajectory import Trajectory
 from tests.recordings import RECORDINGS, needs_recordings
 from tests.robot import ink
@@ -83,7 +83,7 @@ def test_the_pen_is_on_the_paper_exactly_while_it_is_down():
 
 def test_the_arm_starts_and_ends_at_rest():
     motion = Fetch().write(LETTER, Page.table())
-    speed = np.abs(np.diff(motion.q, axis=0)) * RATE / [joint.velocity for joint in LIMITS]
+    speed = np.abs(np.diff(motion.q, axis=0)) * MOTION_RATE / [joint.velocity for joint in LIMITS]
     assert speed[[0, -1]].max() < 0.02
 
 

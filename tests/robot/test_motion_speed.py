@@ -8,14 +8,14 @@ from dmp_teach.robot.arm import JOINTS
 from dmp_teach.robot.fetch import Fetch
 from dmp_teach.robot.layout import lay_out
 from dmp_teach.robot.page import Page
-from dmp_teach.robot.pen_path import RATE, connect_strokes
+from dmp_teach.robot.pen_path import MOTION_RATE, connect_strokes
 from dmp_teach.robot.time_scaling import EASING, SPEED_SHARE, TimeScaling, due_samples, lateness
 from dmp_teach.trajectory import Trajectory
 from tests.robot import ink
 from tests.robot.ink import LETTER, law
 from tests.robot.sound import LIMITS, assert_sound
 
-REACH = round(EASING * RATE)
+REACH = round(EASING * MOTION_RATE)
 HURRY = st.lists(st.tuples(st.integers(0, 399), st.floats(1.01, 30)), min_size=1, max_size=5)
 
 
@@ -76,14 +76,14 @@ def test_a_clock_heeds_the_joint_that_hurries_and_says_where():
     assert clock.slow_down(speeds)
     (note,) = clock.notes
     assert note.startswith(
-        f"slowed from {way.rests[-1] / RATE:.2f} s to "
-        f"{(len(clock.samples) - 1) / RATE:.2f} s: fast,"
+        f"slowed from {way.rests[-1] / MOTION_RATE:.2f} s to "
+        f"{(len(clock.samples) - 1) / MOTION_RATE:.2f} s: fast,"
     )
     start, end, times = map(
         float,
         re.search(r"stroke 0 from (.*) s to (.*) s \(up to (.*) times, for fast\)", note).groups(),
     )
-    assert start < (way.rests[1] + 100) / RATE < end
+    assert start < (way.rests[1] + 100) / MOTION_RATE < end
     assert 2.0 <= times < 2.2
     assert "slow," not in note
 
@@ -95,7 +95,7 @@ def test_slowed_ink_is_the_same_ink_at_rest_at_both_ends_of_every_stroke(letter,
     plain = connect_strokes(motion.strokes).plan()
     position, speed = (
         motion.page.to_page(motion.target),
-        np.linalg.norm(np.diff(motion.target, axis=0), axis=1) * RATE,
+        np.linalg.norm(np.diff(motion.target, axis=0), axis=1) * MOTION_RATE,
     )
     edges = np.flatnonzero(np.diff(motion.pen_down.astype(int), prepend=0, append=0)).reshape(-1, 2)
     others = np.flatnonzero(np.diff(plain.pen_down.astype(int), prepend=0, append=0)).reshape(-1, 2)
@@ -117,7 +117,10 @@ def test_far_from_a_hurry_the_pace_stays_and_the_ink_is_nowhere_else():
     ]
     assert not more
     plain, position = connect_strokes(motion.strokes).plan(), motion.page.to_page(motion.target)
-    before, after = int(start * RATE) - 1, len(motion.t) - int(np.ceil(end * RATE)) - 1
+    before, after = (
+        int(start * MOTION_RATE) - 1,
+        len(motion.t) - int(np.ceil(end * MOTION_RATE)) - 1,
+    )
     assert before > 50
     assert after > 200
     np.testing.assert_allclose(position[:before], plain.position[:before], atol=1e-12)
@@ -126,7 +129,7 @@ def test_far_from_a_hurry_the_pace_stays_and_the_ink_is_nowhere_else():
     fine = connect_strokes(motion.strokes).plan(np.arange(0, len(plain.t) - 0.99, 0.05)).position
     missed = [np.linalg.norm(fine - spot, axis=1).min() for spot in position]
     assert max(missed) < 1e-4
-    speed = np.abs(np.diff(motion.q, axis=0)).max(axis=0) * RATE
+    speed = np.abs(np.diff(motion.q, axis=0)).max(axis=0) * MOTION_RATE
     hurried = JOINTS.index(note.partition(": ")[2].split(", ")[0])
     assert speed[hurried] > 0.95 * SPEED_SHARE * LIMITS[hurried].velocity
 

@@ -7,7 +7,7 @@ from dmp_teach.robot.page import Page
 from dmp_teach.robot.pen_path import (
     HOVER,
     LIFT_TIME,
-    RATE,
+    MOTION_RATE,
     STROKE_RAMP,
     connect_strokes,
     ease_in_and_out,
@@ -73,7 +73,7 @@ def test_all_of_the_letter_is_written(letter):
 @law(letter=ink.letters())
 def test_every_stroke_starts_and_ends_at_rest(letter):
     _, plan = planned(letter)
-    speed = np.linalg.norm(np.diff(plan.position, axis=0), axis=1) * RATE
+    speed = np.linalg.norm(np.diff(plan.position, axis=0), axis=1) * MOTION_RATE
     for piece in pieces(plan):
         for row in (piece.start, piece.stop - 1):
             assert speed[row - 1 : row + 1].max() < 0.01
@@ -82,7 +82,7 @@ def test_every_stroke_starts_and_ends_at_rest(letter):
 @law(letter=ink.letters())
 def test_the_pen_never_goes_faster_than_the_hand_did(letter):
     placed, plan = planned(letter)
-    speed = np.linalg.norm(np.diff(plan.position[:, :2], axis=0), axis=1) * RATE
+    speed = np.linalg.norm(np.diff(plan.position[:, :2], axis=0), axis=1) * MOTION_RATE
     for piece, stroke in zip(pieces(plan), placed, strict=True):
         fine = np.linspace(stroke.t[0], stroke.t[-1], 20 * len(stroke))
         hand = np.linalg.norm(np.diff(interpolate(stroke)(fine), axis=0), axis=1) / (
@@ -94,7 +94,7 @@ def test_the_pen_never_goes_faster_than_the_hand_did(letter):
 @law(letter=ink.letters())
 def test_the_plan_is_sampled_evenly_and_starts_and_ends_at_the_hover(letter):
     placed, plan = planned(letter)
-    np.testing.assert_allclose(plan.t, np.arange(len(plan.t)) / RATE)
+    np.testing.assert_allclose(plan.t, np.arange(len(plan.t)) / MOTION_RATE)
     np.testing.assert_allclose(plan.position[[0, -1], 2], HOVER)
     np.testing.assert_allclose(plan.position[0, :2], placed[0].position[0])
     np.testing.assert_allclose(plan.position[-1, :2], placed[-1].position[-1])
@@ -104,7 +104,7 @@ def test_the_plan_is_sampled_evenly_and_starts_and_ends_at_the_hover(letter):
 @law(letter=ink.letters())
 def test_the_nib_comes_down_and_goes_up_along_the_normal(letter):
     _, plan = planned(letter)
-    rows = round(LIFT_TIME * RATE)
+    rows = round(LIFT_TIME * MOTION_RATE)
     for piece in pieces(plan):
         for air in (
             plan.position[piece.start - rows : piece.start],
@@ -117,11 +117,11 @@ def test_the_nib_comes_down_and_goes_up_along_the_normal(letter):
 def test_a_stroke_takes_its_own_time_and_one_ramp(letter):
     placed, plan = planned(letter)
     for piece, stroke in zip(pieces(plan), placed, strict=True):
-        lasts = (piece.stop - 1 - piece.start) / RATE
+        lasts = (piece.stop - 1 - piece.start) / MOTION_RATE
         assert (
             stroke.duration + STROKE_RAMP - 1e-6
             <= lasts
-            <= stroke.duration + STROKE_RAMP + 1 / RATE
+            <= stroke.duration + STROKE_RAMP + 1 / MOTION_RATE
         )
 
 
@@ -131,10 +131,10 @@ def test_a_lift_takes_its_time_within_reason(gap):
     second = Trajectory(second.t + first.t[-1] + gap + 1e-3, second.position)
     _, plan = planned((first, second))
     before, after = pieces(plan)
-    lift = (after.start - before.stop + 1) / RATE
-    assert 2 * LIFT_TIME <= lift <= 1.5 + 3 / RATE
+    lift = (after.start - before.stop + 1) / MOTION_RATE
+    assert 2 * LIFT_TIME <= lift <= 1.5 + 3 / MOTION_RATE
     if 1.2 < gap < 1.5:
-        assert lift == pytest.approx(gap, abs=4 / RATE)
+        assert lift == pytest.approx(gap, abs=4 / MOTION_RATE)
 
 
 @law(letter=ink.letters(), seed=st.integers(0, 1000))
@@ -144,7 +144,7 @@ def test_on_any_clock_it_is_the_same_path_and_the_pen_is_down_on_the_letter(lett
     between = np.random.default_rng(seed).uniform(0, way.rests[-1], 500)
     samples = np.unique(np.concatenate([way.rests, between]))
     odd = way.plan(samples)
-    np.testing.assert_array_equal(odd.t, np.arange(len(samples)) / RATE)
+    np.testing.assert_array_equal(odd.t, np.arange(len(samples)) / MOTION_RATE)
     np.testing.assert_array_equal(
         odd.position[np.isin(samples, way.rests)], plan.position[way.rests]
     )
@@ -159,7 +159,7 @@ def test_on_any_clock_it_is_the_same_path_and_the_pen_is_down_on_the_letter(lett
 @law(letter=ink.letters())
 def test_the_pen_does_not_jerk(letter):
     placed, plan = planned(letter)
-    acceleration = np.linalg.norm(np.diff(plan.position, n=2, axis=0), axis=1) * RATE**2
+    acceleration = np.linalg.norm(np.diff(plan.position, n=2, axis=0), axis=1) * MOTION_RATE**2
     hand = 0.0
     for stroke in placed:
         fine = np.linspace(stroke.t[0], stroke.t[-1], 8 * len(stroke))
@@ -204,7 +204,7 @@ def test_two_samples_are_a_straight_stroke():
     stroke = Trajectory([0, 0.5], [[-0.02, 0], [0.02, 0]])
     plan = connect_strokes((stroke,)).plan()
     assert np.abs(plan.position[:, 1]).max() < 1e-12
-    assert plan.pen_down.sum() == round(0.7 * RATE) + 1
+    assert plan.pen_down.sum() == round(0.7 * MOTION_RATE) + 1
 
 
 def test_a_dot_is_touched_and_left():

@@ -20,7 +20,14 @@ from dmp_teach.robot.fetch import Fetch
 from dmp_teach.robot.model.proximity import Proximity
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.ros import bag as ros
-from dmp_teach.robot.ros.bag import GOAL_TOPIC, LEAD, PACE, PATH_TOPIC, schedule, write_rosbag
+from dmp_teach.robot.ros.bag import (
+    APPROACH_PACE,
+    GOAL_TOPIC,
+    LEAD,
+    PATH_TOPIC,
+    schedule,
+    write_rosbag,
+)
 from dmp_teach.robot.ros.untuck import TUCKED
 from dmp_teach.robot.time_scaling import SPEED_SHARE
 from tests.conftest import STRICT
@@ -134,7 +141,7 @@ def test_the_arm_goes_from_tucked_to_the_page_within_its_limits(page):
     plan = schedule(motion)
     np.testing.assert_array_equal(plan.q[0], TUCKED)
     way, writing = np.split(np.abs(plan.velocity) / SPEEDS, [plan.writing])
-    assert way.max() <= PACE + 0.001
+    assert way.max() <= APPROACH_PACE + 0.001
     assert writing.max() <= SPEED_SHARE + 0.01
     assert (plan.q >= [joint.lower - 1e-9 for joint in LIMITS]).all()
     assert (plan.q <= [joint.upper + 1e-9 for joint in LIMITS]).all()

@@ -5,6 +5,7 @@ Distances of boxes, cylinders and spheres are coal's, which PlaCo brings with pi
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from operator import attrgetter
 from typing import Any
@@ -13,7 +14,7 @@ import numpy as np
 
 from dmp_teach.robot.model.reduced import load_pinocchio, reduced_robot
 from dmp_teach.robot.page import Page
-from dmp_teach.robot.pen_path import RATE
+from dmp_teach.robot.pen_path import MOTION_RATE
 from dmp_teach.trajectory import Array
 
 LEAST_CLEARANCE = 0.010
@@ -92,7 +93,7 @@ class Near:
             happens = f"would come within {1000 * self.distance:.0f} mm of {self._what}"
         if 0 <= self.distance < LEAST_CLEARANCE:
             happens += f"; {1000 * LEAST_CLEARANCE:.0f} mm must stay between them"
-        when = f"fter {self.row / RATE:.2f} s the arm's {plain(self.link)} {happens}."
+        when = f"fter {self.row / MOTION_RATE:.2f} s the arm's {plain(self.link)} {happens}."
         if self.other == "page":
             return f"A{when}"
         touch = "touch" if self.distance < LEAST_CLEARANCE else "come too near to"
@@ -100,9 +101,9 @@ class Near:
 
     @property
     def note(self) -> str:
-        """The same where it may stay so."""
+        """What to say of it where it may stay so."""
         return (
-            f"after {self.row / RATE:.2f} s the arm's {plain(self.link)} comes within "
+            f"after {self.row / MOTION_RATE:.2f} s the arm's {plain(self.link)} comes within "
             f"{1000 * self.distance:.0f} mm of {self._what}"
         )
 
@@ -154,10 +155,9 @@ class Proximity:
         self.pairs = tuple(dict.fromkeys(self._named))
         """The L pairs of a link and what it could meet."""
         self._firsts = [self._named.index(pair) for pair in self.pairs]
-        reach = self._reach()
-        one, other = reach[[pair[0] for pair in pairs]], reach[[pair[1] for pair in pairs]]
+        reach = self._reach()[np.array(pairs)]
         # A joint that carries both does not bring them nearer to each other.
-        self._sweep = np.where((one > 0) & (other > 0), 0.0, one + other)
+        self._sweep = np.where((reach > 0).all(axis=1), 0.0, reach.sum(axis=1))
         self._data = self._robot.model.createData()
         self._found = pinocchio.GeometryData(self._geometry)
 
@@ -170,8 +170,9 @@ class Proximity:
         Returns:
             Distances, shape (T, L) [m].
         """
-        everything = np.arange(len(self._named))
-        found = [self._at(moment, everything) for moment in self._robot.configurations(q)]
+        found = [
+            self._at(moment, range(len(self._named))) for moment in self._robot.configurations(q)
+        ]
         return np.minimum.reduceat(np.array(found), self._firsts, axis=1)
 
     def touching(self, q: Array) -> list[tuple[str, str]]:
@@ -210,7 +211,7 @@ class Proximity:
             spans += [(half, doubtful) for half in halves if len(half) and len(doubtful)]
         return near
 
-    def _at(self, configuration: Array, pairs: Array) -> Array:
+    def _at(self, configuration: Array, pairs: Iterable[int]) -> Array:
         """Return the distances of some pairs of shapes in one configuration [m]."""
         geometry, found, pinocchio = self._geometry, self._found, self._pinocchio
         pinocchio.updateGeometryPlacements(
@@ -221,7 +222,10 @@ class Proximity:
         )
 
     def _reach(self) -> Array:
-        """Return how far each joint moves a point of each shape at most, by one unit, (G, J)."""
+        """Return how far each joint moves a point of each shape at most, by one unit, (G, J).
+
+        Only the torso slides, and it carries all other joints.
+        """
         model = self._robot.model
         reach = np.zeros((self._geometry.ngeoms, len(self._robot.joint_ids)))
         for number, shape in enumerate(self._geometry.geometryObjects):

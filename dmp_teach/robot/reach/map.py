@@ -26,10 +26,10 @@ _TILTS = locked(np.radians(np.arange(0, 91, 10)))
 # A corner that is so far out needs no more trying [m].
 _FAR = 0.01
 
-Progress = Callable[[int, int], Any]
+PageProgress = Callable[[int, int], Any]
 """What it returns is not used."""
 
-Grid = tuple[tuple[Page, ...], ...]
+PageGrid = tuple[tuple[Page, ...], ...]
 
 
 @dataclass(frozen=True, eq=False)
@@ -51,7 +51,7 @@ class ReachMap:
     x: Array
     across: Array
     across_name: str
-    pages: Grid
+    pages: PageGrid
     effort: Array
     residual: Array
 
@@ -84,7 +84,7 @@ def reach_map(
     width: float = A4[0],
     height: float = A4[1],
     executor: Executor | None = None,
-    progress: Progress | None = None,
+    progress: PageProgress | None = None,
 ) -> ReachMap:
     """Map page distance against pen angle, from a table to a whiteboard, straight ahead.
 
@@ -121,7 +121,7 @@ def reach_around(
     y: Sequence[float] | None = None,
     *,
     executor: Executor | None = None,
-    progress: Progress | None = None,
+    progress: PageProgress | None = None,
 ) -> ReachMap:
     """Map, seen from above, where the centre of a page can be that lies as this one does.
 
@@ -152,7 +152,7 @@ def reach_around(
 
 
 def _try_pages(
-    rows: Grid, executor: Executor | None, progress: Progress | None
+    rows: PageGrid, executor: Executor | None, progress: PageProgress | None
 ) -> tuple[Array, Array]:
     """Return efforts and residuals of rows of pages, each (R, C): tried here, or elsewhere."""
     pages = [page for row in rows for page in row]

@@ -43,7 +43,7 @@ PATH_TOPIC = "/dmp_teach/pen_path"
 LEAD = 6.0
 """Time of the first point [s]: to get to it, and for a hand to get to the stop button."""
 
-PACE = 0.5
+APPROACH_PACE = 0.5
 """On the way to the page no joint goes faster than this part of its limit."""
 
 # Points a second on the way to the page; the writing keeps its own [Hz].
@@ -156,7 +156,7 @@ def _timed(way: Array) -> tuple[Array, Array]:
     t, q = [np.zeros(1)], [way[:1]]
     for one, other in pairwise(way):
         # A move with least jerk peaks at 1.875 of its mean speed (Flash and Hogan 1985).
-        lasts = max(_SHORTEST, 1.875 * (np.abs(other - one) / fastest).max() / PACE)
+        lasts = max(_SHORTEST, 1.875 * (np.abs(other - one) / fastest).max() / APPROACH_PACE)
         s = np.linspace(0, 1, 1 + int(np.ceil(lasts * _RATE)))[1:]
         t.append(t[-1][-1] + s * lasts)
         q.append(one + (10 * s**3 - 15 * s**4 + 6 * s**5)[:, None] * (other - one))

@@ -218,7 +218,7 @@ def _check_known(name: str, value: Any, known: tuple[str, ...]) -> None:
 
 def _check_size(name: str, value: Any, most: float, unit: str, hint: str) -> None:
     """Raise for what is no number, or so large that it must have been meant in another unit."""
-    number = value if isinstance(value, int | float | np.number) else np.nan
+    number = float(value) if isinstance(value, int | float | np.number) else np.nan
     if not abs(number) <= most:
         raise SettingError(
             f"{name} is {value!r} {unit}, but must be between {-most} and {most} {unit}; was it in "
