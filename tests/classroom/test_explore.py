@@ -144,9 +144,7 @@ def test_a_page_out_of_reach_is_cured_by_one_button():
     assert panel.motion.page is panel.page
 
 
-def test_near_the_end_of_the_arms_reach_the_robots_notes_say_so_and_nothing_is_printed_under_the_panel(
-    recwarn,
-):
+def test_near_the_end_of_the_arms_reach_notes_say_so_and_nothing_is_printed(recwarn):
     panel = explore(page=dmp_teach.Page.table(x=0.88))
     panel.write()
     assert any("nearly stretched out" in note for note in panel.motion.notes)

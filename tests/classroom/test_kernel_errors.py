@@ -1,4 +1,4 @@
-"""What a notebook shows of an error of ours: one line, from a real kernel; elsewhere a traceback like any other."""
+"""A notebook shows one line of an error of ours; elsewhere it is a traceback like any other."""
 
 import subprocess
 import sys

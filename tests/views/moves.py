@@ -45,7 +45,7 @@ def sway(seconds=2.4, rate=240, size=0.06, page=None):
 
 
 def pressed(motion):
-    """What a motion might become without pybullet: the pen pushed in by 4 mm wherever it writes, harder and softer."""
+    """What a motion might become: the pen pushed in by 4 mm wherever it writes."""
     slide = np.where(motion.pen_down, -0.004, 0.0)
     q, names = np.column_stack([motion.q, slide]), (*motion.joint_names, SLIDE_JOINT)
     tip = Model.load(PENS["sprung"]).frame("pen_tip", q, names)[:, :3, 3]

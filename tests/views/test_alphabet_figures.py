@@ -5,8 +5,6 @@ from itertools import pairwise
 
 import numpy as np
 import pytest
-from IPython.core.formatters import PNGFormatter
-from matplotlib.figure import Figure
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.ink.alphabet import alphabets, characters, recording_of
@@ -35,8 +33,6 @@ def ink_of(panel):
 @pytest.mark.parametrize("name", alphabets())
 def test_the_sheet_of_an_alphabet_shows_every_stroke_of_every_letter(name):
     figure = draw_contact_sheet(name, numbers=False)
-    assert isinstance(figure, Figure)
-    assert PNGFormatter()(figure).startswith(b"\x89PNG")
     every = [
         stroke for letter in characters(name) for stroke in recording_of(letter, name).strokes()
     ]

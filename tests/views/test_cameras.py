@@ -23,7 +23,7 @@ boards = st.builds(Page.board, x=st.floats(0.6, 1.1), y=st.floats(-0.3, 0.3), z=
 
 
 def picture_of(camera, points, aspect=FITTED_ASPECT):
-    """Where points are in the picture, both between -1 and 1 where they are in it, and their distance."""
+    """Where points are in the picture, from -1 to 1 if they are in it, and their distance."""
     eye, target, up = (np.array(v) for v in (camera.eye, camera.target, camera.up))
     back = (eye - target) / np.linalg.norm(eye - target)
     right = np.cross(up, back) / np.linalg.norm(np.cross(up, back))
@@ -32,20 +32,22 @@ def picture_of(camera, points, aspect=FITTED_ASPECT):
     return seen[:, :2] / seen[:, 2:] / (slope * aspect, slope), seen[:, 2]
 
 
-def robot():
-    return np.stack([np.vstack([s.vertices[::40] for s in Stage().robot(0.0)])])
+def corners_of(page, width, height):
+    return page.to_world([(x * width / 2, y * height / 2) for x in (-1, 1) for y in (-1, 1)])
 
 
-ROBOT = robot()
+def table_of(page):
+    return np.vstack([shape.vertices for shape in build_surroundings(page)])
+
+
+ROBOT = np.stack([np.vstack([shape.vertices[::40] for shape in Stage().robot(0.0)])])
 
 
 @settings(max_examples=20, deadline=None)
 @given(page=tables | boards, aspect=st.floats(0.6, 2.0))
 def test_every_camera_has_the_page_in_its_picture_and_sees_its_face(page, aspect):
-    corners = page.to_world(
-        [(x * page.width / 2, y * page.height / 2) for x in (-1, 1) for y in (-1, 1)]
-    )
-    table = np.vstack([shape.vertices for shape in build_surroundings(page)])
+    corners = corners_of(page, page.width, page.height)
+    table = table_of(page)
     letter = page.to_world(np.zeros((1, 2)))
     for name, camera in fit_cameras(page, ROBOT, letter, table).items():
         nearer = (corners + 3 * letter) / 4 if name == "over the shoulder" else corners
@@ -61,7 +63,7 @@ def test_every_camera_has_the_page_in_its_picture_and_sees_its_face(page, aspect
 @settings(max_examples=10, deadline=None)
 @given(page=tables | boards)
 def test_the_whole_robot_is_seen_by_the_first_camera(page):
-    table = np.vstack([shape.vertices for shape in build_surroundings(page)])
+    table = table_of(page)
     camera = fit_cameras(page, ROBOT, page.to_world(np.zeros((1, 2))), table)["whole robot"]
     places, _ = picture_of(camera, np.vstack([ROBOT.reshape(-1, 3), table]))
     assert np.abs(places).max() < 1
@@ -70,10 +72,8 @@ def test_the_whole_robot_is_seen_by_the_first_camera(page):
 @settings(max_examples=10, deadline=None)
 @given(page=tables | boards)
 def test_over_the_shoulder_the_page_fills_a_good_part_of_the_picture(page):
-    corners = page.to_world(
-        [(x * page.width / 2, y * page.height / 2) for x in (-1, 1) for y in (-1, 1)]
-    )
-    table = np.vstack([shape.vertices for shape in build_surroundings(page)])
+    corners = corners_of(page, page.width, page.height)
+    table = table_of(page)
     camera = fit_cameras(page, ROBOT, page.to_world(np.zeros((1, 2))), table)["over the shoulder"]
     places, _ = picture_of(camera, corners)
     assert np.ptp(places, axis=0).max() > 1.5
@@ -82,10 +82,8 @@ def test_over_the_shoulder_the_page_fills_a_good_part_of_the_picture(page):
 @settings(max_examples=20, deadline=None)
 @given(page=tables | boards, height=st.floats(0.02, 0.15), slim=st.floats(0.2, 1.5))
 def test_over_the_shoulder_the_letter_is_large_upright_and_in_the_middle(page, height, slim):
-    corners = page.to_world(
-        [(x * height * slim / 2, y * height / 2) for x in (-1, 1) for y in (-1, 1)]
-    )
-    table = np.vstack([shape.vertices for shape in build_surroundings(page)])
+    corners = corners_of(page, height * slim, height)
+    table = table_of(page)
     camera = fit_cameras(page, ROBOT, corners, table)["over the shoulder"]
     middle = corners.mean(axis=0)
     line = middle + np.array([[-0.001], [0.001]]) * page.X_world_page[:3, 1]
@@ -99,7 +97,7 @@ def test_over_the_shoulder_the_letter_is_large_upright_and_in_the_middle(page, h
 def test_the_camera_goes_round_an_arm_that_would_hide_the_letter():
     page = Page.table()
     letter = page.to_world(np.random.default_rng(0).uniform(-0.03, 0.03, (40, 2)))
-    table = np.vstack([shape.vertices for shape in build_surroundings(page)])
+    table = table_of(page)
     free = fit_cameras(page, np.zeros((1, 0, 3)), letter, table)["over the shoulder"]
     line = np.linspace(0.1, 0.6, 200)[:, None]
     thick = np.random.default_rng(1).uniform(-0.04, 0.04, (200, 3))
@@ -111,7 +109,7 @@ def test_the_camera_goes_round_an_arm_that_would_hide_the_letter():
 def test_an_arm_that_hides_the_letter_from_everywhere_is_drawn_faintly_and_one_beside_it_is_not():
     page = Page.table()
     letter = page.to_world(np.random.default_rng(0).uniform(-0.03, 0.03, (40, 2)))
-    table = np.vstack([shape.vertices for shape in build_surroundings(page)])
+    table = table_of(page)
     ways = np.random.default_rng(1).normal(size=(20_000, 3))
     ways[:, 2] = np.abs(ways[:, 2])
     roof = page.X_world_page[:3, 3] + 0.06 * ways / np.linalg.norm(ways, axis=1, keepdims=True)

@@ -14,7 +14,7 @@ from tests.views.moves import sway
 
 
 def played(stage, t):
-    """Where the links are at times t, as three.js plays the tracks: slerp for turns, a line for slides."""
+    """Where the links are at times t, as three.js plays the tracks."""
     model, poses = Model.load(), {}
     times, q = stage.keys
     tracks = {

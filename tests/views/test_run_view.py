@@ -1,4 +1,4 @@
-"""What became of a motion, seen: its ink in shades of the pen's force, and the force on the same clock."""
+"""The view of a run: its ink in shades of the pen's force, and the force on the same clock."""
 
 import re
 from dataclasses import replace
@@ -11,7 +11,6 @@ from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 from PIL import Image
 
-from dmp_teach.errors import ViewError
 from dmp_teach.robot.simulation.run import FORCE_BAND, Run
 from dmp_teach.robot.simulation.world import SLIDE_JOINT
 from dmp_teach.views.scene import pen_force
@@ -181,13 +180,6 @@ def test_one_view_shows_a_plan_and_then_what_became_of_it(run):
     assert shown.facts["force"]["curve"]
     shown.show(run.planned, play=False)
     assert shown.facts["force"] is None
-
-
-def test_only_motions_and_runs_can_be_shown(run):
-    with pytest.raises(
-        ViewError, match=r"A tuple cannot be shown; .*so can a Run, which simulate\(motion\)"
-    ):
-        view(run.ink)
 
 
 def test_the_run_of_the_tests_is_one(run):

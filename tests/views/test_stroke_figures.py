@@ -1,7 +1,5 @@
 """The figure of the rules for strokes."""
 
-from IPython.core.formatters import PNGFormatter
-
 from dmp_teach.views.figures.stroke import RULE_NAMES, draw_strokes_by_rule
 from dmp_teach.views.palette import STROKE_COLORS
 from tests.segmentation.test_manual_cuts import D
@@ -36,7 +34,3 @@ def test_cuts_by_hand_have_a_row_of_their_own_where_they_are():
 
 def test_a_rule_that_finds_nothing_says_so():
     assert "no stroke" in titles(draw_strokes_by_rule(D, sigma=1e-6))[2]
-
-
-def test_the_figure_is_drawn():
-    assert PNGFormatter()(draw_strokes_by_rule(D)).startswith(b"\x89PNG")

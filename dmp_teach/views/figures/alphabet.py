@@ -24,7 +24,7 @@ NUMBER_OFFSET = 0.062
 NUMBER_ROOM = 0.05
 ARROW_SPACING = 0.7
 # A shorter stroke is a dot, and has no arrow.
-LONGEST_DOT = 0.12
+MAX_DOT_INK = 0.12
 ARROW_STYLE = "-|>,head_width=0.22,head_length=0.45"
 
 
@@ -122,7 +122,7 @@ def _plot_letter(panel: Axes, strokes: list[Array], numbers: bool) -> None:
 def _find_number_place(path: Array, taken: Array) -> Array:
     """Return where the number of a stroke has room, before its start if it can (2,) [inch]."""
     apart = np.linalg.norm(path - path[0], axis=1)
-    ahead = path[np.argmax(apart > LONGEST_DOT / 3)] - path[0]
+    ahead = path[np.argmax(apart > MAX_DOT_INK / 3)] - path[0]
     turns = np.arctan2(-ahead[1], -ahead[0]) + np.radians([0, 45, -45, 90, -90, 135, -135])
     places = path[0] + NUMBER_OFFSET * np.column_stack([np.cos(turns), np.sin(turns)])
     room = np.linalg.norm(places[:, None] - taken, axis=2).min(axis=1)
@@ -133,7 +133,7 @@ def _plot_arrows(panel: Axes, path: Array, color: str) -> None:
     """Plot heads of arrows along a stroke (T, 2) [inch], where it runs straight."""
     way = ways(path)
     length = way[-1]
-    if length < LONGEST_DOT:
+    if length < MAX_DOT_INK:
         return
     even = np.column_stack([np.interp(np.linspace(0, length, 201), way, axis) for axis in path.T])
     chords = even[12:] - even[:-12]
