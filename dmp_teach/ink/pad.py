@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -17,7 +18,7 @@ from scipy.interpolate import PchipInterpolator
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.ink.pen_lifts import add_lifts
-from dmp_teach.ink.recording import Recording
+from dmp_teach.ink.recording import About, Recording
 from dmp_teach.trajectory import Array, Trajectory
 
 # Samples of a stroke, as even as those of motion capture [Hz].
@@ -119,7 +120,7 @@ def pad_stroke(points: ArrayLike, pressed: bool = False) -> PadStroke:
     return PadStroke(Trajectory(even, drawn[:, :2]), pressure, caught, unseen)
 
 
-def pad_recording(strokes: Sequence[PadStroke], **about: str | float | None) -> Recording:
+def pad_recording(strokes: Sequence[PadStroke], **about: Unpack[About]) -> Recording:
     """Make a recording of strokes in the order in which they came, on a clock that begins at 0.
 
     The time between two strokes is kept where a hand could have been in the air for so long, and

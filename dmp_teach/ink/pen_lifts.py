@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from itertools import pairwise
-from typing import Any
+from typing import Unpack
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.ink.recording import Recording
+from dmp_teach.ink.recording import About, Recording
 from dmp_teach.trajectory import Array, Trajectory
 
 # How high a pen goes between two strokes [m], and how long it takes to get there [s].
@@ -20,7 +21,9 @@ MOST_LIFT_SAMPLES = 6000
 
 
 def add_lifts(
-    strokes: Sequence[Trajectory], pressures: Sequence[Any] | None = None, **about: Any
+    strokes: Sequence[Trajectory],
+    pressures: Sequence[ArrayLike] | None = None,
+    **about: Unpack[About],
 ) -> Recording:
     """Make a recording of strokes from a flat pad, which saw nothing of the pen in the air.
 
@@ -43,7 +46,10 @@ def add_lifts(
     """
     _check(strokes, pressures)
     step = float(np.median(np.concatenate([np.diff(stroke.t) for stroke in strokes])))
-    pieces, force, spans, count = [], [], [], 0
+    pieces: list[Array] = []
+    force: list[ArrayLike] = []
+    spans: list[tuple[int, int]] = []
+    count = 0
     for k, stroke in enumerate(strokes):
         if k:
             lift = _lift(strokes[k - 1], stroke, step)
@@ -78,7 +84,7 @@ def _eased(share: Array) -> Array:
     return share**3 * (10 - 15 * share + 6 * share**2)
 
 
-def _check(strokes: Sequence[Trajectory], pressures: Sequence[Any] | None) -> None:
+def _check(strokes: Sequence[Trajectory], pressures: Sequence[ArrayLike] | None) -> None:
     """Raise a RecordingError that names the stroke that breaks a rule."""
     if not len(strokes):
         raise RecordingError("There is no stroke, but a letter has at least one.")

@@ -5,7 +5,7 @@ from __future__ import annotations
 import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from typing import Self
+from typing import Self, TypedDict
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -22,6 +22,14 @@ from dmp_teach.segmentation import (
     split_stroke,
 )
 from dmp_teach.trajectory import Array, Trajectory, locked
+
+
+class About(TypedDict, total=False):
+    """What is known of a recording beside its ink."""
+
+    character: str | None
+    writer: str | None
+    baseline: float | None
 
 
 @dataclass(frozen=True, eq=False)

@@ -112,6 +112,7 @@ def check_pseudonym(writer: str | None) -> None:
     must(fits, "writer", writer, rule)
 
 
+# Any: JSON, in which every field is checked before it is used; so in the functions below.
 def _read_recording(content: dict[str, Any]) -> Recording:
     """Return what the JSON says, every field checked."""
     must(content["units"] == SAMPLE_UNITS, "units", content["units"], repr(SAMPLE_UNITS))

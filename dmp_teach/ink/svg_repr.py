@@ -13,8 +13,8 @@ INK_CLASS = "dmp-teach-ink"
 """The class of every picture: by it our launcher's server leaves them out of a saved notebook."""
 
 # Colours of the panels, see `tokens.css`.
-PERSON_COLOR = "#d55e00"
-ROBOT_COLOR = "#0072b2"
+PERSON_INK = "#d55e00"
+ROBOT_INK = "#0072b2"
 START_COLOR = "#1b2430"
 SHEET_COLOR = "#fffdf7"
 SHEET_EDGE_COLOR = "#dcd6c4"
@@ -27,8 +27,8 @@ _WIDEST = 900
 _SMALLEST = 40
 _SHEET_MARGIN = 24
 _MOST_POINTS = 400
-_DOTTED = f'stroke="{PERSON_COLOR}" stroke-width="3.6" stroke-dasharray="0.01 8"'
-_SOLID = f'stroke="{ROBOT_COLOR}" stroke-width="3"'
+_DOTTED = f'stroke="{PERSON_INK}" stroke-width="3.6" stroke-dasharray="0.01 8"'
+_SOLID = f'stroke="{ROBOT_INK}" stroke-width="3"'
 
 
 def draw_svg(

@@ -22,7 +22,7 @@ UNMATCHED_COST = 4.0
 # Strokes farther from each other are no partners [radii: about a third of the height].
 FARTHEST_PARTNER = 0.9
 # A shorter stroke is a dot, whose direction cannot be seen [radii: a tenth of the height].
-LONGEST_DOT = 0.3
+DOT_LENGTH = 0.3
 # Strokes that do the work of others lie this near to them [radii] ...
 FARTHEST_PIECE = 0.5
 # ... and neither side is longer by this factor: a line drawn twice is not a line in two pieces.
@@ -135,7 +135,7 @@ class _Costs:
     def _has_dot(self, group: Group) -> bool:
         """Return whether a stroke is a dot: no line does the work of a line and a dot."""
         return any(
-            self.inks[side].lengths[list(group[side])].min(initial=np.inf) < LONGEST_DOT
+            self.inks[side].lengths[list(group[side])].min(initial=np.inf) < DOT_LENGTH
             for side in (0, 1)
         )
 

@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 from dmp_teach.trajectory import Array
 
 # How firmly ink that tells nothing of width or lean, such as an l, is taken for unchanged.
-RIDGE = 0.005
+MAP_RIDGE = 0.005
 
 
 def fit_linear_map(mine: Array, yours: Array, scale: float) -> Array:
@@ -20,7 +20,7 @@ def fit_linear_map(mine: Array, yours: Array, scale: float) -> Array:
 
 def solve_linear_map(yours_yours: Array, mine_yours: Array, scale: ArrayLike) -> Array:
     """Return the same from the sums of products over all points (..., 2, 2), for each scale."""
-    ridge = (RIDGE * np.trace(yours_yours, axis1=-2, axis2=-1))[..., None, None] * np.eye(2)
+    ridge = (MAP_RIDGE * np.trace(yours_yours, axis1=-2, axis2=-1))[..., None, None] * np.eye(2)
     target = np.swapaxes(mine_yours + np.asarray(scale)[..., None, None] * ridge, -1, -2)
     return np.swapaxes(np.linalg.solve(yours_yours + ridge, target), -1, -2)
 

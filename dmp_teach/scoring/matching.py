@@ -16,7 +16,7 @@ import numpy as np
 
 from dmp_teach.scoring.alignment import Alignment, align
 from dmp_teach.scoring.arguments import LetterLike, to_strokes
-from dmp_teach.scoring.grouping import LONGEST_DOT, Group, group_strokes
+from dmp_teach.scoring.grouping import DOT_LENGTH, Group, group_strokes
 from dmp_teach.scoring.resampling import (
     POINTS_TO_MATCH,
     Resampled,
@@ -159,7 +159,7 @@ def match_strokes(strokes: LetterLike, others: LetterLike) -> Matching:
         lines = align(
             [written[k].position @ back.T for k in mine], [model[k].position for k in yours]
         )
-        is_dot = other.lengths[list(yours)].sum() < LONGEST_DOT
+        is_dot = other.lengths[list(yours)].sum() < DOT_LENGTH
         pairs.append(Pair(mine, yours, replace(lines, backwards=False) if is_dot else lines))
     extra = tuple(sorted(k for mine, yours in groups if not yours for k in mine))
     missing = tuple(sorted(k for mine, yours in groups if not mine for k in yours))

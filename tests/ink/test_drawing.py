@@ -40,16 +40,16 @@ def test_every_letter_lies_on_its_sheet_with_a_circle_where_each_stroke_begins(c
 def test_a_person_is_dots_and_the_robot_a_line_in_the_colours_of_the_panels():
     strokes = dmp_teach.recording_of("D").strokes()
     person, robot = (drawing.draw_svg(strokes, "D", dotted=dotted) for dotted in (True, False))
-    assert drawing.PERSON_COLOR in person
+    assert drawing.PERSON_INK in person
     assert "dasharray" in person
-    assert drawing.ROBOT_COLOR in robot
+    assert drawing.ROBOT_INK in robot
     assert "dasharray" not in robot
     tokens = (ROOT / "dmp_teach" / "views" / "scene" / "tokens.css").read_text()
     for name in ("child", "robot", "ink", "paper", "paper-edge"):
         color = re.search(rf"--dt-{name}: (#[0-9a-f]+)", tokens)[1]
         assert color in (
-            drawing.PERSON_COLOR,
-            drawing.ROBOT_COLOR,
+            drawing.PERSON_INK,
+            drawing.ROBOT_INK,
             drawing.START_COLOR,
             drawing.SHEET_COLOR,
             drawing.SHEET_EDGE_COLOR,

@@ -227,7 +227,7 @@ def test_a_letter_says_in_one_line_how_well_it_was_learned():
 def test_a_letter_below_a_cell_is_the_robots_line():
     letter = Letter.learn(recording_of("D"))
     picture = letter._repr_svg_()
-    assert drawing.ROBOT_COLOR in picture
+    assert drawing.ROBOT_INK in picture
     assert picture.count("<circle") == 2
     assert repr(letter) in picture.replace("&gt;", ">")
 
