@@ -39,6 +39,10 @@ from .verdicts.all import claims as claims
 from .verdicts.claim import Claim as Claim
 from .verdicts.claim import Claims as Claims
 from .verdicts.evidence import Evidence as Evidence
+from .verdicts.goals import decay_term as decay_term
+from .verdicts.goals import goal_changes as goal_changes
+from .verdicts.goals import goal_on_start as goal_on_start
+from .verdicts.goals import huge_accelerations as huge_accelerations
 from .verdicts.kernels import best_width as best_width
 from .verdicts.kernels import four_widths_on_a as four_widths_on_a
 from .verdicts.kernels import gaps_between_kernels as gaps_between_kernels
@@ -49,10 +53,6 @@ from .verdicts.kernels import wide_kernels as wide_kernels
 from .verdicts.letters import accuracy_and_efficiency as accuracy_and_efficiency
 from .verdicts.letters import any_ink as any_ink
 from .verdicts.letters import d_becomes_p as d_becomes_p
-from .verdicts.letters import decay_term as decay_term
-from .verdicts.letters import goal_changes as goal_changes
-from .verdicts.letters import goal_on_start as goal_on_start
-from .verdicts.letters import huge_accelerations as huge_accelerations
 from .verdicts.letters import redrawn_letters as redrawn_letters
 from .verdicts.letters import strokes_from_height as strokes_from_height
 from .verdicts.letters import writing_style as writing_style

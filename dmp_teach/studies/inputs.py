@@ -1,4 +1,4 @@
-"""What a study is made on: strokes that know their letter and their writer."""
+"""The inputs of a study: strokes that know their letter and their writer."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from dmp_teach.ink import Recording, alphabets, recording_of
 from dmp_teach.scoring import size_of
 from dmp_teach.trajectory import Trajectory
 
-OURS = "abeDBmM"
-"""The letters of the paper, taken from each of our own alphabets where no recordings are given."""
+PAPER_LETTERS = "abeDBmM"
+"""The letters of the paper, from each of our alphabets where no recordings are given."""
 
 
 @dataclass(frozen=True)
@@ -33,7 +33,7 @@ class Written:
 
     @property
     def name(self) -> str:
-        """Such as "a w01"."""
+        """The name, such as "a w01"."""
         return f"{self.character} {self.writer}"
 
     @property
@@ -51,28 +51,27 @@ class Stroke:
     path: Trajectory
 
 
-def own_recordings(letters: str = OURS) -> tuple[Recording, ...]:
-    """These letters of every alphabet of ours."""
+def own_recordings(letters: str = PAPER_LETTERS) -> tuple[Recording, ...]:
+    """Return these letters of every alphabet of ours."""
     return tuple(recording_of(letter, alphabet) for letter in letters for alphabet in alphabets())
 
 
-def recordings_of(recordings: Any = None) -> tuple:
-    """What was given, as a tuple; our own letters where nothing was.
+def list_recordings(recordings: Any = None) -> tuple:
+    """Return what was given as a tuple, files read; our own letters where nothing was.
 
     Raises:
         RecordingError: Something that no letter can be read from, or nothing at all.
     """
     if recordings is None:
         return own_recordings()
-    if isinstance(recordings, (Recording, Trajectory, Written, str, os.PathLike)):
+    if isinstance(recordings, Recording | Trajectory | Written | str | os.PathLike):
         recordings = (recordings,)
     if not isinstance(recordings, Iterable):
         raise RecordingError(
             f"recordings is {kind_of(recordings)}, but must be recordings, or their files."
         )
     read = tuple(
-        read_recording(each) if isinstance(each, (str, os.PathLike)) else each
-        for each in recordings
+        read_recording(each) if isinstance(each, str | os.PathLike) else each for each in recordings
     )
     if not read:
         raise RecordingError(
@@ -81,24 +80,24 @@ def recordings_of(recordings: Any = None) -> tuple:
     return read
 
 
-def letters_of(recordings: Any = None) -> tuple[Written, ...]:
-    """Every letter, cut into its strokes.
+def list_letters(recordings: Any = None) -> tuple[Written, ...]:
+    """Return every letter, cut into its strokes.
 
     Args:
-        recordings: `Recording`s, files of them, or strokes (`Trajectory`, or a tuple of them for a letter).
+        recordings: `Recording`s, files of them, or strokes (`Trajectory`, or a tuple of them for a
+            letter); None takes our own alphabets.
 
     Raises:
         RecordingError: Something that no letter can be read from, or nothing at all.
     """
-    return tuple(
-        _letter(each, number) for number, each in enumerate(recordings_of(recordings), start=1)
-    )
+    given = list_recordings(recordings)
+    return tuple(_letter(each, number) for number, each in enumerate(given, start=1))
 
 
-def strokes_of(recordings: Any = None) -> tuple[Stroke, ...]:
-    """Every stroke of every letter."""
+def named_strokes(recordings: Any = None) -> tuple[Stroke, ...]:
+    """Return every stroke of every letter."""
     found = []
-    for letter in letters_of(recordings):
+    for letter in list_letters(recordings):
         for number, path in enumerate(letter.strokes, start=1):
             name = letter.name if len(letter.strokes) == 1 else f"{letter.name} {number}"
             found.append(Stroke(name, letter.character, path))
@@ -106,16 +105,17 @@ def strokes_of(recordings: Any = None) -> tuple[Stroke, ...]:
 
 
 def _letter(given: Any, number: int) -> Written:
-    """One letter, whatever it was given as."""
+    """Return one letter, whatever it was given as."""
     if isinstance(given, Written):
         return given
-    if isinstance(given, Trajectory):
-        return Written("?", str(number), (given,))
     if isinstance(given, Recording):
         return Written(given.character or "?", given.writer or str(number), given.strokes())
+    if isinstance(given, Trajectory):
+        given = (given,)
     strokes = tuple(given) if isinstance(given, Iterable) else ()
     if not strokes or not all(isinstance(stroke, Trajectory) for stroke in strokes):
         raise RecordingError(
-            f"recordings[{number - 1}] is {kind_of(given)}, but must be a recording, its file, or strokes (Trajectory)."
+            f"recordings[{number - 1}] is {kind_of(given)}, but must be a recording, its file, or "
+            "strokes (Trajectory)."
         )
     return Written("?", str(number), strokes)

@@ -1,46 +1,66 @@
-"""Rows that a student can read: as text, and as HTML in a notebook."""
+"""Tables of a study's rows: as text, and as HTML in a notebook."""
 
 from __future__ import annotations
 
 import html
 from collections.abc import Mapping, Sequence
+from dataclasses import fields
 from textwrap import wrap
-from typing import Any
+from typing import Any, ClassVar
 
+import numpy as np
+
+from dmp_teach.trajectory import locked
+
+# One mapping for each row, all with the same keys; units stand in the keys.
 Rows = tuple[Mapping[str, Any], ...]
 
 
 class Tabled:
-    """A value that has `rows()`: mappings with the same keys, units in the keys."""
+    """A dataclass of locked arrays that is shown as a table of its `rows()`."""
+
+    COLUMN_WIDTHS: ClassVar[Mapping[str, int]] = {}
+    STYLES: ClassVar[Mapping[str, str]] = {}
+
+    def __post_init__(self) -> None:
+        for each in fields(self):  # type: ignore[arg-type]  # every subclass is a dataclass
+            value = getattr(self, each.name)
+            if isinstance(value, np.ndarray):
+                object.__setattr__(self, each.name, locked(value, dtype=value.dtype))
 
     def rows(self) -> Rows:
-        """One mapping for each row."""
+        """Return one mapping for each row."""
         raise NotImplementedError
 
     def table(self) -> str:
-        """The rows as a table in plain text."""
-        return text_table(self.rows())
+        """Return the rows as a table in plain text."""
+        return text_table(self.rows(), self.COLUMN_WIDTHS)
 
     def __str__(self) -> str:
         return self.table()
 
     def _repr_html_(self) -> str:
-        """The rows as a table in a notebook."""
-        return html_table(self.rows())
+        """Return the rows as a table in a notebook."""
+        return html_table(self.rows(), self.STYLES)
 
 
-def text_table(rows: Rows, widths: Mapping[str, int] | None = None, apart: bool = False) -> str:
-    """Rows in aligned columns; `widths` says where the words of a column are broken, `apart` puts a line between."""
+def text_table(rows: Rows, widths: Mapping[str, int]) -> str:
+    """Return rows in aligned columns.
+
+    Args:
+        rows: With the same keys.
+        widths: Where the words of a column are broken; with any, an empty line parts the rows.
+    """
     if not rows:
         return "(no rows)"
     heads = list(rows[0])
-    cells = [[_broken(head, widths, head) for head in heads]]
-    cells += [[_broken(row[head], widths, head) for head in heads] for row in rows]
+    cells = [[_cell(head, widths.get(head)) for head in heads]]
+    cells += [[_cell(row[head], widths.get(head)) for head in heads] for row in rows]
     wide = [max(len(line) for row in cells for line in row[k]) for k in range(len(heads))]
-    right = [all(isinstance(row[head], (int, float)) for row in rows) for head in heads]
+    right = [all(isinstance(row[head], int | float) for row in rows) for head in heads]
     lines = []
     for number, row in enumerate(cells):
-        if apart and number > 1:
+        if widths and number > 1:
             lines.append("")
         for k in range(max(map(len, row))):
             words = [cell[k] if k < len(cell) else "" for cell in row]
@@ -53,35 +73,34 @@ def text_table(rows: Rows, widths: Mapping[str, int] | None = None, apart: bool 
     return "\n".join(lines)
 
 
-def html_table(rows: Rows, marks: Mapping[str, str] | None = None) -> str:
-    """Rows as an HTML table; `marks` gives words their own style."""
+def html_table(rows: Rows, styles: Mapping[str, str]) -> str:
+    """Return rows as an HTML table; `styles` gives some words a style of their own."""
     if not rows:
         return "<p>(no rows)</p>"
-    left = "text-align:left;vertical-align:top"
-    head = "".join(f'<th style="{left}">{html.escape(name)}</th>' for name in rows[0])
-    body = ""
-    for row in rows:
-        cells = [(shown(value), (marks or {}).get(str(value), "")) for value in row.values()]
-        body += (
-            "<tr>"
-            + "".join(f'<td style="{left};{mark}">{html.escape(cell)}</td>' for cell, mark in cells)
-            + "</tr>"
+
+    def row_of(tag: str, values: Sequence[Any]) -> str:
+        cells = (
+            f'<{tag} style="text-align:left;vertical-align:top;{styles.get(str(value), "")}">'
+            f"{html.escape(cell_text(value))}</{tag}>"
+            for value in values
         )
-    return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
+        return f"<tr>{''.join(cells)}</tr>"
+
+    body = "".join(row_of("td", list(row.values())) for row in rows)
+    return f"<table><thead>{row_of('th', list(rows[0]))}</thead><tbody>{body}</tbody></table>"
 
 
-def shown(value: Any) -> str:
-    """A cell: numbers with four digits."""
+def cell_text(value: Any) -> str:
+    """Return a cell: numbers with four digits."""
     if isinstance(value, bool):
         return "yes" if value else "no"
     if isinstance(value, float):
         return f"{value:.4g}"
     if isinstance(value, Sequence) and not isinstance(value, str):
-        return ", ".join(map(shown, value))
+        return ", ".join(map(cell_text, value))
     return str(value)
 
 
-def _broken(value: Any, widths: Mapping[str, int] | None, head: str) -> list[str]:
-    """A cell as lines."""
-    text = shown(value)
-    return (wrap(text, widths[head]) or [""]) if widths and head in widths else [text]
+def _cell(value: Any, width: int | None) -> list[str]:
+    """Return a cell as lines."""
+    return (wrap(cell_text(value), width) or [""]) if width else [cell_text(value)]

@@ -1,7 +1,8 @@
 """Writers drawn by lot, who write any letter of our alphabet as often as asked, never twice alike.
 
-What makes a writer: lean, width, size, pace, and habits, a smooth bending of the page that is the same in all his
-letters; each letter has a little of its own, and each take a little more. The hand model of our alphabets writes.
+What makes a writer: lean, width, size, pace, and habits, a smooth bending of the page that is the
+same in all his letters; each letter has a little of its own, and each take a little more. The hand
+model of our alphabets writes.
 """
 
 import sys

@@ -1,4 +1,4 @@
-"""A made letter among real ones: a P made of a D looks like its writer's own Ps, unless the primitive spoils it."""
+"""A P made of a D looks like its writer's own Ps, unless the primitive spoils it."""
 
 from concurrent.futures import ThreadPoolExecutor
 
@@ -18,7 +18,7 @@ STAR, SIMILAR, ORIGINAL, ONLY_MOVED = (
 
 @pytest.fixture(scope="module")
 def class_of_ten():
-    """Letters of which P, R, B, b, d, p, q and m are made, and these letters themselves, by each of ten writers."""
+    """Letters of which P, R, B, b, d, p, q and m are made, and these, by each of ten writers."""
     return [Pupil(seed).writes(character) for seed in range(10) for character in "DPRBlonmbdpq"]
 
 

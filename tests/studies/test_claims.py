@@ -1,4 +1,4 @@
-"""The paper's claims: computed from whatever is given, reproduced by their calls, and turned by other data."""
+"""The paper's claims: computed, reproduced by their calls, and turned by other data."""
 
 from dataclasses import replace
 from itertools import product
@@ -16,11 +16,24 @@ from dmp_teach.studies.authorship.made import question
 from dmp_teach.studies.experiments.d_to_p import make_p_from_d
 from dmp_teach.studies.experiments.error_curves import ErrorCurves
 from dmp_teach.studies.experiments.star_vs_original import OriginalComparison
-from dmp_teach.studies.experiments.stroke_segmentation import Found, Segmentation, SegmentationCase
+from dmp_teach.studies.experiments.stroke_segmentation import (
+    RuleResult,
+    Segmentation,
+    SegmentationCase,
+)
+from dmp_teach.studies.verdicts import goals as on_goals
 from dmp_teach.studies.verdicts import kernels as on_kernels
 from dmp_teach.studies.verdicts import letters as on_letters
-from dmp_teach.studies.verdicts.all import ALL, claims
-from dmp_teach.studies.verdicts.claim import DEPENDS, FAILS, HOLDS, judged, mm, per_cent, times
+from dmp_teach.studies.verdicts.all import ALL_CLAIMS, claims
+from dmp_teach.studies.verdicts.claim import (
+    DEPENDS,
+    FAILS,
+    HOLDS,
+    as_times,
+    mm,
+    per_cent,
+    verdict_over,
+)
 from dmp_teach.studies.verdicts.evidence import Evidence
 from dmp_teach.trajectory import Trajectory
 from tests.dmp.ink import letter
@@ -48,7 +61,7 @@ def again(row, recordings):
 
 
 def test_every_claim_of_the_paper_has_a_row(ours):
-    assert len(ours) == len(ALL) == 17
+    assert len(ours) == len(ALL_CLAIMS) == 17
     assert len({row.name for row in ours}) == 17
     for row in ours:
         assert row.verdict in (HOLDS, FAILS, DEPENDS)
@@ -124,15 +137,15 @@ def test_claims_are_about_ink_on_a_page():
 
 
 def test_a_verdict_is_over_all_cases():
-    assert judged({"a": True, "b": True}) == (HOLDS, "holds for: a; b")
-    assert judged({"a": False}) == (FAILS, "fails for: a")
-    assert judged({"a": True, "b": False}) == (DEPENDS, "holds for: a. Not for: b")
+    assert verdict_over({"a": True, "b": True}) == (HOLDS, "holds for: a; b")
+    assert verdict_over({"a": False}) == (FAILS, "fails for: a")
+    assert verdict_over({"a": True, "b": False}) == (DEPENDS, "holds for: a. Not for: b")
 
 
 def test_numbers_in_sentences_have_two_digits():
     assert [mm(x) for x in (0.000123, 0.0123, 2.5, 250.0)] == ["0.12 mm", "12 mm", "2.5 m", "250 m"]
     assert [per_cent(x) for x in (0.0123, 0.5, 0.0)] == ["1.2 %", "50 %", "0 %"]
-    assert [times(x) for x in (1.23, 123.4)] == ["1.2 times", "123 times"]
+    assert [as_times(x) for x in (1.23, 123.4)] == ["1.2 times", "123 times"]
 
 
 # Made-up data: the same function, another verdict.
@@ -226,19 +239,19 @@ def test_redrawn_letters_are_identical_only_if_the_kernels_leave_no_gap():
 
 
 def test_only_the_original_stays_at_its_start():
-    assert on_letters.goal_on_start(made()).verdict == HOLDS
-    assert on_letters.goal_on_start(made(original=Settings.star())).verdict == FAILS
+    assert on_goals.goal_on_start(made()).verdict == HOLDS
+    assert on_goals.goal_on_start(made(original=Settings.star())).verdict == FAILS
 
 
 def test_goals_change_well_only_with_dmp_star():
-    assert on_letters.goal_changes(made()).verdict == HOLDS
-    assert on_letters.goal_changes(made(star=Settings.original())).verdict == FAILS
-    assert on_letters.goal_changes(made(original=Settings.star())).verdict != HOLDS
+    assert on_goals.goal_changes(made()).verdict == HOLDS
+    assert on_goals.goal_changes(made(star=Settings.original())).verdict == FAILS
+    assert on_goals.goal_changes(made(original=Settings.star())).verdict != HOLDS
 
 
 def test_accelerations_are_huge_only_with_the_original():
-    assert on_letters.huge_accelerations(made()).verdict in (HOLDS, DEPENDS)
-    assert on_letters.huge_accelerations(made(original=Settings.star())).verdict == FAILS
+    assert on_goals.huge_accelerations(made()).verdict in (HOLDS, DEPENDS)
+    assert on_goals.huge_accelerations(made(original=Settings.star())).verdict == FAILS
 
 
 def test_the_decay_term_is_judged_by_what_it_leaves():
@@ -247,7 +260,7 @@ def test_the_decay_term_is_judged_by_what_it_leaves():
         first = SimpleNamespace(
             shift=0.01, without=ones, with_term=with_term * ones, fed=fed * ones
         )
-        assert on_letters.decay_term(made(first=first)).verdict == verdict
+        assert on_goals.decay_term(made(first=first)).verdict == verdict
 
 
 def test_accuracy_and_efficiency_are_two_things():
@@ -274,9 +287,9 @@ def test_a_p_is_neat_sheared_or_none():
 
 def test_strokes_are_found_as_often_as_they_are_found():
     for right, verdict in ((10, HOLDS), (7, DEPENDS), (2, FAILS)):
-        found = [Found(2, k < right) for k in range(10)]
+        found = [RuleResult(2, k < right) for k in range(10)]
         items = tuple(
-            SegmentationCase("D w", 2, True, Found(2, True), each, Found(1, False), True)
+            SegmentationCase("D w", 2, True, RuleResult(2, True), each, RuleResult(1, False), True)
             for each in found
         )
         assert on_letters.strokes_from_height(made(lifts=Segmentation(items))).verdict == verdict

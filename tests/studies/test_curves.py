@@ -7,7 +7,7 @@ from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import SettingError
 from dmp_teach.studies.experiments.error_curves import (
-    WIDTHS,
+    SWEPT_WIDTHS,
     sweep_kernel_number,
     sweep_kernel_width,
 )
@@ -28,7 +28,7 @@ def test_a_curve_holds_what_one_gets_by_hand():
 
 def test_every_kernel_and_fit_has_its_error_at_every_width():
     curves = sweep_kernel_width(INK[:1])
-    assert curves.error.shape == (len(WIDTH_VARIANTS), 1, len(WIDTHS))
+    assert curves.error.shape == (len(WIDTH_VARIANTS), 1, len(SWEPT_WIDTHS))
     missing = np.isnan(curves.error)
     assert missing.sum() == 1  # a mollifier without ends
     assert missing[curves.variants.index("mollifier, LWR"), 0, -1]

@@ -16,9 +16,13 @@ from dmp_teach.studies.experiments.goal_change import (
     draw_goal_change,
     trace_goal_change,
 )
-from dmp_teach.studies.experiments.goal_near_start import change_goals_near_start, closed_up
+from dmp_teach.studies.experiments.goal_near_start import change_goals_near_start, close_up
 from dmp_teach.studies.experiments.initial_acceleration import measure_initial_acceleration
-from dmp_teach.studies.experiments.joint_demand import ARM, arm_at_table, greatest_acceleration
+from dmp_teach.studies.experiments.joint_demand import (
+    ARM_JOINTS,
+    arm_at_table,
+    greatest_acceleration,
+)
 from dmp_teach.studies.experiments.variants import rms_error
 from dmp_teach.trajectory import Trajectory
 from tests.dmp.ink import letter
@@ -74,9 +78,9 @@ def test_traces_end_at_the_new_goal_and_velocity_belongs_to_position():
 
 
 @pytest.mark.parametrize("axis", [0, 1])
-def test_a_closed_up_stroke_ends_where_it_should_and_starts_as_it_did(axis):
+def test_a_close_up_stroke_ends_where_it_should_and_starts_as_it_did(axis):
     ink = letter(200, 2.0, seed=5)
-    bent = closed_up(ink, axis, 0.002)
+    bent = close_up(ink, axis, 0.002)
     assert bent.position[-1, axis] - bent.position[0, axis] == pytest.approx(0.002)
     np.testing.assert_array_equal(bent.position[0], ink.position[0])
     np.testing.assert_array_equal(bent.position[:, 1 - axis], ink.position[:, 1 - axis])
@@ -103,9 +107,9 @@ def test_the_decay_term_leaves_nothing_of_the_first_jump():
 
 
 def test_joint_speeds_move_the_pen_as_they_should():
-    """By another route: the joints turned at those speeds for a moment, and the pen where the model says."""
+    """By another route: the joints turned for a moment, and the pen where the model says."""
     model, arm = Model.load(), arm_at_table()
-    limits = np.array([model.joint(name).velocity for name in ARM])
+    limits = np.array([model.joint(name).velocity for name in ARM_JOINTS])
     for k, world in enumerate(([0.0, -1.0, 0.0], [1.0, 0.0, 0.0])):
         q = np.array([START_POSTURES[0], START_POSTURES[0]])
         q[1, 1:] += 1e-4 * arm.speed[:, k] * limits
@@ -117,6 +121,6 @@ def test_joint_speeds_move_the_pen_as_they_should():
 def test_twice_as_fast_asks_twice_the_speed_and_four_times_the_torque():
     ink = letter(200, 2.0, seed=6)
     quick = Trajectory(ink.t / 2, ink.position)
-    speed, effort = arm_at_table().asked(ink)
-    np.testing.assert_allclose(arm_at_table().asked(quick), (2 * speed, 4 * effort))
+    speed, effort = arm_at_table().demand(ink)
+    np.testing.assert_allclose(arm_at_table().demand(quick), (2 * speed, 4 * effort))
     assert greatest_acceleration(quick) == pytest.approx(4 * greatest_acceleration(ink))

@@ -7,10 +7,10 @@ from dmp_teach.dmp.settings import Settings
 from dmp_teach.ink.alphabet import alphabets, recording_of
 from dmp_teach.ink.recording import Recording
 from dmp_teach.studies.experiments.d_to_p import make_p_from_d
-from dmp_teach.studies.experiments.random_ink import KINDS, draw_random_ink, learn_random_ink
+from dmp_teach.studies.experiments.random_ink import INK_KINDS, draw_random_ink, learn_random_ink
 from dmp_teach.studies.experiments.redraw import redraw_at_widths, redraw_letters, width_name
 from dmp_teach.studies.experiments.stroke_segmentation import compare_segmentation
-from dmp_teach.studies.inputs import letters_of, own_recordings
+from dmp_teach.studies.inputs import list_letters, own_recordings
 from dmp_teach.trajectory import Trajectory
 from tests.dmp.ink import letter
 
@@ -114,7 +114,7 @@ def test_what_has_no_height_is_left_out():
     assert compare_segmentation([letter()]).items == ()
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", INK_KINDS)
 def test_random_ink_is_what_its_name_says(kind):
     for seed in range(5):
         ink = draw_random_ink(kind, 2.0, np.random.default_rng(seed))
@@ -133,4 +133,4 @@ def test_the_same_seed_gives_the_same_ink():
     once, again = (learn_random_ink(rates=(1.0, 3.0), pieces=3, seed=4) for _ in range(2))
     np.testing.assert_array_equal(once.error, again.error)
     assert (learn_random_ink(rates=(1.0, 3.0), pieces=3, seed=5).error != once.error).any()
-    assert len(letters_of(draw_random_ink("waves", 1.0, np.random.default_rng(0)))) == 1
+    assert len(list_letters(draw_random_ink("waves", 1.0, np.random.default_rng(0)))) == 1

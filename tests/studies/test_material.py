@@ -5,7 +5,7 @@ import pytest
 from dmp_teach.errors import RecordingError
 from dmp_teach.ink.alphabet import recording_of
 from dmp_teach.ink.recording_json import write_json
-from dmp_teach.studies.inputs import letters_of, strokes_of
+from dmp_teach.studies.inputs import list_letters, named_strokes
 from tests.dmp.ink import letter
 
 
@@ -13,31 +13,31 @@ def test_recordings_files_and_strokes_are_all_letters(tmp_path):
     d = recording_of("D")
     write_json(d, tmp_path / "d.json")
     for given in ([d], d, [tmp_path / "d.json"], str(tmp_path / "d.json"), [d.strokes()]):
-        (found,) = letters_of(given)
+        (found,) = list_letters(given)
         assert [len(stroke) for stroke in found.strokes] == [len(stroke) for stroke in d.strokes()]
-    assert letters_of(d)[0].name == f"D {d.writer}"
-    letters = letters_of(d)
-    assert letters_of(letters) == letters
+    assert list_letters(d)[0].name == f"D {d.writer}"
+    letters = list_letters(d)
+    assert list_letters(letters) == letters
 
 
 def test_strokes_are_named_by_letter_writer_and_number():
-    assert [each.name for each in strokes_of([recording_of("D")])] == [
+    assert [each.name for each in named_strokes([recording_of("D")])] == [
         "D writer-1 1",
         "D writer-1 2",
     ]
-    assert [each.name for each in strokes_of([letter()])] == ["? 1"]
+    assert [each.name for each in named_strokes([letter()])] == ["? 1"]
 
 
 def test_without_recordings_our_alphabets_are_taken():
-    found = letters_of()
+    found = list_letters()
     assert {each.writer for each in found} == {"writer-1", "writer-2"}
     assert {"a", "b", "e", "m", "D"} <= {each.character for each in found}
 
 
 def test_what_is_no_recording_is_named():
     with pytest.raises(RecordingError, match=r"recordings\[0\] is an int, but must be a recording"):
-        letters_of([3])
+        list_letters([3])
     with pytest.raises(RecordingError, match="recordings is an int, but must be recordings"):
-        letters_of(3)
+        list_letters(3)
     with pytest.raises(RecordingError, match="recordings is empty; give at least one"):
-        letters_of([])
+        list_letters([])

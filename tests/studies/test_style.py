@@ -1,4 +1,4 @@
-"""Whose letter is it? Writers who differ are told apart, one person is not, and made letters stay their writer's."""
+"""Writers who differ are told apart, one person is not, and made letters stay their writer's."""
 
 from concurrent.futures import ThreadPoolExecutor
 
@@ -9,16 +9,16 @@ from hypothesis import strategies as st
 
 from dmp_teach.errors import LetterError, SettingError
 from dmp_teach.ink.alphabet import recording_of
-from dmp_teach.studies.authorship.answers import Answers, luck_of
+from dmp_teach.studies.authorship.answers import Answers, permutation_luck
 from dmp_teach.studies.authorship.made import attribute_made_letters, directions, question
 from dmp_teach.studies.authorship.real import (
-    HAND,
-    SHAPE,
-    TAKES,
+    BY_MOVEMENT,
+    BY_SHAPE,
+    BY_TAKES,
     classify_writers,
-    fresh,
-    hand,
-    signature,
+    distinct_takes,
+    movement_features,
+    shape_features,
 )
 from dmp_teach.studies.inputs import Written
 from dmp_teach.trajectory import Trajectory
@@ -60,11 +60,11 @@ def made(class_of_eight):
 
 def test_writers_are_told_apart_on_real_letters(class_of_eight):
     found = classify_writers(class_of_eight)
-    takes = found[TAKES]
+    takes = found[BY_TAKES]
     assert takes.right[1] == 8 * 3
     assert takes.chance == pytest.approx(2 / 23)
     assert takes.rate >= 0.8
-    assert found[SHAPE].right[1] == found[HAND].right[1] == 8 * 4
+    assert found[BY_SHAPE].right[1] == found[BY_MOVEMENT].right[1] == 8 * 4
     for each in found:
         assert each.luck <= 0.01
         assert each.interval[0] > each.chance
@@ -86,7 +86,7 @@ def test_made_letters_are_given_to_their_writer(made):
 
 
 def test_the_original_form_loses_the_style(made):
-    """So the question can be answered wrongly; it is, most of all, where ends vary to both sides of the start."""
+    """So the question can be answered wrongly, most of all where ends vary to both sides."""
     for varied, less in ((False, 0.1), (True, 0.4)):
         star, original = (made[question(way, varied, True)] for way in ("DMP*", "original"))
         assert original.rate < star.rate - less
@@ -114,9 +114,9 @@ def test_a_take_that_was_exported_twice_is_one_take(class_of_eight):
         for s in first.strokes
     )
     again = Written(first.character, first.writer, finer)
-    assert fresh([first, again, class_of_eight[32]]) == [first, class_of_eight[32]]
+    assert distinct_takes([first, again, class_of_eight[32]]) == [first, class_of_eight[32]]
     ones = [Pupil(seed).writes("a") for seed in range(3)]
-    assert not classify_writers([*ones, Written("a", "w0", finer)])[TAKES].items
+    assert not classify_writers([*ones, Written("a", "w0", finer)])[BY_TAKES].items
 
 
 def test_whoever_lacks_a_letter_is_left_out_and_nothing_is_asked_of_one_letter():
@@ -124,7 +124,7 @@ def test_whoever_lacks_a_letter_is_left_out_and_nothing_is_asked_of_one_letter()
     found = classify_writers(
         [each.writes("a") for each in pupils] + [pupils[0].writes("D"), pupils[1].writes("D")]
     )
-    assert set(found[SHAPE].writers) == {"w0", "w1"}
+    assert set(found[BY_SHAPE].writers) == {"w0", "w1"}
     (nothing, *_) = classify_writers([each.writes("a") for each in pupils])
     assert (nothing.right, nothing.luck) == ((0, 0), 1.0)
     assert np.isnan([nothing.rate, *nothing.interval, nothing.chance]).all()
@@ -196,12 +196,14 @@ def test_a_question_that_was_not_asked_is_refused_and_all_are_rows(made):
 def test_place_and_size_do_not_count(scale, x, y):
     strokes = recording_of("D").strokes()
     moved = [Trajectory(s.t, scale * s.position + [x, y]) for s in strokes]
-    np.testing.assert_allclose(signature(moved), signature(strokes), atol=1e-6)
+    np.testing.assert_allclose(shape_features(moved), shape_features(strokes), atol=1e-6)
     np.testing.assert_allclose(
         directions(moved[1].position), directions(strokes[1].position), atol=1e-6
     )
     np.testing.assert_allclose(
-        hand(moved) - hand(strokes), [0, np.log(scale), np.log(scale), 0], atol=1e-5
+        movement_features(moved) - movement_features(strokes),
+        [0, np.log(scale), np.log(scale), 0],
+        atol=1e-5,
     )
 
 
@@ -210,7 +212,7 @@ def test_place_and_size_do_not_count(scale, x, y):
 def test_lean_counts(lean):
     strokes = recording_of("D").strokes()
     leaned = [Trajectory(s.t, s.position @ [[1, 0], [lean, 1]]) for s in strokes]
-    apart = signature(leaned) - signature(strokes)
+    apart = shape_features(leaned) - shape_features(strokes)
     assert apart[-2] == pytest.approx(lean, rel=0.15)  # the points lie elsewhere along longer ink
     assert (
         np.linalg.norm(directions(leaned[1].position) - directions(strokes[1].position))
@@ -241,10 +243,10 @@ def test_every_writer_counts_alike_and_as_one():
 
 def test_luck_is_the_share_of_shuffles_that_do_as_well():
     names = np.arange(3)
-    luck = luck_of(lambda order: int((names[order] == names).sum()), [0, 0, 0])
+    luck = permutation_luck(lambda order: int((names[order] == names).sum()), [0, 0, 0])
     assert luck == pytest.approx(1 / 6, abs=0.04)
-    assert luck_of(lambda order: 1, [0, 1, 2]) == 1.0
-    assert luck_of(lambda order: 0, []) == 1.0
+    assert permutation_luck(lambda order: 1, [0, 1, 2]) == 1.0
+    assert permutation_luck(lambda order: 0, []) == 1.0
 
 
 @pytest.mark.parametrize("study", [classify_writers, attribute_made_letters])

@@ -1,1 +1,1 @@
-"""Whose letter is it."""
+"""Studies of who wrote a letter."""

@@ -1,4 +1,4 @@
-"""Who wrote this? Answers to such questions: how many are right, how sure that is, and what a guess would give."""
+"""Attributions of letters to writers: how many are right, how sure that is, and by chance."""
 
 from __future__ import annotations
 
@@ -6,13 +6,15 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from dmp_teach.errors import SettingError
 from dmp_teach.studies.tables import Rows, Tabled
 from dmp_teach.trajectory import Array
 
-SHUFFLES = 999
-Z = 1.959964  # 95 % of a normal distribution lie within so many deviations
+PERMUTATIONS = 999
+# 95 % of a normal distribution lie within so many standard deviations.
+NORMAL_95 = 1.959964
 
 
 @dataclass(frozen=True)
@@ -20,10 +22,12 @@ class Answers:
     """One question, asked of many letters.
 
     Args:
-        question: What was asked, in words.
-        items: Who wrote each letter, and who was named; None where nothing could be drawn, which counts as wrong.
-        chance: The rate of somebody who guesses, 0 to 1.
-        luck: How often names that were shuffled are hit as often or more often, 0 to 1; 1 where nothing was asked.
+        question: In words.
+        items: Who wrote each letter, and who was named; None where nothing could be drawn, which
+            counts as wrong.
+        chance: The rate of random guesses, 0 to 1.
+        luck: How often permuted names are hit as often or more often, 0 to 1; 1 where nothing was
+            asked.
     """
 
     question: str
@@ -43,38 +47,37 @@ class Answers:
 
     @property
     def rate(self) -> float:
-        """The part that was named rightly, every writer counting alike; NaN where nothing was asked."""
-        own = self._own()
-        return float(np.mean(own)) if own else float("nan")
+        """The rate of right names, every writer counting alike; NaN where nothing was asked."""
+        rates = self._rates()
+        return float(np.mean(rates)) if rates else float("nan")
 
     @property
     def interval(self) -> tuple[float, float]:
-        """In which the rate lies for other writers, 95 % (Wilson 1927); NaN where nothing was asked.
+        """In which the rate lies for other writers, 95 % (Wilson 1927); NaN for nothing asked.
 
-        Letters by one writer are right or wrong together, so each writer counts as one answer, however many letters
-        there are by him. For three writers it is wide even if all answers are right: three are few.
+        Letters by one writer are right or wrong together, so each writer counts as one answer. For
+        three writers it is wide even if all answers are right: three are few.
         """
-        n, p = len(self._own()), self.rate
+        n, p, z = len(self._rates()), self.rate, NORMAL_95
         if not n:
             return float("nan"), float("nan")
-        middle, half = p + Z**2 / (2 * n), Z * np.sqrt(p * (1 - p) / n + Z**2 / (4 * n**2))
-        return max(0.0, float((middle - half) / (1 + Z**2 / n))), min(
-            1.0, float((middle + half) / (1 + Z**2 / n))
-        )
+        middle, half = p + z**2 / (2 * n), z * np.sqrt(p * (1 - p) / n + z**2 / (4 * n**2))
+        low, high = (middle - half) / (1 + z**2 / n), (middle + half) / (1 + z**2 / n)
+        return max(0.0, float(low)), min(1.0, float(high))
 
     @property
     def confusion(self) -> Array:
-        """Who wrote (rows) and who was named (columns), in parts of each writer's letters, shape (W, W)."""
+        """Who wrote (rows) and who was named (columns), as shares of each row, shape (W, W)."""
         row = {writer: number for number, writer in enumerate(self.writers)}
         counts = np.zeros((len(row), len(row)))
         for writer, named in self.items:
             if named is not None:
                 counts[row[writer], row[named]] += 1
-        asked = np.array([sum(writer == each for each, _ in self.items) for writer in row])
-        return counts / np.maximum(asked, 1)[:, None]
+        written = np.array([sum(writer == each for each, _ in self.items) for writer in row])
+        return counts / np.maximum(written, 1)[:, None]
 
-    def _own(self) -> list[float]:
-        """Each writer's rate."""
+    def _rates(self) -> list[float]:
+        """Return each writer's rate."""
         hits: dict[str, list[bool]] = {}
         for writer, named in self.items:
             hits.setdefault(writer, []).append(writer == named)
@@ -87,7 +90,8 @@ class Attributions(Tabled):
 
     Args:
         items: The questions with their answers.
-        borrowed: Whether nothing could be asked of what was given, so that our own alphabets were taken.
+        borrowed: Whether nothing could be asked of what was given, so that our own alphabets were
+            taken.
     """
 
     items: tuple[Answers, ...]
@@ -97,7 +101,7 @@ class Attributions(Tabled):
         return iter(self.items)
 
     def __getitem__(self, question: str) -> Answers:
-        """One question.
+        """Return one question.
 
         Raises:
             SettingError: It was not asked; names those that were.
@@ -105,12 +109,11 @@ class Attributions(Tabled):
         for each in self.items:
             if each.question == question:
                 return each
-        raise SettingError(
-            f"{question!r} was not asked; asked was: {', '.join(each.question for each in self.items)}."
-        )
+        names = ", ".join(each.question for each in self.items)
+        raise SettingError(f"{question!r} was not asked; asked was: {names}.")
 
     def rows(self) -> Rows:
-        """One for each question."""
+        """Return one row for each question."""
         return tuple(
             {
                 "question": each.question,
@@ -126,13 +129,16 @@ class Attributions(Tabled):
         )
 
 
-def luck_of(hits: Callable[[np.ndarray], int], strata: Sequence[int], seed: int = 0) -> float:
-    """How often shuffled names are hit as often as the true ones, or more often (a permutation test).
+def permutation_luck(
+    hits: Callable[[NDArray[np.int_]], int], strata: Sequence[int], seed: int = 0
+) -> float:
+    """Return how often permuted names are hit as often as the true ones, or more often.
 
     Args:
-        hits: How many answers are right if letter k bears the name of letter order[k], where order has shape (L,).
-        strata: Names are shuffled among letters with the same number here, shape (L,).
-        seed: Of the shuffles.
+        hits: How many answers are right if letter k bears the name of letter order[k], where order
+            has shape (L,).
+        strata: Names are permuted among letters with the same number here, shape (L,).
+        seed: Of the permutations.
     """
     groups = np.asarray(strata, dtype=int)
     if not len(groups):
@@ -140,24 +146,27 @@ def luck_of(hits: Callable[[np.ndarray], int], strata: Sequence[int], seed: int 
     rng = np.random.default_rng(seed)
     places = [np.flatnonzero(groups == group) for group in np.unique(groups)]
     found, reached = hits(np.arange(len(groups))), 1
-    for _ in range(SHUFFLES):
+    for _ in range(PERMUTATIONS):
         order = np.empty(len(groups), dtype=int)
         for place in places:
             order[place] = rng.permutation(place)
         reached += hits(order) >= found
-    return reached / (SHUFFLES + 1)
+    return reached / (PERMUTATIONS + 1)
 
 
-def luck_of_takes(asked: Sequence[tuple[int, str, str | None]]) -> float:
-    """How often it is as good with the takes' names shuffled; all that was made of one take keeps together."""
-    whose = {take: writer for take, writer, _ in asked}
+def takes_luck(answers: Sequence[tuple[int, str, str | None]]) -> float:
+    """Return the same with the takes' names permuted; all that is made of one take stays together.
+
+    Args:
+        answers: The number of a take, who wrote it, and who was named.
+    """
+    whose = {take: writer for take, writer, _ in answers}
     names = sorted(set(whose.values()))
     row = {take: number for number, take in enumerate(whose)}
     counts = np.zeros((len(whose), len(names)), dtype=int)
-    for take, _, name in asked:
+    for take, _, name in answers:
         if name is not None:
             counts[row[take], names.index(name)] += 1
-    code = np.array([names.index(writer) for writer in whose.values()])
-    return luck_of(
-        lambda order: int(counts[np.arange(len(code)), code[order]].sum()), np.zeros(len(code))
-    )
+    code = np.array([names.index(writer) for writer in whose.values()], dtype=int)
+    each = np.arange(len(code))
+    return permutation_luck(lambda order: int(counts[each, code[order]].sum()), [0] * len(code))

@@ -1,30 +1,30 @@
-"""The decay term of DMP*, and what a moved goal does to the pen in its first moment."""
+"""The decay term of DMP*, and what a moved goal adds to the initial acceleration."""
 
 from __future__ import annotations
 
-from concurrent.futures import Executor
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, Unpack
 
 import numpy as np
 
 from dmp_teach.dmp import DMP, Settings, as_settings
-from dmp_teach.studies.inputs import Stroke, strokes_of
-from dmp_teach.studies.parallel import Progress, run
+from dmp_teach.studies.inputs import Stroke, named_strokes
+from dmp_teach.studies.parallel import RunOptions, run
 from dmp_teach.studies.tables import Rows, Tabled
-from dmp_teach.trajectory import Array, locked
+from dmp_teach.trajectory import Array
 
 
 @dataclass(frozen=True, eq=False)
 class InitialAcceleration(Tabled):
-    """What a goal that moved by `shift` adds to the acceleration of the first sample.
+    """The acceleration that a goal that moved by `shift` adds to the first sample.
 
     Args:
         strokes: S names.
         shift: How far the goal moved [m].
         without: Without the term -K (g - y0) s: K times the shift, shape (S,) [m/s2].
         with_term: With it, as the paper prints it, shape (S,) [m/s2].
-        fed: With it, and with the change of the way fed forward, as `Settings.star()` does, shape (S,) [m/s2].
+        fed: With it, and with the change of the goal offset fed forward, as `Settings.star()` does,
+            shape (S,) [m/s2].
     """
 
     strokes: tuple[str, ...]
@@ -33,23 +33,17 @@ class InitialAcceleration(Tabled):
     with_term: Array
     fed: Array
 
-    def __post_init__(self) -> None:
-        """Lock the arrays."""
-        for name in ("without", "with_term", "fed"):
-            object.__setattr__(self, name, locked(getattr(self, name)))
-
     def rows(self) -> Rows:
-        """One for each stroke."""
+        """Return one row for each stroke."""
+        columns = (self.strokes, self.without, self.with_term, self.fed)
         return tuple(
             {
                 "stroke": name,
-                "without the term [m/s2]": float(a),
-                "with it [m/s2]": float(b),
-                "with it, goal fed forward [m/s2]": float(c),
+                "without the term [m/s2]": float(without),
+                "with it [m/s2]": float(with_term),
+                "with it, goal fed forward [m/s2]": float(fed),
             }
-            for name, a, b, c in zip(
-                self.strokes, self.without, self.with_term, self.fed, strict=True
-            )
+            for name, without, with_term, fed in zip(*columns, strict=True)
         )
 
 
@@ -57,37 +51,34 @@ def measure_initial_acceleration(
     recordings: Any = None,
     shift: float = 0.01,
     settings: Settings | None = None,
-    *,
-    executor: Executor | None = None,
-    progress: Progress | None = None,
+    **options: Unpack[RunOptions],
 ) -> InitialAcceleration:
-    """Each stroke drawn to a goal that moved, and the acceleration that this adds to its first sample.
+    """Measure what a moved goal adds to the acceleration of each stroke's first sample.
 
     Args:
         recordings: Recordings, files or strokes; None takes our own alphabets.
         shift: How far the goal moves, along the first coordinate [m].
         settings: Of DMP*; `Settings.star()` unless given. Feed-forward is tried both ways.
-        executor: Any `concurrent.futures.Executor`; a piece of work is one stroke.
-        progress: Called as `progress(done, total)`.
+        **options: As in `RunOptions`; a piece of work is one stroke.
     """
-    strokes = strokes_of(recordings)
-    pieces = [(stroke, shift, as_settings(settings)) for stroke in strokes]
-    found = np.array(run(_first, pieces, executor, progress))
+    strokes, form = named_strokes(recordings), as_settings(settings)
+    found = np.array(run(_first, [(stroke, shift, form) for stroke in strokes], **options))
     return InitialAcceleration(tuple(stroke.name for stroke in strokes), shift, *found.T)
 
 
 def _first(piece: tuple[Stroke, float, Settings]) -> tuple[float, float, float]:
-    """The three accelerations of one stroke [m/s2]."""
+    """Return the three accelerations of one stroke [m/s2]."""
     stroke, shift, settings = piece
     printed, fed = (
         DMP.imitate(stroke.path, replace(settings, feed_goal=feed)) for feed in (False, True)
     )
-    K = printed.settings.alpha**2 / 4 / printed.duration**2
+    # Settings of a primitive are complete: alpha is a number.
+    K = (printed.settings.alpha or 0.0) ** 2 / 4 / printed.duration**2
     return K * shift, _added(printed, shift), _added(fed, shift)
 
 
 def _added(learned: DMP, shift: float) -> float:
-    """What the shift adds to the acceleration in the spring's first two steps [m/s2]."""
+    """Return what the shift adds to the acceleration in the first two steps [m/s2]."""
     moved = learned.goal + shift * np.eye(len(learned.goal))[0]
     dt = learned.duration / learned.steps
     added = learned.rollout(goal=moved, dt=dt).position[:3] - learned.rollout(dt=dt).position[:3]

@@ -3,22 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from concurrent.futures import Executor
+from contextlib import suppress
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Any, Unpack
 
 import numpy as np
 
 from dmp_teach.dmp import DMP, Settings, as_settings, named_settings
 from dmp_teach.errors import SettingError
 from dmp_teach.letters import rms_distance
-from dmp_teach.studies.inputs import Written, letters_of
-from dmp_teach.studies.parallel import Progress, run
+from dmp_teach.studies.inputs import Written, list_letters
+from dmp_teach.studies.parallel import RunOptions, run
 from dmp_teach.studies.tables import Rows, Tabled
 from dmp_teach.trajectory import Trajectory
 
-FOUR = (1.0, 10.0, np.inf, 2 / 3)
-"""The kernel widths of the paper's figure 4 [1/N], in the order of their errors as it gives them, best first."""
+FIGURE_4_WIDTHS = (1.0, 10.0, np.inf, 2 / 3)
+"""The kernel widths of the paper's figure 4 [1/N], best first as the paper gives their errors."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -37,12 +37,12 @@ class Redrawn:
 
     @property
     def error(self) -> float:
-        """Root mean square distance at equal times [m]; infinite where there is no drawing."""
+        """The rms distance at equal times [m]; infinite where there is no drawing."""
         return np.inf if self.drawn is None else rms_distance(self.letter.strokes, self.drawn)
 
     @property
     def largest(self) -> float:
-        """The largest distance at equal times [m]."""
+        """The largest distance at equal times [m]; infinite where there is no drawing."""
         if self.drawn is None:
             return np.inf
         pairs = zip(self.letter.strokes, self.drawn, strict=True)
@@ -56,7 +56,7 @@ class Redrawings(Tabled):
     items: tuple[Redrawn, ...]
 
     def rows(self) -> Rows:
-        """In mm and in per cent of the letter's size."""
+        """Return errors in mm and in per cent of the letter's size."""
         return tuple(
             {
                 "letter": item.letter.name,
@@ -74,71 +74,60 @@ def redraw_letters(
     recordings: Any = None,
     letters: str = "abem",
     settings: Settings | Mapping[str, Settings] | None = None,
-    *,
-    executor: Executor | None = None,
-    progress: Progress | None = None,
+    **options: Unpack[RunOptions],
 ) -> Redrawings:
-    """These letters drawn again to their own goals (the paper's figure 8).
+    """Draw these letters again to their own goals (the paper's figure 8).
 
     Args:
         recordings: Recordings, files or strokes; None takes our own alphabets.
         letters: Which letters to draw; where none of them was recorded, all that were.
         settings: How, one or several by name; `Settings.star()` unless given.
-        executor: Any `concurrent.futures.Executor`; a piece of work is one letter.
-        progress: Called as `progress(done, total)`.
+        **options: As in `RunOptions`; a piece of work is one letter.
     """
     own = settings if isinstance(settings, Mapping) else {"DMP*": as_settings(settings)}
     named = named_settings(own, {})
-    pieces = [(letter, tuple(named.items())) for letter in chosen(letters_of(recordings), letters)]
-    return Redrawings(
-        tuple(item for found in run(_drawn, pieces, executor, progress) for item in found)
-    )
+    given = list_letters(recordings)
+    wanted = [letter for letter in given if letter.character in letters] or given
+    found = run(_redraw, [(letter, tuple(named.items())) for letter in wanted], **options)
+    return Redrawings(tuple(item for items in found for item in items))
 
 
 def redraw_at_widths(
     recordings: Any = None,
     letters: str = "a",
-    widths: Sequence[float] = FOUR,
+    widths: Sequence[float] = FIGURE_4_WIDTHS,
     settings: Settings | None = None,
-    *,
-    executor: Executor | None = None,
-    progress: Progress | None = None,
+    **options: Unpack[RunOptions],
 ) -> Redrawings:
-    """A letter with four kernel widths (the paper's figure 4: 1/N, 10/N, full Gaussian, 2/3N on 'a').
+    """Draw a letter with four kernel widths (the paper's figure 4).
 
     Args:
         recordings: Recordings, files or strokes; None takes our own alphabets.
         letters: Which letters; where none of them was recorded, all that were.
         widths: Kernel widths [1/N].
-        settings: All but the width; DMP* with Gaussians of sigma 4/N and N = 12 a second unless given.
-        executor: Any `concurrent.futures.Executor`; a piece of work is one letter with all widths.
-        progress: Called as `progress(done, total)`.
+        settings: All but the width; DMP* with Gaussians of sigma 4/N and N = 12 a second unless
+            given.
+        **options: As in `RunOptions`; a piece of work is one letter with all widths.
     """
     base = as_settings(settings, lambda: Settings.star(kernel_sigma=4.0, sharpen=False))
     named = {width_name(width): replace(base, kernel_width=float(width)) for width in widths}
-    return redraw_letters(recordings, letters, named, executor=executor, progress=progress)
+    return redraw_letters(recordings, letters, named, **options)
 
 
 def width_name(width: float) -> str:
-    """Such as "1/N", "2/3N" or "full Gaussian"."""
+    """Return a name such as "1/N", "2/3N" or "full Gaussian"."""
     if np.isinf(width):
         return "full Gaussian"
     return "2/3N" if np.isclose(width, 2 / 3) else f"{width:g}/N"
 
 
-def chosen(letters: Sequence[Written], wanted: str) -> tuple[Written, ...]:
-    """The letters that are wanted; all, where none of them is there."""
-    return tuple(each for each in letters if each.character in wanted) or tuple(letters)
-
-
-def _drawn(piece: tuple[Written, tuple]) -> tuple[Redrawn, ...]:
-    """One letter with all settings."""
+def _redraw(piece: tuple[Written, tuple[tuple[str, Settings], ...]]) -> list[Redrawn]:
+    """Return one letter with all settings."""
     letter, named = piece
-    drawn = []
+    found = []
     for name, settings in named:
-        try:
+        strokes: tuple[Trajectory, ...] | None = None
+        with suppress(SettingError):
             strokes = tuple(DMP.imitate(stroke, settings).rollout() for stroke in letter.strokes)
-        except SettingError:
-            strokes = None
-        drawn.append(Redrawn(letter, strokes, name))
-    return tuple(drawn)
+        found.append(Redrawn(letter, strokes, name))
+    return found

@@ -2,24 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from concurrent.futures import Executor
+from collections.abc import Sequence
 from dataclasses import dataclass
 from time import perf_counter
-from typing import Any
+from typing import Any, Unpack
 
 import numpy as np
+from numpy.typing import NDArray
 
 from dmp_teach.dmp import DMP, Settings, as_settings
 from dmp_teach.errors import SettingError
 from dmp_teach.studies.experiments.variants import Variant, rms
-from dmp_teach.studies.inputs import Stroke, strokes_of
-from dmp_teach.studies.parallel import Progress, run
+from dmp_teach.studies.inputs import Stroke, named_strokes
+from dmp_teach.studies.parallel import RunOptions, run
 from dmp_teach.studies.tables import Rows, Tabled
-from dmp_teach.trajectory import Array, Trajectory, locked
+from dmp_teach.trajectory import Array, Trajectory
 
-REPEATS = 5
-TIMED = 12  # strokes
+REPEATS_PER_TIMING = 5
+TIMED_STROKES = 12
 _TIMES: dict[tuple, float] = {}
 
 
@@ -31,22 +31,18 @@ class OriginalComparison(Tabled):
         strokes: S names.
         kernels: How many, the same for both, shape (S,).
         error: Of DMP* and of the original form, root mean square, shape (S, 2) [m].
-        time_ratio: How long DMP* takes to learn and draw, in parts of what the original form takes: the median over a
-            dozen strokes, the quickest of five tries each. Measured once in a process, then kept.
+        time_ratio: How long DMP* takes to learn and draw, as a share of what the original form
+            takes: the median over a dozen strokes, the quickest of five tries each. Measured once
+            in a process, then kept.
     """
 
     strokes: tuple[str, ...]
-    kernels: Array
+    kernels: NDArray[np.int_]
     error: Array
     time_ratio: float
 
-    def __post_init__(self) -> None:
-        """Lock the arrays."""
-        object.__setattr__(self, "kernels", locked(self.kernels, dtype=int))
-        object.__setattr__(self, "error", locked(self.error))
-
     def rows(self) -> Rows:
-        """One for each stroke."""
+        """Return one row for each stroke."""
         return tuple(
             {
                 "stroke": name,
@@ -62,66 +58,54 @@ def compare_with_original(
     recordings: Any = None,
     settings: Settings | None = None,
     original: Settings | None = None,
-    *,
-    executor: Executor | None = None,
-    progress: Progress | None = None,
+    **options: Unpack[RunOptions],
 ) -> OriginalComparison:
-    """Error and time of DMP* beside the original form, N = Num/10 for both.
+    """Compare error and time of DMP* with the original form, N = Num/10 for both.
 
     Args:
         recordings: Recordings, files or strokes; None takes our own alphabets.
         settings: Of DMP*; `Settings.star()` unless given.
         original: Of the original form; `Settings.original()` unless given.
-        executor: Any `concurrent.futures.Executor`; a piece of work is one stroke. Times are taken here.
-        progress: Called as `progress(done, total)`.
+        **options: As in `RunOptions`; a piece of work is one stroke. Times are taken here.
     """
-    variants = (
-        Variant(as_settings(settings)),
-        Variant(as_settings(original, Settings.original, "original")),
-    )
-    strokes = strokes_of(recordings)
-    found = run(_errors, [(stroke, *variants) for stroke in strokes], executor, progress)
-    kept = [(stroke, each) for stroke, each in zip(strokes, found, strict=True) if each is not None]
-    names, error = (
-        tuple(stroke.name for stroke, _ in kept),
-        np.array([each for _, each in kept]).reshape(-1, 2),
-    )
-    kernels = [variants[0].on(stroke.path).n_kernels for stroke, _ in kept]
+    star = Variant(as_settings(settings))
+    variants = (star, Variant(as_settings(original, Settings.original, "original")))
+    strokes = named_strokes(recordings)
+    found = run(_errors_of_both, [(stroke, *variants) for stroke in strokes], **options)
+    kept = [stroke for stroke, each in zip(strokes, found, strict=True) if each is not None]
     return OriginalComparison(
-        names, kernels, error, _time_ratio([stroke.path for stroke, _ in kept[:TIMED]], variants)
+        tuple(stroke.name for stroke in kept),
+        np.array([star.on(stroke.path).n_kernels for stroke in kept]),
+        np.array([each for each in found if each is not None]).reshape(-1, 2),
+        _time_ratio([stroke.path for stroke in kept[:TIMED_STROKES]], variants),
     )
 
 
-def _errors(piece: tuple[Stroke, Variant, Variant]) -> tuple[float, float] | None:
-    """Both errors of one stroke [m]; None where the original form refuses it."""
+def _errors_of_both(piece: tuple[Stroke, Variant, Variant]) -> list[float] | None:
+    """Return both errors of one stroke [m]; None where the original form refuses it."""
     stroke, *variants = piece
+    path = stroke.path
     try:
-        drawn = [
-            DMP.imitate(stroke.path, variant.on(stroke.path)).rollout().position
-            for variant in variants
-        ]
+        drawn = [DMP.imitate(path, each.on(path)).rollout().position for each in variants]
     except SettingError:
         return None
-    return tuple(rms(path - stroke.path.position) for path in drawn)
+    return [rms(position - path.position) for position in drawn]
 
 
 def _time_ratio(paths: Sequence[Trajectory], variants: tuple[Variant, Variant]) -> float:
-    """How long the first variant takes, in parts of the second; the same again for the same strokes."""
+    """Return the time of the first variant over that of the second, kept for the same strokes."""
     key = (variants, *(path.position.tobytes() for path in paths))
     if key not in _TIMES:
-        pairs = [
-            [_quickest(lambda v=v, p=p: DMP.imitate(p, v.on(p)).rollout()) for v in variants]
-            for p in paths
-        ]
-        _TIMES[key] = float(np.median([a / b for a, b in pairs])) if pairs else 1.0
+        ratios = [_quickest(path, variants[0]) / _quickest(path, variants[1]) for path in paths]
+        _TIMES[key] = float(np.median(ratios)) if ratios else 1.0
     return _TIMES[key]
 
 
-def _quickest(task: Callable[[], Any]) -> float:
-    """The shortest of a few tries [s]."""
+def _quickest(path: Trajectory, variant: Variant) -> float:
+    """Return the shortest time of a few tries to learn and draw a stroke [s]."""
     tries = []
-    for _ in range(REPEATS):
+    for _ in range(REPEATS_PER_TIMING):
         begin = perf_counter()
-        task()
+        DMP.imitate(path, variant.on(path)).rollout()
         tries.append(perf_counter() - begin)
     return min(tries)

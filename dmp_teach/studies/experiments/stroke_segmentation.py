@@ -1,34 +1,35 @@
-"""Strokes found by the rule of the local foot, beside the two readings of the paper's rule."""
+"""Strokes by the rule of the local foot, beside the two readings of the paper's rule."""
 
 from __future__ import annotations
 
-from concurrent.futures import Executor
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Unpack
 
 import numpy as np
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.ink import Recording
 from dmp_teach.segmentation import RULES
-from dmp_teach.studies.inputs import recordings_of
-from dmp_teach.studies.parallel import Progress, run
+from dmp_teach.studies.inputs import list_recordings
+from dmp_teach.studies.parallel import RunOptions, run
 from dmp_teach.studies.tables import Rows, Tabled
 from dmp_teach.trajectory import Trajectory
 
-NEAR = 0.05  # an end is right if it is this near to the true one [s]
-PATIENT = tuple((0.10, s) for s in (0.003, 0.006, 0.009, 0.012)) + tuple(
-    (0.08, s) for s in (0.003, 0.006, 0.010)
+# An end is right if it is this near to the true one [s].
+END_TOLERANCE = 0.05
+STEADY_THRESHOLDS = (
+    *((0.10, sigma) for sigma in (0.003, 0.006, 0.009, 0.012)),
+    *((0.08, sigma) for sigma in (0.003, 0.006, 0.010)),
 )
 """Settings of the local rule over which its count should not change: theta [m/s], sigma [m]."""
 
 
 @dataclass(frozen=True)
-class Found:
-    """What one rule says of one recording.
+class RuleResult:
+    """The strokes that one rule finds in one recording.
 
     Args:
-        strokes: How many strokes it finds.
+        strokes: How many they are.
         right: Whether that count and every end is right, to 0.05 s.
     """
 
@@ -38,25 +39,25 @@ class Found:
 
 @dataclass(frozen=True)
 class SegmentationCase:
-    """One recording of which somebody lifted the pen.
+    """One recording in which the pen was lifted.
 
     Args:
         name: Letter and writer.
         strokes: How many strokes it has.
-        known: Whether the strokes are known from the source or cut by hand; else they are those of the local rule,
-            which is then right by definition.
-        foot: What the rule of the local foot finds.
-        authors: What the paper's rule finds with its second inequality turned round.
-        printed: What it finds to the letter.
-        steady: Whether the local rule gives the same count for every theta and sigma of `PATIENT`.
+        known: Whether the strokes are known from the source or cut by hand; else they are those of
+            the local rule, which is then right by definition.
+        foot: By the rule of the local foot.
+        authors: By the paper's rule with its second inequality turned round.
+        printed: By the paper's rule to the letter.
+        steady: Whether the local rule gives the same count for all `STEADY_THRESHOLDS`.
     """
 
     name: str
     strokes: int
     known: bool
-    foot: Found
-    authors: Found
-    printed: Found
+    foot: RuleResult
+    authors: RuleResult
+    printed: RuleResult
     steady: bool
 
 
@@ -67,7 +68,7 @@ class Segmentation(Tabled):
     items: tuple[SegmentationCase, ...]
 
     def rows(self) -> Rows:
-        """One for each recording: strokes by each rule, and whether all of its ends are right."""
+        """Return a row for each recording: strokes by each rule, and whether all ends are right."""
         return tuple(
             {
                 "recording": item.name,
@@ -87,26 +88,25 @@ class Segmentation(Tabled):
         )
 
 
-def compare_segmentation(
-    recordings: Any = None, *, executor: Executor | None = None, progress: Progress | None = None
-) -> Segmentation:
-    """The paper's rule for strokes (its equations 12 and 13) on every recording with a lift, beside the local one.
+def compare_segmentation(recordings: Any = None, **options: Unpack[RunOptions]) -> Segmentation:
+    """Compare the paper's rule for strokes (its equations 12 and 13) with the local one.
 
-    A stroke ends, as printed, where dz/dt > theta; or z is far from the plane, where the paper prints |z - mu_z| <
-    sigma and means the opposite. Both readings are tried, `dmp_teach.segmentation.paper_rules` says how.
+    A stroke ends, as printed, where dz/dt > theta; or z is far from the plane, where the paper
+    prints |z - mu_z| < sigma and means the opposite. Both readings are tried,
+    `dmp_teach.segmentation.paper_rules` says how.
 
     Args:
-        recordings: Recordings or files (strokes have no height and are left out); None takes our own alphabets.
-        executor: Any `concurrent.futures.Executor`; a piece of work is one recording.
-        progress: Called as `progress(done, total)`.
+        recordings: Recordings or files (strokes have no height and are left out); None takes our
+            own alphabets.
+        **options: As in `RunOptions`; a piece of work is one recording.
     """
-    given = [each for each in recordings_of(recordings) if isinstance(each, Recording)]
-    found = run(_compared, given, executor, progress)
+    given = [each for each in list_recordings(recordings) if isinstance(each, Recording)]
+    found = run(_compare, given, **options)
     return Segmentation(tuple(item for item in found if item is not None))
 
 
-def _compared(recording: Recording) -> SegmentationCase | None:
-    """One recording; None where the pen was never lifted."""
+def _compare(recording: Recording) -> SegmentationCase | None:
+    """Return one recording by every rule; None where the pen was never lifted."""
     truth = recording.strokes()
     flat = bool(np.ptp(recording.position[:, 2]) < 1e-9)
     if len(truth) < 2 or flat:
@@ -123,24 +123,24 @@ def _compared(recording: Recording) -> SegmentationCase | None:
     )
 
 
-def _found(plain: Recording, rule: str, truth: tuple[Trajectory, ...]) -> Found:
-    """What a rule says, judged by the true strokes."""
+def _found(plain: Recording, rule: str, truth: tuple[Trajectory, ...]) -> RuleResult:
+    """Return what a rule finds, judged by the true strokes."""
     try:
         strokes = plain.strokes(rule=rule)
     except RecordingError:
-        return Found(0, False)
+        return RuleResult(0, False)
     if len(strokes) != len(truth):
-        return Found(len(strokes), False)
+        return RuleResult(len(strokes), False)
     ends = [
         (s.t[0] - other.t[0], s.t[-1] - other.t[-1])
         for s, other in zip(strokes, truth, strict=True)
     ]
-    return Found(len(strokes), bool(np.abs(ends).max() <= NEAR))
+    return RuleResult(len(strokes), bool(np.abs(ends).max() <= END_TOLERANCE))
 
 
 def _steady(plain: Recording, count: int) -> bool:
-    """Whether the local rule gives this count everywhere."""
+    """Return whether the local rule gives this count for all thresholds."""
     try:
-        return all(len(plain.strokes(theta, sigma)) == count for theta, sigma in PATIENT)
+        return all(len(plain.strokes(*each)) == count for each in STEADY_THRESHOLDS)
     except RecordingError:
         return False

@@ -5,14 +5,15 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 
 from dmp_teach.dmp import DMP, KERNELS, Settings
 from dmp_teach.trajectory import Trajectory
 
-TENTH = 0.1
-"""The paper's N = Num/10, as a share of the samples."""
+# The paper's N = Num/10, as a share of the samples.
+PAPER_SHARE = 0.1
 
 
 @dataclass(frozen=True)
@@ -21,14 +22,15 @@ class Variant:
 
     Args:
         settings: Everything but the number of kernels.
-        share: Kernels for each sample, such as 0.1 for Num/10; None: as the settings say, but no more than samples.
+        share: Kernels for each sample, such as 0.1 for Num/10; None: as the settings say, but no
+            more than samples.
     """
 
     settings: Settings
-    share: float | None = TENTH
+    share: float | None = PAPER_SHARE
 
-    def on(self, path: Trajectory, **changes: object) -> Settings:
-        """The settings for one stroke."""
+    def on(self, path: Trajectory, **changes: Any) -> Settings:
+        """Return the settings for one stroke; Any, since `changes` are checked by `Settings`."""
         number = self.settings.n_kernels
         if self.share is not None:
             number = max(1, round(self.share * len(path)))
@@ -37,26 +39,26 @@ class Variant:
         return replace(self.settings, **{"n_kernels": number, **changes})
 
 
-PLAIN = {"sharpen": False, "feed_goal": False}
-SMOOTH = {"derivatives": "inverse", "start_velocity": "fitted"}
+AS_PRINTED_FIT = {"sharpen": False, "feed_goal": False}
+FINE_DERIVATIVES = {"derivatives": "inverse", "start_velocity": "fitted"}
 
 WIDTH_VARIANTS: Mapping[str, Variant] = {
     "the authors' 200 kernels": Variant(
-        Settings.as_fixed(n_kernels=200, alpha=25.0, **SMOOTH), share=None
+        Settings.as_fixed(n_kernels=200, alpha=25.0, **FINE_DERIVATIVES), share=None
     ),
     "the authors' program": Variant(Settings.as_coded(n_kernels=200), share=None),
     "Gaussian, LWR": Variant(Settings.as_fixed()),
     "Gaussian, joint": Variant(Settings.joint()),
-    "box, LWR": Variant(Settings.star(**PLAIN)),
-    "box, local bias": Variant(Settings.plus(**PLAIN)),
+    "box, LWR": Variant(Settings.star(**AS_PRINTED_FIT)),
+    "box, local bias": Variant(Settings.plus(**AS_PRINTED_FIT)),
     "box, joint": Variant(Settings.joint(kernel_sigma=math.inf)),
-    "mollifier, LWR": Variant(Settings.star(kernel="mollifier", **PLAIN)),
+    "mollifier, LWR": Variant(Settings.star(kernel="mollifier", **AS_PRINTED_FIT)),
 }
 """Kernel kinds and fits for error against width; N = Num/10 except for the authors' own 200.
 
-The first has the authors' constants (N = 200, sigma 4/N, LWR, a soft spring) in the paper's mended formulas, the second
-is their program line by line: centres i/N, an underdamped spring, Euler steps that lag. Gaussians have sigma 4/N, with
-the joint fit 0.65/N.
+The first has the authors' constants (N = 200, sigma 4/N, LWR, a soft spring) in the paper's mended
+formulas, the second is their program line by line: centres i/N, an underdamped spring, Euler steps
+that lag. Gaussians have sigma 4/N, with the joint fit 0.65/N.
 """
 
 NUMBER_VARIANTS: Mapping[str, Variant] = {
@@ -69,15 +71,15 @@ NUMBER_VARIANTS: Mapping[str, Variant] = {
 
 
 def rms_error(path: Trajectory, settings: Settings) -> float:
-    """How far the learned stroke is from the one that was shown, at equal times, root mean square [m]."""
+    """Return the rms distance of the learned stroke from its demonstration, at equal times [m]."""
     return rms(DMP.imitate(path, settings).rollout().position - path.position)
 
 
 def has_ends(settings: Settings, width: float) -> bool:
-    """Whether these kernels may have this width: some must end somewhere."""
+    """Return whether these kernels may have this width: some must end somewhere."""
     return KERNELS[settings.kernel].endless or math.isfinite(width)
 
 
 def rms(apart: np.ndarray) -> float:
-    """Root mean square length of the rows of `apart` (T, D)."""
+    """Return the root mean square length of the rows of `apart` (T, D)."""
     return float(np.sqrt((np.asarray(apart) ** 2).sum(axis=1).mean()))

@@ -1,20 +1,16 @@
-"""One claim of the paper, and what becomes of it: computed, never written down."""
+"""One claim of the paper and its verdict: computed, never written down."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from typing import Any, ClassVar
 
 from dmp_teach.errors import SettingError
-from dmp_teach.studies.tables import Rows, html_table, text_table
+from dmp_teach.studies.tables import Rows, Tabled
+from dmp_teach.studies.verdicts.evidence import Evidence, evidence_of
 
 HOLDS, FAILS, DEPENDS = "HOLDS", "DOES NOT HOLD", "DEPENDS ON"
-COLUMNS = {"claim": 34, "on what": 44, "figure": 58}
-MARKS = {
-    HOLDS: "font-weight:bold;color:#00664A",
-    FAILS: "font-weight:bold;color:#A34700",
-    DEPENDS: "font-weight:bold;color:#005A8F",
-}
 
 
 @dataclass(frozen=True)
@@ -27,7 +23,8 @@ class Claim:
         verdict: "HOLDS", "DOES NOT HOLD" or "DEPENDS ON".
         figure: The numbers, as a sentence.
         depends_on: On what, or over what it holds or fails.
-        call: The line that computes `figure` again, where `teach` is `dmp_teach` and `recordings` is what was given.
+        call: The line that computes `figure` again, where `teach` is `dmp_teach` and `recordings`
+            is what was given.
     """
 
     name: str
@@ -38,15 +35,21 @@ class Claim:
     call: str
 
     def __str__(self) -> str:
-        """In four lines."""
         return f"{self.verdict}: {self.claim}\n  {self.figure}\n  {self.depends_on}\n  {self.call}"
 
 
-@dataclass(frozen=True)
-class Claims:
+@dataclass(frozen=True, repr=False)
+class Claims(Tabled):
     """All rows; `claims["narrow kernels"]` or `claims[0]` is one."""
 
     items: tuple[Claim, ...]
+
+    COLUMN_WIDTHS: ClassVar[Mapping[str, int]] = {"claim": 34, "on what": 44, "figure": 58}
+    STYLES: ClassVar[Mapping[str, str]] = {
+        HOLDS: "font-weight:bold;color:#00664A",
+        FAILS: "font-weight:bold;color:#A34700",
+        DEPENDS: "font-weight:bold;color:#005A8F",
+    }
 
     def __iter__(self) -> Iterator[Claim]:
         return iter(self.items)
@@ -55,7 +58,7 @@ class Claims:
         return len(self.items)
 
     def __getitem__(self, key: int | str) -> Claim:
-        """A row by its place or its name.
+        """Return a row by its place or its name.
 
         Raises:
             SettingError: No claim of that name; names those that there are.
@@ -70,7 +73,7 @@ class Claims:
         )
 
     def rows(self) -> Rows:
-        """What is shown of each row."""
+        """Return what is shown of each row."""
         return tuple(
             {
                 "claim": f"{each.name}: {each.claim}",
@@ -81,23 +84,36 @@ class Claims:
             for each in self.items
         )
 
-    def table(self) -> str:
-        """The rows as a table in plain text."""
-        return text_table(self.rows(), COLUMNS, apart=True)
-
-    def __str__(self) -> str:
-        return self.table()
-
     def __repr__(self) -> str:
         return self.table()
 
-    def _repr_html_(self) -> str:
-        """The rows as a table in a notebook."""
-        return html_table(self.rows(), MARKS)
+
+def claim(
+    name: str, words: str
+) -> Callable[[Callable[[Evidence], tuple[str, str, str]]], Callable[..., Claim]]:
+    """Make a claim of a function that returns verdict, figure and what the verdict depends on.
+
+    Args:
+        name: Of the claim.
+        words: What the paper says.
+    """
+
+    def decorate(judge: Callable[[Evidence], tuple[str, str, str]]) -> Callable[..., Claim]:
+        def judged(recordings: Any = None) -> Claim:
+            evidence = evidence_of(recordings)
+            verdict, figure, why = judge(evidence)
+            call = f"teach.studies.{judge.__name__}({evidence.argument}).figure"
+            return Claim(name, words, verdict, figure, why, call)
+
+        judged.__name__, judged.__qualname__ = judge.__name__, judge.__qualname__
+        judged.__doc__, judged.__module__ = judge.__doc__, judge.__module__
+        return judged
+
+    return decorate
 
 
-def judged(cases: Mapping[str, bool]) -> tuple[str, str]:
-    """The verdict over several cases, and on what it depends.
+def verdict_over(cases: Mapping[str, bool]) -> tuple[str, str]:
+    """Return the verdict over several cases, and on what it depends.
 
     HOLDS if it holds in every case, DOES NOT HOLD if in none, else DEPENDS ON.
     """
@@ -111,7 +127,7 @@ def judged(cases: Mapping[str, bool]) -> tuple[str, str]:
 
 
 def mm(metres: float) -> str:
-    """A length for a sentence."""
+    """Return a length for a sentence."""
     value = 1e3 * metres
     if value >= 995:
         return f"{metres:.0f} m" if metres >= 9.95 else f"{metres:.2g} m"
@@ -119,11 +135,11 @@ def mm(metres: float) -> str:
 
 
 def per_cent(part: float) -> str:
-    """A part for a sentence."""
+    """Return a part for a sentence."""
     value = 100 * part
     return f"{value:.0f} %" if value >= 9.5 or value == 0 else f"{value:.2g} %"
 
 
-def times(factor: float) -> str:
-    """A factor for a sentence."""
+def as_times(factor: float) -> str:
+    """Return a factor for a sentence."""
     return f"{factor:.0f} times" if factor >= 9.95 else f"{factor:.2g} times"

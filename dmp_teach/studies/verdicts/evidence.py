@@ -18,7 +18,11 @@ from dmp_teach.studies.experiments.error_curves import (
     sweep_kernel_number,
     sweep_kernel_width,
 )
-from dmp_teach.studies.experiments.goal_change import GoalChanges, change_goals_1d, change_goals_2d
+from dmp_teach.studies.experiments.goal_change import (
+    GoalChanges,
+    change_goals_1d,
+    change_goals_2d,
+)
 from dmp_teach.studies.experiments.goal_near_start import GoalsNearStart, change_goals_near_start
 from dmp_teach.studies.experiments.initial_acceleration import (
     InitialAcceleration,
@@ -26,17 +30,20 @@ from dmp_teach.studies.experiments.initial_acceleration import (
 )
 from dmp_teach.studies.experiments.random_ink import RandomInkErrors, learn_random_ink
 from dmp_teach.studies.experiments.redraw import Redrawings, redraw_letters
-from dmp_teach.studies.experiments.star_vs_original import OriginalComparison, compare_with_original
+from dmp_teach.studies.experiments.star_vs_original import (
+    OriginalComparison,
+    compare_with_original,
+)
 from dmp_teach.studies.experiments.stroke_segmentation import Segmentation, compare_segmentation
-from dmp_teach.studies.inputs import Stroke, Written, letters_of, recordings_of, strokes_of
+from dmp_teach.studies.inputs import Stroke, Written, list_letters, list_recordings, named_strokes
 from dmp_teach.trajectory import Trajectory
 
-FOURTH = 4
+KEPT_SAMPLES = 4
 
 
 @dataclass(frozen=True, eq=False)
 class Evidence:
-    """What the verdicts are computed from. Every claim takes recordings, or one of these.
+    """The evidence that verdicts are computed from; every claim takes recordings, or this.
 
     Args:
         recordings: Recordings, files or strokes; None takes our own alphabets.
@@ -52,15 +59,9 @@ class Evidence:
 
     @property
     def argument(self) -> str:
-        """What stands in the brackets of the call that makes a claim again."""
-        return "" if self._is_ours else "recordings"
-
-    @property
-    def _is_ours(self) -> bool:
-        return self.recordings is None and (self.star, self.original) == (
-            Settings.star(),
-            Settings.original(),
-        )
+        """The argument of the call that computes a claim again."""
+        usual = self.star == Settings.star() and self.original == Settings.original()
+        return "" if usual and self.recordings is None else "recordings"
 
     @cached_property
     def letters(self) -> tuple[Written, ...]:
@@ -69,37 +70,39 @@ class Evidence:
         Raises:
             RecordingError: A stroke that is not 2-D: these claims are about ink on a page.
         """
-        found = letters_of(self.recordings)
+        found = list_letters(self.recordings)
         for letter in found:
             for stroke in letter.strokes:
                 if stroke.dimensions != 2:
                     raise RecordingError(
-                        f"{letter.name} has a stroke of {stroke.dimensions} dimensions, but the paper's claims are "
-                        "about ink on a page: give strokes of x and y."
+                        f"{letter.name} has a stroke of {stroke.dimensions} dimensions, but the "
+                        "paper's claims are about ink on a page: give strokes of x and y."
                     )
         return found
 
     @cached_property
     def open_letters(self) -> tuple[Written, ...]:
-        """The letters, or our own where the original form can learn none of their strokes: all end where they began."""
-        return self.letters if any(map(self._has_way, strokes_of(self.letters))) else letters_of()
+        """The letters, or our own where all strokes are closed, which the original form refuses."""
+        open_strokes = map(self._can_learn_original, named_strokes(self.letters))
+        return self.letters if any(open_strokes) else list_letters()
 
     @property
     def borrowed(self) -> str:
-        """Words that say so."""
-        return (
-            ""
-            if self.open_letters is self.letters
-            else "; our own letters, since all strokes end where they began"
-        )
+        """Words that say whether our own letters were taken."""
+        if self.open_letters is self.letters:
+            return ""
+        return "; our own letters, since all strokes end where they began"
 
-    def _has_way(self, stroke: Stroke) -> bool:
-        """Whether the original form can learn a stroke."""
+    def _can_learn_original(self, stroke: Stroke) -> bool:
         try:
             DMP.imitate(stroke.path, self.original)
         except SettingError:
             return False
         return True
+
+    @property
+    def _forms(self) -> dict[str, Any]:
+        return {"settings": self.star, "original": self.original, "executor": self.executor}
 
     @cached_property
     def widths(self) -> ErrorCurves:
@@ -114,36 +117,32 @@ class Evidence:
     @cached_property
     def fewer_samples(self) -> ErrorCurves:
         """The same with every fourth sample of every stroke that has enough of them."""
-        paths = [stroke.path for stroke in strokes_of(self.letters)]
+        paths = [stroke.path for stroke in named_strokes(self.letters)]
         kept = [
-            Trajectory(p.t[::FOURTH], p.position[::FOURTH]) for p in paths if len(p) >= 12 * FOURTH
+            Trajectory(path.t[::KEPT_SAMPLES], path.position[::KEPT_SAMPLES])
+            for path in paths
+            if len(path) >= 12 * KEPT_SAMPLES
         ]
         return sweep_kernel_number(kept or paths, executor=self.executor)
 
     @cached_property
     def small_shifts(self) -> GoalChanges:
         """Goals moved by 0.01 m in one coordinate."""
-        return change_goals_1d(
-            self.open_letters, settings=self.star, original=self.original, executor=self.executor
-        )
+        return change_goals_1d(self.open_letters, **self._forms)
 
     @cached_property
     def large_shifts(self) -> GoalChanges:
         """Goals moved by 0.1 m in two."""
-        return change_goals_2d(
-            self.open_letters, settings=self.star, original=self.original, executor=self.executor
-        )
+        return change_goals_2d(self.open_letters, **self._forms)
 
     @cached_property
     def closeness(self) -> GoalsNearStart:
         """Goals near the start."""
-        return change_goals_near_start(
-            self.open_letters, settings=self.star, original=self.original, executor=self.executor
-        )
+        return change_goals_near_start(self.open_letters, **self._forms)
 
     @cached_property
     def first(self) -> InitialAcceleration:
-        """First accelerations."""
+        """Initial accelerations."""
         return measure_initial_acceleration(
             self.letters, settings=self.star, executor=self.executor
         )
@@ -161,26 +160,23 @@ class Evidence:
     @cached_property
     def lifts(self) -> Segmentation:
         """Strokes as the paper finds them."""
-        return compare_segmentation(recordings_of(self.recordings), executor=self.executor)
+        return compare_segmentation(list_recordings(self.recordings), executor=self.executor)
 
     @cached_property
     def hands(self) -> Attributions:
-        """Made letters given to their writers."""
-        return attribute_made_letters(
-            None if self.recordings is None else self.letters, executor=self.executor
-        )
+        """Made letters attributed to their writers."""
+        given = None if self.recordings is None else self.letters
+        return attribute_made_letters(given, executor=self.executor)
 
     @cached_property
     def real_hands(self) -> Attributions:
-        """Real letters given to their writers."""
+        """Real letters attributed to their writers."""
         return classify_writers(self.letters, executor=self.executor)
 
     @cached_property
     def against(self) -> OriginalComparison:
         """DMP* against the original form."""
-        return compare_with_original(
-            self.open_letters, self.star, self.original, executor=self.executor
-        )
+        return compare_with_original(self.open_letters, **self._forms)
 
     @cached_property
     def shapes(self) -> RandomInkErrors:
