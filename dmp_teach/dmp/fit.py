@@ -12,20 +12,23 @@ import numpy as np
 
 from dmp_teach.dmp.integrators import Spring
 from dmp_teach.dmp.kernels import Cells, Overlap, ratio
-from dmp_teach.dmp.registry import Choice, Registry
+from dmp_teach.dmp.registry import NamedChoice, Registry
 from dmp_teach.trajectory import Array
 
+LaidKernels = Cells | Overlap
+Learned = tuple[Array, Array | None]
+
 # Of the square of each column.
-RIDGE = 1e-8
+JOINT_FIT_RIDGE = 1e-8
 
 
-def forcing(kernels: Cells | Overlap, s: Array, weights: Array, biases: Array | None) -> Array:
+def forcing(kernels: LaidKernels, s: Array, weights: Array, biases: Array | None) -> Array:
     """Return f(s) at every sample, shape (M, D); 0 where no kernel is active."""
     f = s * kernels.blend(weights)
     return f if biases is None else f + kernels.blend(biases)
 
 
-class Fit(Choice):
+class WeightFit(NamedChoice):
     """How the weights are found.
 
     Attributes:
@@ -36,9 +39,7 @@ class Fit(Choice):
     rounds_bends: ClassVar[bool] = False
 
     @abstractmethod
-    def learn(
-        self, kernels: Cells | Overlap, s: Array, F: Array, spring: Spring
-    ) -> tuple[Array, Array | None]:
+    def learn(self, kernels: LaidKernels, s: Array, F: Array, spring: Spring) -> Learned:
         """Return weights (N, D), and biases (N, D) or None.
 
         Args:
@@ -49,11 +50,11 @@ class Fit(Choice):
         """
 
 
-FITS: Registry[type[Fit]] = Registry()
+FITS: Registry[type[WeightFit]] = Registry()
 
 
 @FITS.add
-class LWR(Fit):
+class LWR(WeightFit):
     """Locally weighted regression, each kernel for itself (the paper's equation 5).
 
     w_i = sum psi s F / sum psi s^2
@@ -62,23 +63,19 @@ class LWR(Fit):
     name = "lwr"
     rounds_bends = True
 
-    def learn(
-        self, kernels: Cells | Overlap, s: Array, F: Array, spring: Spring
-    ) -> tuple[Array, Array | None]:
+    def learn(self, kernels: LaidKernels, s: Array, F: Array, spring: Spring) -> Learned:
         """Return both sums' quotients, and no biases."""
         sums = kernels.gather(s * np.concatenate([F, s], axis=1))
         return ratio(sums[:, :-1], sums[:, -1:]), None
 
 
 @FITS.add
-class LocalBias(Fit):
+class LocalBias(WeightFit):
     """Each kernel for itself learns a line, w_i s + b_i, by weighted least squares (Wang 2016)."""
 
     name = "bias"
 
-    def learn(
-        self, kernels: Cells | Overlap, s: Array, F: Array, spring: Spring
-    ) -> tuple[Array, Array | None]:
+    def learn(self, kernels: LaidKernels, s: Array, F: Array, spring: Spring) -> Learned:
         """Return slopes and offsets; a kernel with a single sample learns as LWR does."""
         total = kernels.gather(np.ones_like(s))
         mean_s, mean_F = ratio(kernels.gather(s), total), ratio(kernels.gather(F), total)
@@ -91,7 +88,7 @@ class LocalBias(Fit):
 
 
 @FITS.add
-class Joint(Fit):
+class JointFit(WeightFit):
     """All weights at once, for the path that comes closest to the demonstrated one.
 
     The path is linear in the weights and in the start velocity: each kernel's part of it is a
@@ -103,9 +100,7 @@ class Joint(Fit):
 
     name = "joint"
 
-    def learn(
-        self, kernels: Cells | Overlap, s: Array, F: Array, spring: Spring
-    ) -> tuple[Array, Array | None]:
+    def learn(self, kernels: LaidKernels, s: Array, F: Array, spring: Spring) -> Learned:
         """Return the weights of all kernels, and no biases."""
         w, _ = LWR().learn(kernels, s, F, spring)
         if isinstance(kernels, Cells):
@@ -117,6 +112,6 @@ class Joint(Fit):
         size = np.sqrt(np.diag(gram))
         # Every column counts alike.
         size = np.where(size > 0, size, 1.0)[:, None]
-        scaled = gram / (size * size.T) + RIDGE * np.eye(len(gram))
+        scaled = gram / (size * size.T) + JOINT_FIT_RIDGE * np.eye(len(gram))
         better = np.linalg.solve(scaled, columns.T @ missed / size) / size
         return w + better[:-1], None

@@ -16,20 +16,22 @@ from typing import ClassVar
 import numpy as np
 from scipy.signal import lfilter
 
-from dmp_teach.dmp.registry import Choice, Registry
+from dmp_teach.dmp.registry import NamedChoice, Registry
 from dmp_teach.trajectory import Array
 
-FEWEST_STEPS = 50
+FEWEST_SPRING_STEPS = 50
 # Eight times what the explicit spring needs not to diverge.
 STEPS_PER_ALPHA = 2.0
 MOST_STEPS = 100_000
 
 Row = tuple[float, float]
+System = tuple[tuple[Row, Row], Row]
+Kinematics = tuple[Array, Array, Array, Array]
 
 
 def least_steps(alpha: float, damping: float = 1.0) -> float:
     """Return how many steps any integrator needs; a spring that swings needs more."""
-    return max(FEWEST_STEPS, STEPS_PER_ALPHA * alpha / min(1.0, damping) ** 2)
+    return max(FEWEST_SPRING_STEPS, STEPS_PER_ALPHA * alpha / min(1.0, damping) ** 2)
 
 
 def most_alpha(damping: float) -> float:
@@ -37,7 +39,7 @@ def most_alpha(damping: float) -> float:
     return MOST_STEPS * min(1.0, damping) ** 2 / STEPS_PER_ALPHA
 
 
-class Integrator(Choice):
+class Integrator(NamedChoice):
     """A way to step through time: x[k+1] = A x[k] + B u[k], with the state x = (z, z').
 
     Eliminating z' leaves a recursion in the positions alone, so one filter draws a whole movement.
@@ -53,13 +55,11 @@ class Integrator(Choice):
     first_input: ClassVar[int] = 0
 
     @abstractmethod
-    def system(self, K: float, D: float, h: float) -> tuple[tuple[Row, Row], Row]:
+    def system(self, K: float, D: float, h: float) -> System:
         """Return A and B for steps of length h."""
 
     @abstractmethod
-    def derivatives(
-        self, z: Array, slope: Array, bend: Array, h: float
-    ) -> tuple[Array, Array, Array, Array]:
+    def derivatives(self, z: Array, slope: Array, bend: Array, h: float) -> Kinematics:
         """Return what `needed` sees of a path z (M + 1, D) when it reads the scheme backwards.
 
         Args:
@@ -107,13 +107,11 @@ class Explicit(Integrator):
 
     name = "explicit"
 
-    def system(self, K: float, D: float, h: float) -> tuple[tuple[Row, Row], Row]:
+    def system(self, K: float, D: float, h: float) -> System:
         """Return A and B for steps of length h."""
         return ((1, h), (-h * K, 1 - h * D)), (0, h)
 
-    def derivatives(
-        self, z: Array, slope: Array, bend: Array, h: float
-    ) -> tuple[Array, Array, Array, Array]:
+    def derivatives(self, z: Array, slope: Array, bend: Array, h: float) -> Kinematics:
         """Take differences forwards; the last input, which is open, has its neighbour's z''."""
         return z[:-1], slope, np.concatenate([bend, bend[-1:]]), slope[0]
 
@@ -127,13 +125,11 @@ class SemiImplicit(Integrator):
 
     name = "semi-implicit"
 
-    def system(self, K: float, D: float, h: float) -> tuple[tuple[Row, Row], Row]:
+    def system(self, K: float, D: float, h: float) -> System:
         """Return A and B for steps of length h."""
         return ((1 - h * h * K, h * (1 - h * D)), (-h * K, 1 - h * D)), (h * h, h)
 
-    def derivatives(
-        self, z: Array, slope: Array, bend: Array, h: float
-    ) -> tuple[Array, Array, Array, Array]:
+    def derivatives(self, z: Array, slope: Array, bend: Array, h: float) -> Kinematics:
         """Take differences backwards; the first input, which is open, has its neighbour's z''."""
         v = np.concatenate([slope[:1] - h * bend[:1], slope[:-1]])
         return z[:-1], v, np.concatenate([bend[:1], bend]), v[0]
@@ -146,7 +142,7 @@ class Exact(Integrator):
     name = "exact"
     middle = 0.5
 
-    def system(self, K: float, D: float, h: float) -> tuple[tuple[Row, Row], Row]:
+    def system(self, K: float, D: float, h: float) -> System:
         """Return E = exp(h [[0, 1], [-K, -D]]) in closed form, and (I - E) (1/K, 0)."""
         r = D / 2
         w = math.sqrt(abs(r * r - K))
@@ -160,9 +156,7 @@ class Exact(Integrator):
         zz, zv, vz, vv = fade * (c + r * s), fade * s, -fade * K * s, fade * (c - r * s)
         return ((zz, zv), (vz, vv)), ((1 - zz) / K, -vz / K)
 
-    def derivatives(
-        self, z: Array, slope: Array, bend: Array, h: float
-    ) -> tuple[Array, Array, Array, Array]:
+    def derivatives(self, z: Array, slope: Array, bend: Array, h: float) -> Kinematics:
         """Take differences at the middle of each step, which is right to second order."""
         a = (np.concatenate([bend[:1], bend]) + np.concatenate([bend, bend[-1:]])) / 2
         return (z[1:] + z[:-1]) / 2, slope, a, slope[0] - h / 2 * bend[0]
@@ -180,7 +174,7 @@ class Lagged(Integrator):
     name = "lagged"
     first_input = 1
 
-    def system(self, K: float, D: float, h: float) -> tuple[tuple[Row, Row], Row]:
+    def system(self, K: float, D: float, h: float) -> System:
         """Return how z'' drives the state: the rest comes from a step earlier."""
         return ((1, h), (0, 1)), (0, h)
 
@@ -193,9 +187,7 @@ class Lagged(Integrator):
         z, v = states[0]
         return super().step(K, D, h, np.where(np.isnan(z), 0.0, u - K * z - D * v), states)
 
-    def derivatives(
-        self, z: Array, slope: Array, bend: Array, h: float
-    ) -> tuple[Array, Array, Array, Array]:
+    def derivatives(self, z: Array, slope: Array, bend: Array, h: float) -> Kinematics:
         """Take differences forwards, of the state one step earlier."""
         before, v = np.concatenate([z[:1], z[:-2]]), np.concatenate([slope[:1], slope[:-1]])
         return before, v, np.concatenate([bend, bend[-1:]]), slope[0]

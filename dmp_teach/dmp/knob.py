@@ -70,6 +70,6 @@ def _is_number(value: Any) -> bool:
         return False
 
 
-def knob(default: Any, *, label: str, term: str, **about: Any) -> Any:
+def knob(default: Any, label: str, term: str, **about: Any) -> Any:
     """Declare a field of `Settings` that carries its own range and names."""
     return field(default=default, metadata={"label": label, "term": term, **about})

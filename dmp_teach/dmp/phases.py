@@ -10,14 +10,14 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from dmp_teach.dmp.registry import Choice, Registry
+from dmp_teach.dmp.registry import NamedChoice, Registry
 from dmp_teach.trajectory import Array
 
 # A phase that no exponential comes to, but whose logarithm is a number.
 _TINY_PHASE = 1e-300
 
 
-class Phase(Choice):
+class Phase(NamedChoice):
     """How the phase runs down; t/T is the part of the movement that is over.
 
     Attributes:

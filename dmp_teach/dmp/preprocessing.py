@@ -17,7 +17,7 @@ LEAST_SMOOTHING_RATE = 25.0
 LEAST_SMOOTHING_SAMPLES = 20
 
 
-def prepare(
+def prepare_demonstration(
     trajectory: Trajectory, cutoff: float | None, least_steps: float
 ) -> tuple[Array, tuple[str, ...]]:
     """Return the path of a demonstration at even times.

@@ -10,7 +10,7 @@ from __future__ import annotations
 from math import inf, sqrt
 from typing import Any
 
-NAMES = ("star", "original", "joint", "plus", "as_printed", "as_coded", "as_fixed")
+PRESET_NAMES = ("star", "original", "joint", "plus", "as_printed", "as_coded", "as_fixed")
 
 # The program's 4 and 8 per second: D = 4/s, K = 32/s^2, D / (2 sqrt K) = 0.35.
 UNDERDAMPED = 1 / sqrt(8)
@@ -105,15 +105,15 @@ SWITCHES: dict[str, dict[str, Any]] = {
 
 def preset(name: str) -> dict[str, Any]:
     """Return every field of one preset."""
-    column = NAMES.index(name)
+    column = PRESET_NAMES.index(name)
     return {field: row[column] for field, row in TABLE.items()}
 
 
 def as_markdown() -> str:
     """Return the table of presets as it stands in the documentation, a row for each setting."""
     lines = [
-        "| setting | " + " | ".join(f"`{name}`" for name in NAMES) + " |",
-        "|---|" + "---|" * len(NAMES),
+        "| setting | " + " | ".join(f"`{name}`" for name in PRESET_NAMES) + " |",
+        "|---|" + "---|" * len(PRESET_NAMES),
     ]
     for field, row in TABLE.items():
         lines.append(f"| `{field}` | " + " | ".join(_as_cell(value) for value in row) + " |")

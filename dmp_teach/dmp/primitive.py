@@ -16,7 +16,7 @@ from dmp_teach.dmp.equation import Equation, kernels_of
 from dmp_teach.dmp.fit import FITS
 from dmp_teach.dmp.integrators import least_steps
 from dmp_teach.dmp.kernels import Kernels
-from dmp_teach.dmp.preprocessing import has_even_times, prepare, sharpen_bends
+from dmp_teach.dmp.preprocessing import has_even_times, prepare_demonstration, sharpen_bends
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.dmp.transformations import TRANSFORMATIONS, Transformation
 from dmp_teach.errors import TrajectoryError, kind_of
@@ -98,7 +98,9 @@ class DMP:
         n_kernels, alpha = cast(int, settings.n_kernels), cast(float, settings.alpha)
         fit = FITS[settings.fit].of(settings)
         TRANSFORMATIONS[settings.transform].of(settings).check_demonstration(trajectory.position)
-        path, notes = prepare(trajectory, settings.smoothing, least_steps(alpha, settings.damping))
+        path, notes = prepare_demonstration(
+            trajectory, settings.smoothing, least_steps(alpha, settings.damping)
+        )
         z, offset = path - path[0], path[-1] - path[0]
         equation = Equation(settings, len(z) - 1)
         spring, kernels = equation.spring, equation.kernels

@@ -9,7 +9,7 @@ from typing import Any, ClassVar, Self, TypeVar
 
 
 @dataclass(frozen=True)
-class Choice(ABC):
+class NamedChoice(ABC):
     """One choice for a setting. The fields of a subclass are settings of its own.
 
     A field is found among the settings as `<setting>_<field>`: the `decay` of a phase is
@@ -31,12 +31,12 @@ class Choice(ABC):
 
 
 @cache
-def _own_settings(choice: type[Choice]) -> tuple[str, ...]:
+def _own_settings(choice: type[NamedChoice]) -> tuple[str, ...]:
     """Return the settings that the fields of a choice are."""
     return tuple(f"{choice.setting}_{each.name}" for each in fields(choice))
 
 
-C = TypeVar("C", bound=type[Choice])
+C = TypeVar("C", bound=type[NamedChoice])
 
 
 class Registry(dict[str, C]):

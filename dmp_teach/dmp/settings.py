@@ -56,108 +56,87 @@ class Settings:
 
     n_kernels: int | None = knob(
         None,
+        "how many bumps",
+        "number of kernels",
         low=1,
         high=300,
         limit=MOST_KERNELS,
         whole=True,
         optional=True,
-        label="how many bumps",
-        term="number of kernels",
     )
     kernel_width: float = knob(
-        1.0, low=0.2, high=40.0, endless=True, label="how wide each bump is", term="kernel width"
+        1.0, "how wide each bump is", "kernel width", low=0.2, high=40.0, endless=True
     )
     kernel_sigma: float = knob(
-        math.inf,
-        low=0.2,
-        high=40.0,
-        endless=True,
-        label="how round each bump is",
-        term="kernel sigma",
+        math.inf, "how round each bump is", "kernel sigma", low=0.2, high=40.0, endless=True
     )
     alpha: float | None = knob(
         None,
+        "how stiff the spring is",
+        "stiffness",
         optional=True,
         low=SMALLEST_ALPHA,
         high=200.0,
         limit=LARGEST_ALPHA,
-        label="how stiff the spring is",
-        term="stiffness",
     )
     alpha_per_kernel: float = knob(
         2.0,
+        "how much stiffer each bump makes the spring",
+        "stiffness per kernel",
         low=0.5,
         high=6.0,
-        label="how much stiffer each bump makes the spring",
-        term="stiffness per kernel",
     )
-    phase: str = knob("linear", options=PHASES, label="how the clock runs down", term="phase")
-    phase_decay: float = knob(
-        4.6, low=1.0, high=10.0, label="how far the clock runs down", term="phase decay"
-    )
+    phase: str = knob("linear", "how the clock runs down", "phase", options=PHASES)
+    phase_decay: float = knob(4.6, "how far the clock runs down", "phase decay", low=1.0, high=10.0)
     transform: str = knob(
-        "star", options=TRANSFORMATIONS, label="what follows the goal", term="transformation"
+        "star", "what follows the goal", "transformation", options=TRANSFORMATIONS
     )
-    fit: str = knob("lwr", options=FITS, label="how the bumps are learned", term="fit")
+    fit: str = knob("lwr", "how the bumps are learned", "fit", options=FITS)
     integrator: str = knob(
-        "explicit", options=INTEGRATORS, label="how the pen steps through time", term="integrator"
+        "explicit", "how the pen steps through time", "integrator", options=INTEGRATORS
     )
     feed_goal: bool = knob(
-        True, options=YES_NO, label="the pen knows that its goal moved", term="goal feed-forward"
+        True, "the pen knows that its goal moved", "goal feed-forward", options=YES_NO
     )
     smoothing: float | None = knob(
-        10.0,
-        optional=True,
-        low=2.0,
-        high=60.0,
-        label="what counts as trembling",
-        term="smoothing [Hz]",
+        10.0, "what counts as trembling", "smoothing [Hz]", optional=True, low=2.0, high=60.0
     )
-    sharpen: bool = knob(True, options=YES_NO, label="bends are kept sharp", term="sharpening")
+    sharpen: bool = knob(True, "bends are kept sharp", "sharpening", options=YES_NO)
     samples_per_kernel: float | None = knob(
         None,
+        "how many samples share a bump",
+        "samples per kernel",
         optional=True,
         low=1.0,
         high=100.0,
-        label="how many samples share a bump",
-        term="samples per kernel",
     )
-    kernel: str = knob("gaussian", options=KERNELS, label="what shape a bump has", term="kernel")
+    kernel: str = knob("gaussian", "what shape a bump has", "kernel", options=KERNELS)
     kernel_centers: str = knob(
-        "middles", options=PLACEMENTS, label="where the bumps stand", term="kernel centres"
+        "middles", "where the bumps stand", "kernel centres", options=PLACEMENTS
     )
     kernel_sides: str = knob(
-        "both", options=("both", "one"), label="which sides a bump ends on", term="kernel sides"
+        "both", "which sides a bump ends on", "kernel sides", options=("both", "one")
     )
     alpha_per_second: float | None = knob(
         None,
+        "how stiff the spring is in a second",
+        "stiffness per second",
         optional=True,
         low=0.5,
         high=200.0,
-        label="how stiff the spring is in a second",
-        term="stiffness per second",
     )
-    damping: float = knob(
-        1.0, low=0.1, high=2.0, label="how little the spring swings", term="damping ratio"
-    )
+    damping: float = knob(1.0, "how little the spring swings", "damping ratio", low=0.1, high=2.0)
     phase_middle: float = knob(
-        0.75,
-        low=0.5,
-        high=0.9,
-        label="when a sigmoid clock is half over",
-        term="middle of the sigmoid",
+        0.75, "when a sigmoid clock is half over", "middle of the sigmoid", low=0.5, high=0.9
     )
     divide: bool = knob(
-        True, options=YES_NO, label="the push is learned in its own units", term="division of F"
+        True, "the push is learned in its own units", "division of F", options=YES_NO
     )
     derivatives: str = knob(
-        "inverse", options=DERIVATIVES, label="how speeds are read off the ink", term="derivatives"
+        "inverse", "how speeds are read off the ink", "derivatives", options=DERIVATIVES
     )
     start_velocity: str = knob(
-        "fitted",
-        options=("fitted", "measured"),
-        label="how fast the pen starts",
-        term="start velocity",
+        "fitted", "how fast the pen starts", "start velocity", options=("fitted", "measured")
     )
 
     def __post_init__(self) -> None:

@@ -11,7 +11,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from dmp_teach.dmp.registry import Choice, Registry
+from dmp_teach.dmp.registry import NamedChoice, Registry
 from dmp_teach.errors import SettingError, TrajectoryError
 from dmp_teach.trajectory import Array
 
@@ -19,7 +19,7 @@ from dmp_teach.trajectory import Array
 _SAME_POINT = 1e-9
 
 
-class Transformation(Choice):
+class Transformation(NamedChoice):
     """How the forcing term enters the equation, and how a path follows its goal.
 
     This one has the input of DMP* (Pastor 2009; the paper's equation 11):

@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.signal import butter, filtfilt
 
-from dmp_teach.dmp.preprocessing import has_even_times, prepare, sharpen_bends, smooth
+from dmp_teach.dmp.preprocessing import has_even_times, prepare_demonstration, sharpen_bends, smooth
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.trajectory import Trajectory
@@ -27,7 +27,7 @@ def test_smoothing_is_scipys_butterworth_forwards_and_backwards(n, cutoff, seed)
 @settings(deadline=None, max_examples=60)
 @given(scrawls(), st.sampled_from([None, 10.0]), st.floats(2, 400))
 def test_both_ends_and_the_number_of_steps_are_kept(demo, cutoff, least):
-    path, _ = prepare(demo, cutoff, least)
+    path, _ = prepare_demonstration(demo, cutoff, least)
     steps = len(path) - 1
     assert steps >= least
     assert steps % (len(demo) - 1) == 0

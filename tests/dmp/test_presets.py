@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import dmp_teach.dmp
-from dmp_teach.dmp.presets import BORROWED, NAMES, SWITCHES, TABLE, as_markdown, preset
+from dmp_teach.dmp.presets import BORROWED, PRESET_NAMES, SWITCHES, TABLE, as_markdown, preset
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import SettingWarning
@@ -39,7 +39,7 @@ def cost(demos, settings):
 def test_the_table_gives_every_field_of_every_preset():
     fields = [each.name for each in dataclasses.fields(Settings)]
     assert sorted(TABLE) == sorted(fields)
-    for name in NAMES:
+    for name in PRESET_NAMES:
         assert dataclasses.asdict(getattr(Settings, name)()) == preset(name)
     assert Settings() == Settings.star()
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from dmp_teach.dmp.kernels.gaussian import Gaussian
 from dmp_teach.dmp.kernels.kernel import Kernel
-from dmp_teach.dmp.kernels.placement import Middles, Placement
+from dmp_teach.dmp.kernels.placement import AtMiddles, Placement
 from dmp_teach.dmp.kernels.sums import Cells, Overlap, ratio
 from dmp_teach.dmp.phases import Linear, Phase
 from dmp_teach.trajectory import Array
@@ -39,7 +39,7 @@ class Kernels:
     width: float = 1.0
     kernel: Kernel = field(default_factory=Gaussian)
     phase: Phase = field(default_factory=Linear)
-    placement: Placement = field(default_factory=Middles)
+    placement: Placement = field(default_factory=AtMiddles)
     one_sided: bool = False
 
     @cached_property

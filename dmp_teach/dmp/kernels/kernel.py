@@ -7,12 +7,12 @@ from abc import abstractmethod
 from dataclasses import fields
 from typing import ClassVar
 
-from dmp_teach.dmp.registry import Choice, Registry
+from dmp_teach.dmp.registry import NamedChoice, Registry
 from dmp_teach.errors import SettingError
 from dmp_teach.trajectory import Array
 
 
-class Kernel(Choice):
+class Kernel(NamedChoice):
     """The shape of one bump.
 
     A new kernel is one file in this folder, with one class:

@@ -6,12 +6,12 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from dmp_teach.dmp.registry import Choice, Registry
+from dmp_teach.dmp.registry import NamedChoice, Registry
 from dmp_teach.trajectory import Array
 
 
 @dataclass(frozen=True)
-class Placement(Choice):
+class Placement(NamedChoice):
     """Kernels in the middles of N equal parts.
 
     Attributes:
@@ -30,7 +30,7 @@ PLACEMENTS: Registry[type[Placement]] = Registry()
 
 
 @PLACEMENTS.add
-class Middles(Placement):
+class AtMiddles(Placement):
     """c_i is the phase at (i - 1/2)/N of the movement to come: at equal times."""
 
     name = "middles"
@@ -38,14 +38,14 @@ class Middles(Placement):
 
 
 @PLACEMENTS.add
-class Phases(Placement):
+class AtPhases(Placement):
     """c_i = (i - 1/2)/N."""
 
     name = "phases"
 
 
 @PLACEMENTS.add
-class Ends(Placement):
+class AtEnds(Placement):
     """c_i = (i - 1)/(N - 1)."""
 
     name = "ends"
@@ -56,7 +56,7 @@ class Ends(Placement):
 
 
 @PLACEMENTS.add
-class Grid(Placement):
+class OnGrid(Placement):
     """c_i = i/N, as in the authors' program."""
 
     name = "grid"
