@@ -22,15 +22,15 @@ def locked(values: ArrayLike, dtype: Any = float) -> NDArray[Any]:
     return array
 
 
-def ways(path: Array) -> Array:
+def arc_lengths(path: Array) -> Array:
     """Return how far along a path (T, D) each of its points is, shape (T,) [m]."""
     step = np.diff(path, axis=0)
     return np.concatenate([[0.0], np.cumsum(np.sqrt(np.einsum("td,td->t", step, step)))])
 
 
-def length(path: Array) -> float:
+def path_length(path: Array) -> float:
     """Return how long a path (T, D) is, from point to point [m]."""
-    return float(ways(path)[-1])
+    return float(arc_lengths(path)[-1])
 
 
 @dataclass(frozen=True, eq=False)

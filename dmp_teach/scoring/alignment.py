@@ -9,7 +9,7 @@ from itertools import permutations, product
 import numpy as np
 
 from dmp_teach.scoring.resampling import POINTS_TO_ALIGN, resample_path
-from dmp_teach.trajectory import Array, length, locked
+from dmp_teach.trajectory import Array, locked, path_length
 
 # Another alignment than as given is taken only if it is nearer by this much [radii of the line].
 CLEARLY_NEARER = 0.15
@@ -92,7 +92,7 @@ def _resample_pieces(pieces: Sequence[Array]) -> Array:
     """Return points at equal arc length along pieces, without the gaps between them, (32, 2)."""
     if len(pieces) == 1:
         return resample_path(pieces[0], POINTS_TO_ALIGN)[0]
-    ends = np.cumsum([length(piece) for piece in pieces])
+    ends = np.cumsum([path_length(piece) for piece in pieces])
     last = np.round(POINTS_TO_ALIGN * ends / ends[-1]).astype(int)
     shares = np.diff(np.concatenate([[0], last]))
     found = [resample_path(path, n)[0] for path, n in zip(pieces, shares, strict=True) if n]
@@ -108,4 +108,4 @@ def _normalize(lines: Array) -> Array:
 
 def _is_loop(path: Array) -> bool:
     """Return whether a path ends where it begins."""
-    return bool(np.linalg.norm(path[-1] - path[0]) < LOOP_GAP * length(path))
+    return bool(np.linalg.norm(path[-1] - path[0]) < LOOP_GAP * path_length(path))

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 from typing import Any, Protocol, cast
 
 from dmp_teach.errors import LetterError, kind_of
-from dmp_teach.trajectory import Trajectory, length
+from dmp_teach.trajectory import Trajectory, path_length
 
 
 class HasStrokes(Protocol):
@@ -57,7 +57,7 @@ def to_strokes(letter: LetterLike, name: str = "letter") -> tuple[Trajectory, ..
                 f"Stroke {k} of {name} has {stroke.dimensions} dimensions, but ink has 2, "
                 "right and up; leave out the height, or give the recording."
             )
-    if not max(length(stroke.position) for stroke in strokes) > 0:
+    if not max(path_length(stroke.position) for stroke in strokes) > 0:
         raise LetterError(
             f"{name} is a dot: the pen never moves. A letter has at least one stroke with a length."
         )

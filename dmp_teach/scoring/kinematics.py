@@ -10,7 +10,7 @@ import numpy as np
 from scipy.signal import butter, find_peaks, savgol_filter, sosfiltfilt
 
 from dmp_teach.scoring.resampling import POINTS_FOR_SLANT, resample_path
-from dmp_teach.trajectory import Array, Trajectory, length
+from dmp_teach.trajectory import Array, Trajectory, path_length
 
 # The clock on which every movement is looked at [Hz].
 MOVEMENT_RATE = 100.0
@@ -61,7 +61,7 @@ class Movement:
 
 def measure_movement(strokes: Sequence[Trajectory]) -> Movement:
     """Measure a writing; its strokes are 2-D, and at least one has a length."""
-    moving = [stroke for stroke in strokes if length(stroke.position) > 0]
+    moving = [stroke for stroke in strokes if path_length(stroke.position) > 0]
     velocities = [_velocity(stroke) for stroke in moving]
     width, height = np.ptp(np.concatenate([stroke.position for stroke in strokes]), axis=0)
     durations = [stroke.duration for stroke in moving]
@@ -72,7 +72,7 @@ def measure_movement(strokes: Sequence[Trajectory]) -> Movement:
         height=float(height),
         slant=slant(strokes),
         duration=float(strokes[-1].t[-1] - strokes[0].t[0]),
-        pace=sum(length(stroke.position) for stroke in moving) / sum(durations),
+        pace=sum(path_length(stroke.position) for stroke in moving) / sum(durations),
         smoothness=float(np.average(jerks, weights=durations)),
         peaks=sum(count_velocity_peaks(velocity) for velocity, _ in velocities),
         shake=shake([stroke.position for stroke in moving]),
@@ -113,7 +113,7 @@ def shake(lines: Sequence[Array]) -> float:
     size = float(np.ptp(np.concatenate(lines), axis=0).max())
     off = []
     for line in lines:
-        points = resample_path(line, int(length(line) / (SHAKE_SPACING * size)) + 1)[0]
+        points = resample_path(line, int(path_length(line) / (SHAKE_SPACING * size)) + 1)[0]
         if len(points) >= SWEEP_POINTS:
             sweep = savgol_filter(points, SWEEP_POINTS, 3, axis=0)
             off.append(np.linalg.norm(points - sweep, axis=1))

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from dmp_teach.trajectory import Array, Trajectory, length, ways
+from dmp_teach.trajectory import Array, Trajectory, arc_lengths, path_length
 
 # Points over all the ink of a letter, by their use: scores depend on these numbers.
 POINTS_TO_MATCH = 64
@@ -81,7 +81,7 @@ def resample(strokes: Sequence[Trajectory], count: int) -> Resampled:
 
     A letter of so many strokes that this takes more than `count` points has more.
     """
-    lengths = np.array([length(stroke.position) for stroke in strokes])
+    lengths = np.array([path_length(stroke.position) for stroke in strokes])
     shares = np.round(count * lengths / lengths.sum()).astype(int)
     shares = np.maximum(FEWEST_POINTS_OF_STROKE, shares)
     longest = shares.max() + count - shares.sum()
@@ -93,7 +93,7 @@ def resample(strokes: Sequence[Trajectory], count: int) -> Resampled:
 
 def resample_path(path: Array, count: int) -> tuple[Array, Array]:
     """Return the middles of equal pieces of a path and its directions there, both (count, 2)."""
-    way = ways(path)
+    way = arc_lengths(path)
     at = (np.arange(count) + 0.5) * way[-1] / count
     half = 0.5 * way[-1] / count
     wanted = np.concatenate([at, at - half, at + half])

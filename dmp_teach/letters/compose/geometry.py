@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from dmp_teach.trajectory import Array, Trajectory, length, ways
+from dmp_teach.trajectory import Array, Trajectory, arc_lengths, path_length
 
 # A corner turns by more than this within this share of the stroke's size before and behind it.
 CORNER_ANGLE = np.radians(62)
@@ -18,7 +18,7 @@ SHORTEST_PART = 0.12
 
 def straightness(path: Array) -> float:
     """Return chord over length of a path (T, 2): 1 for a line, 0 for a ring."""
-    return float(np.linalg.norm(path[-1] - path[0])) / max(length(path), 1e-12)
+    return float(np.linalg.norm(path[-1] - path[0])) / max(path_length(path), 1e-12)
 
 
 def is_upright(path: Array) -> bool:
@@ -33,7 +33,7 @@ def resample_evenly(path: Array, points: int) -> tuple[Array, Array]:
     Returns:
         The points, and the fractional row of `path` where each of them is, shape (points,).
     """
-    way = ways(path)
+    way = arc_lengths(path)
     even = np.linspace(0, way[-1], points)
     resampled = np.column_stack([np.interp(even, way, axis) for axis in path.T])
     return resampled, np.interp(even, way, np.arange(len(way)))
@@ -46,7 +46,7 @@ def find_corners(stroke: Trajectory) -> tuple[int, ...]:
     stroke's size long each.
     """
     path = stroke.position
-    size, total = float(np.ptp(path, axis=0).max()), length(path)
+    size, total = float(np.ptp(path, axis=0).max()), path_length(path)
     step = max(CORNER_REACH * size / 8, total / 4000)
     if size <= 0 or total < 4 * CORNER_REACH * size:
         return ()
@@ -74,7 +74,7 @@ def cut_at_corners(stroke: Trajectory) -> tuple[Trajectory, ...]:
 
 def find_bar_and_bowl(strokes: Sequence[Trajectory]) -> tuple[int, int]:
     """Return the numbers of the straighter and the other one of the two longest strokes."""
-    two = sorted(np.argsort([length(s.position) for s in strokes])[-2:])
+    two = sorted(np.argsort([path_length(s.position) for s in strokes])[-2:])
     bar = two[int(np.argmax([straightness(strokes[k].position) for k in two]))]
     return int(bar), int(next(k for k in two if k != bar))
 

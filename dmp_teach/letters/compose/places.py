@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from dmp_teach.errors import LetterError
-from dmp_teach.trajectory import Array, ways
+from dmp_teach.trajectory import Array, arc_lengths
 
 STROKE_PLACES = ("start", "goal", "upper", "lower", "top", "bottom", "left", "right", "middle")
 STROKE_ENDS = STROKE_PLACES[:4]
@@ -27,7 +27,7 @@ def point_at(path: Array, place: float | str) -> Array:
             f"There is no place {place!r} on a stroke; give a part from 0 to 1, or "
             f"{list_names(STROKE_PLACES)}."
         )
-    way = ways(path)
+    way = arc_lengths(path)
     return np.array([np.interp(part * way[-1], way, axis) for axis in path.T])
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from dmp_teach.errors import LetterError
 from dmp_teach.letters.compose.geometry import find_bar_and_bowl, is_upright, straightness
 from dmp_teach.letters.compose.piece import Piece
-from dmp_teach.trajectory import length
+from dmp_teach.trajectory import path_length
 
 # A bar or an arm is straighter than this.
 BAR_STRAIGHTNESS = 0.9
@@ -140,7 +140,7 @@ def _is_straight(piece: Piece) -> bool:
 
 
 def _length(piece: Piece) -> float:
-    return length(piece.drawn.position)
+    return path_length(piece.drawn.position)
 
 
 def _mean_height(piece: Piece) -> float:

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from dmp_teach.trajectory import Array, Trajectory, length, ways
+from dmp_teach.trajectory import Array, Trajectory, arc_lengths, path_length
 
 # A mark (a dot, a cross, an accent) is shorter than this share of the letter's longest stroke.
 LONGEST_MARK = 0.6
@@ -69,7 +69,7 @@ def split_marks(
     """
     if not character.islower():
         return tuple(strokes), ()
-    lengths = [length(stroke.position) for stroke in strokes]
+    lengths = [path_length(stroke.position) for stroke in strokes]
     is_long = [own >= LONGEST_MARK * max(lengths) for own in lengths]
     leads_back = [stroke.position[-1, 0] < stroke.position[0, 0] for stroke in strokes]
     main = is_long.index(True)
@@ -139,7 +139,7 @@ def find_meeting(here: Array, stroke: Trajectory, x_height: float) -> Meeting:
 
 def _on_up_stroke(here: Array, path: Array, x_height: float) -> Meeting:
     """Return a point on the first, rising part; from above the first, or well up a long one."""
-    heading, way = np.unwrap(headings(path)), ways(path) / x_height
+    heading, way = np.unwrap(headings(path)), arc_lengths(path) / x_height
     near = max(1, int(np.searchsorted(way, END_CUT)))
     steep = heading[near:] > UP_STROKE_HEADINGS[1] + 0.1
     ends = near + np.flatnonzero(steep | (way[near:] > 1.0))
@@ -161,7 +161,7 @@ def _on_the_way_back(here: Array, stroke: Trajectory, x_height: float) -> Meetin
     top = HIGHEST_FROM_BELOW * x_height
     if high:
         top = HIGHEST_FROM_ABOVE * x_height if short else here[1] + CLIMB_TO_STEM * x_height
-    falls = np.flatnonzero((ways(path) > 0.05 * x_height) & (path[:, 1] < 0.4 * x_height))
+    falls = np.flatnonzero((arc_lengths(path) > 0.05 * x_height) & (path[:, 1] < 0.4 * x_height))
     some = np.arange(1, max(2, int(falls[0])) if len(falls) else len(path) // 2)
     below = some[path[some, 1] <= top]
     return Meeting(_along(here, path, headings(-path), below if len(below) else some), back=True)
@@ -200,10 +200,10 @@ def _along(here: Array, path: Array, heading: NDArray[np.floating], some: Sample
 def _first_heading(stroke: Trajectory, x_height: float) -> float:
     """Return the heading of a stroke's first fifth of an x-height [rad]."""
     path = stroke.position
-    k = int(np.clip(np.searchsorted(ways(path), 0.2 * x_height), 1, len(path) - 1))
+    k = int(np.clip(np.searchsorted(arc_lengths(path), 0.2 * x_height), 1, len(path) - 1))
     return float(np.arctan2(*(path[k] - path[0])[::-1]))
 
 
 def _length_left(path: Array) -> Array:
     """Return the arc length from every point of a path to its end, shape (T,) [m]."""
-    return ways(path[::-1])[::-1]
+    return arc_lengths(path[::-1])[::-1]

@@ -11,7 +11,7 @@ from dmp_teach.letters.text.connection_points import (
     headings,
     leaving_sample,
 )
-from dmp_teach.trajectory import Array, Trajectory, length, ways
+from dmp_teach.trajectory import Array, Trajectory, arc_lengths, path_length
 
 # The heading in which a pen leaves the peak of a v or w.
 PEAK_EXIT_HEADING = np.radians(-38.0)
@@ -100,7 +100,7 @@ def _timed(
     so that the speed follows the two-thirds power law and has the `velocities` of both letters,
     (2,) each [m/s].
     """
-    way = ways(path)
+    way = arc_lengths(path)
     turn = np.abs(np.gradient(np.unwrap(headings(path))))
     ease = (turn / np.maximum(np.gradient(way), 1e-12) + 0.25 / x_height) ** (1 / 3)
     q = np.concatenate([[0.0], np.cumsum(np.diff(way) * (ease[1:] + ease[:-1]) / 2)])
@@ -128,7 +128,7 @@ def _velocity(stroke: Trajectory, k: int) -> Array:
 
 
 def _mean_speed(stroke: Trajectory) -> float:
-    return max(length(stroke.position) / stroke.duration, 1e-9)
+    return max(path_length(stroke.position) / stroke.duration, 1e-9)
 
 
 def _unit_vector(heading: float) -> Array:

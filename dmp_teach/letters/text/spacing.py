@@ -14,7 +14,7 @@ from scipy.ndimage import maximum_filter1d
 
 from dmp_teach.letters.compose.geometry import resample_evenly
 from dmp_teach.letters.text.connection_points import find_meeting, leaving_sample, missing_run
-from dmp_teach.trajectory import Array, Trajectory, length
+from dmp_teach.trajectory import Array, Trajectory, path_length
 
 Strokes = tuple[Trajectory, ...]
 
@@ -151,7 +151,7 @@ def _edge(strokes: Sequence[Trajectory], x_height: float, side: int) -> Array:
     edge = np.full(round((HIGHEST_BAND - LOWEST_BAND) * BANDS_PER_X_HEIGHT), -np.inf)
     for stroke in strokes:
         path = stroke.position / x_height
-        dense, _ = resample_evenly(path, max(2, int(4 * BANDS_PER_X_HEIGHT * length(path))))
+        dense, _ = resample_evenly(path, max(2, int(4 * BANDS_PER_X_HEIGHT * path_length(path))))
         band = ((dense[:, 1] - LOWEST_BAND) * BANDS_PER_X_HEIGHT).astype(int)
         np.maximum.at(edge, np.clip(band, 0, len(edge) - 1), side * dense[:, 0])
     return edge

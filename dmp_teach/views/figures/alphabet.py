@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 
 from dmp_teach.errors import RecordingError, kind_of
 from dmp_teach.ink import Recording, characters, recording_of
-from dmp_teach.trajectory import Array, ways
+from dmp_teach.trajectory import Array, arc_lengths
 from dmp_teach.views.figures.figure_style import Look, new_figure
 from dmp_teach.views.palette import GRID_COLOR, MUTED_COLOR, STROKE_COLORS, TEXT_COLOR
 
@@ -131,7 +131,7 @@ def _find_number_place(path: Array, taken: Array) -> Array:
 
 def _plot_arrows(panel: Axes, path: Array, color: str) -> None:
     """Plot heads of arrows along a stroke (T, 2) [inch], where it runs straight."""
-    way = ways(path)
+    way = arc_lengths(path)
     length = way[-1]
     if length < MAX_DOT_INK:
         return

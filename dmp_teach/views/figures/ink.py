@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from dmp_teach.studies import GoalPaths, MadeLetter, MadeLetters, Redrawings, Redrawn
-from dmp_teach.trajectory import Array, ways
+from dmp_teach.trajectory import Array, arc_lengths
 from dmp_teach.views.figures.figure_style import (
     RING_MARKER,
     Look,
@@ -185,7 +185,7 @@ def _describe_mirroring(form: str, paths: GoalPaths) -> str:
 
 def _space_dots(path: Array) -> Array:
     """Return points of a path [mm] at equal arc lengths, 3 % of its size apart."""
-    way = ways(path)
+    way = arc_lengths(path)
     count = max(2, round(way[-1] / max(np.ptp(path, axis=0).max() * 0.03, 1e-9)))
     even = np.linspace(0, way[-1], count)
     return np.column_stack([np.interp(even, way, axis) for axis in path.T])

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from dmp_teach.robot import Motion
-from dmp_teach.trajectory import Array, Trajectory, length, locked
+from dmp_teach.trajectory import Array, Trajectory, locked, path_length
 from dmp_teach.views.scene.packing import Faces
 
 DOT_CORNERS = 8
@@ -65,7 +65,7 @@ def build_ribbon(
         spacing: Between two dots [m]; wider where there would be more than `max_dots`.
         max_dots: Dots in all, or a few more.
     """
-    spacing = max(spacing, sum(length(stroke.position) for stroke in strokes) / max_dots)
+    spacing = max(spacing, sum(path_length(stroke.position) for stroke in strokes) / max_dots)
     walks = [_space_dots(stroke, spacing) for stroke in strokes]
     t = np.concatenate([np.empty(0), *(times for times, _ in walks)])
     dots = np.concatenate([np.empty((0, 2)), *(places for _, places in walks)])
