@@ -5,7 +5,7 @@ from __future__ import annotations
 import asyncio
 import threading
 from collections.abc import Callable
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import Future, ThreadPoolExecutor
 
 Report = Callable[[str, float], None]
 """Takes the name of a step, and the fraction of it that is done, 0 to 1."""
@@ -36,26 +36,20 @@ class Job:
         self._on_progress = on_progress
         self._on_end = on_end
         self._loop = _find_running_loop()
-        future = _ROBOT_THREAD.submit(self._run, work)
+        future = _ROBOT_THREAD.submit(work, self._report)
         if self._loop is None:
-            self._on_end(future.result())
+            self._pass_on(future)
         else:
-            future.add_done_callback(lambda done: self._call(self._pass_on, done.result()))
+            future.add_done_callback(lambda done: self._call(self._pass_on, done))
 
     def stop(self) -> None:
         """End the work at its next report; its result is dropped."""
         self._stop.set()
 
-    def _pass_on(self, result: object) -> None:
-        """Pass the result on, unless *Stop* was pressed since."""
+    def _pass_on(self, done: Future[object]) -> None:
+        """Pass on the result of the work or what it raised, unless *Stop* was pressed since."""
+        result = done.exception() or done.result()
         self._on_end(StopPressed() if self._stop.is_set() else result)
-
-    def _run(self, work: Callable[[Report], object]) -> object:
-        """Return the result of the work, or what it raised."""
-        try:
-            return work(self._report)
-        except Exception as error:
-            return error
 
     def _report(self, step: str, fraction: float) -> None:
         """Pass progress on; raise StopPressed where *Stop* was pressed."""

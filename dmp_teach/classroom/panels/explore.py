@@ -17,9 +17,8 @@ from dmp_teach.classroom.panels.robot_panel import (
 )
 from dmp_teach.classroom.panels.sheets import fit_goal_sheet
 from dmp_teach.dmp import Settings, knob_of
-from dmp_teach.errors import RecordingError, SettingWarning
+from dmp_teach.errors import SettingWarning
 from dmp_teach.files import bundle as bundled
-from dmp_teach.formats import read_recording
 from dmp_teach.ink import Recording, recording_of
 from dmp_teach.letters import Letter, rms_distance
 from dmp_teach.robot import Page
@@ -80,11 +79,8 @@ class Explore(RobotPanel):
         else:
             self.load(recording)
 
-    def load(self, recording: Recording | str | Path) -> None:
-        """Show a recording of one's own, beside the letters of the alphabet."""
-        own = recording if isinstance(recording, Recording) else read_recording(recording)
-        if not own.strokes():
-            raise RecordingError("There is no stroke in this recording: the pen never wrote.")
+    def _show_own(self, own: Recording) -> None:
+        """Show a recording beside the letters of the alphabet."""
         self._own = own
         label = own.character or "?"
         self.choices = [

@@ -63,7 +63,7 @@ def describe_fit(error: float, n_kernels: int, kernel_width: float) -> Message:
     """Return the message for a letter whose goals are as demonstrated."""
     thing = f"{name_comparable_width(error)}."
     after = f" {suggest_change(error, n_kernels, kernel_width)}"
-    return _build_message(error, "On average the line is off the dots by ", thing, after)
+    return _build_message("On average the line is off the dots by ", thing, after, error)
 
 
 def describe_moved_goal(moved: float, miss: float, error: float, stroke: int | None) -> Message:
@@ -79,7 +79,7 @@ def describe_moved_goal(moved: float, miss: float, error: float, stroke: int | N
     text = f"You moved the {which} by {format_centimetres(moved)}. "
     strong = f"The pen stops {format_millimetres(miss)} mm from the ring."
     after = f" Unmoved, the letter is {format_millimetres(error)} mm off."
-    return _build_message(miss, text, strong, after)
+    return _build_message(text, strong, after, miss)
 
 
 def describe_letter(name: str, error: float, gap: str) -> str:
@@ -115,40 +115,30 @@ def describe_stroke(number: int, stroke: PadStroke, outside: int = 0) -> str:
 def invite_to_write(character: str) -> Message:
     """Return the message of an empty sheet."""
     if not character:
-        return _build_plain_message(
-            "Write any letter on your sheet. ", "The robot learns it as you write it."
-        )
-    return _build_plain_message(
-        f"Write {add_article(character)} on your sheet. ",
-        "Show it",
-        " lets the robot write it first.",
-    )
+        learns = "The robot learns it as you write it."
+        return _build_message("Write any letter on your sheet. ", learns)
+    text = f"Write {add_article(character)} on your sheet. "
+    return _build_message(text, "Show it", " lets the robot write it first.")
 
 
 def ask_for_next_stroke(done: int, of: int, character: str) -> Message:
     """Return the message between two strokes of a letter."""
+    text = f"The robot’s {character} has {of} strokes, yours has {done} so far. "
     ending = f"Write the next one, or press That is all if your {character} has no more."
-    return _build_plain_message(
-        f"The robot’s {character} has {of} strokes, yours has {done} so far. ", ending
-    )
+    return _build_message(text, ending)
 
 
 def describe_learned_ink(error: float) -> Message:
     """Return the message for ink that is compared with nothing: how well it was learned."""
+    text = "On average the robot’s line is off your dots by "
     after = " Choose a letter to compare yours with."
-    return _build_message(
-        error,
-        "On average the robot’s line is off your dots by ",
-        f"{name_comparable_width(error)}.",
-        after,
-    )
+    return _build_message(text, f"{name_comparable_width(error)}.", after, error)
 
 
 def describe_dot(character: str) -> Message:
     """Return the message for a sheet with nothing but dots, where a letter is wanted."""
-    return _build_plain_message(
-        "That is only a dot. ", "Undo", f" takes it away; then write {add_article(character)}."
-    )
+    after = f" takes it away; then write {add_article(character)}."
+    return _build_message("That is only a dot. ", "Undo", after)
 
 
 def describe_attempt(now: Score, before: Score | None, is_coarse: bool = False) -> Message:
@@ -161,9 +151,9 @@ def describe_attempt(now: Score, before: Score | None, is_coarse: bool = False) 
     """
     said = _name_fault(now, is_coarse)
     if before is None:
-        return _build_message(now.distance, _APART, said)
+        return _build_message(_APART, said, distance=now.distance)
     comparison = compare_attempts(now.distance, before.distance)
-    return _build_message(now.distance, f"{_APART}{said} ", comparison)
+    return _build_message(f"{_APART}{said} ", comparison, distance=now.distance)
 
 
 def _name_fault(now: Score, is_coarse: bool) -> str:
@@ -182,10 +172,8 @@ def compare_attempts(distance: float, before: float) -> str:
     "A little further away" is by half at most, or by the width of a pen's line or two, because
     the number stands beside it.
     """
-    if (
-        format_millimetres(distance) == format_millimetres(before)
-        or 0.95 * before <= distance <= 1.05 * before
-    ):
+    looks_equal = format_millimetres(distance) == format_millimetres(before)
+    if looks_equal or 0.95 * before <= distance <= 1.05 * before:
         return "As near as the try before."
     if distance < before:
         return "Nearer than the try before."
@@ -223,12 +211,9 @@ def describe_sheet(character: str, strokes: int, sentence: str) -> str:
     return f"Your {character or 'ink'}, {count}. {sentence}".strip()
 
 
-def _build_plain_message(text: str, strong: str, after: str = "") -> Message:
-    """Return a message without a number."""
-    return {"number": "", "unit": "", "text": text, "strong": strong, "after": after}
-
-
-def _build_message(metres: float, text: str, strong: str, after: str = "") -> Message:
-    """Return a message with the one number."""
-    number = format_millimetres(metres)
-    return {"number": number, "unit": "mm", "text": text, "strong": strong, "after": after}
+def _build_message(
+    text: str, strong: str, after: str = "", distance: float | None = None
+) -> Message:
+    """Return a message with a distance [m] as its one number, or without a number."""
+    number, unit = ("", "") if distance is None else (format_millimetres(distance), "mm")
+    return {"number": number, "unit": unit, "text": text, "strong": strong, "after": after}

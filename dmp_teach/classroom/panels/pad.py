@@ -29,7 +29,6 @@ from dmp_teach.classroom.panels.sheets import (
 )
 from dmp_teach.errors import RecordingError
 from dmp_teach.files import bundle as bundled
-from dmp_teach.formats import read_recording
 from dmp_teach.ink import Recording, characters, check_pseudonym, pad_stroke, recording_of
 from dmp_teach.letters import Letter
 from dmp_teach.robot import Page
@@ -145,14 +144,13 @@ class Pad(RobotPanel):
         if now is None:
             self._attempts.bring_back(self._model)
             is_back = self._attempts.now is not None
-            self.caught = (
-                "The try before is on your sheet again." if is_back else "Nothing to undo."
-            )
+            said = "The try before is on your sheet again." if is_back else "Nothing to undo."
         else:
             left = now.strokes[:-1]
             said = f"Stroke {len(now.ink)} is gone." if left else "The sheet is empty."
-            self.caught = f"{said} The try before stays." if self._attempts.is_back else said
+            said += " The try before stays." if self._attempts.is_back else ""
             self._attempts.now = Attempt.of(left, now.model, self.writer) if left else None
+        self.caught = said
         self._redraw()
 
     def start_again(self) -> None:
@@ -162,11 +160,8 @@ class Pad(RobotPanel):
         self.caught = ""
         self._redraw()
 
-    def load(self, recording: Recording | str | Path) -> None:
-        """Put a recording of one's own on the sheet, as a try."""
-        own = recording if isinstance(recording, Recording) else read_recording(recording)
-        if not own.strokes():
-            raise RecordingError("There is no stroke in this recording: the pen never wrote.")
+    def _show_own(self, own: Recording) -> None:
+        """Put a recording on the sheet, as a try."""
         self.start_again()
         if own.character in characters():
             self.character = own.character

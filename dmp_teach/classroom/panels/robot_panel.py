@@ -14,8 +14,8 @@ import traitlets
 
 from dmp_teach.classroom.panels.background_job import Job, Report, StopPressed
 from dmp_teach.classroom.panels.resting import RESTING_SCRIPT
-from dmp_teach.errors import ReachWarning, TeachError
-from dmp_teach.formats import known_formats
+from dmp_teach.errors import ReachWarning, RecordingError, TeachError
+from dmp_teach.formats import known_formats, read_recording
 from dmp_teach.ink import Recording, characters
 from dmp_teach.robot import Motion, Page
 from dmp_teach.trajectory import Trajectory
@@ -71,8 +71,8 @@ class RobotPanel(anywidget.AnyWidget):
     Whenever the letter changes, a subclass sets within one `hold_sync()` the traits `sheet`,
     `counts`, `message` and `title` (and its own), calls `_show_strokes` with what the robot
     would write, and raises `answered` and `drawing`. For another letter it sets `_size` to None:
-    the robot writes as large as is seen, unless a cure has set a height [m]. It says in `load` how
-    to show a recording, and passes messages that it does not know on to `_hear`.
+    the robot writes as large as is seen, unless a cure has set a height [m]. It says in `_show_own`
+    how to show a recording, and passes messages that it does not know on to `_hear`.
 
     The other traits are set here: `robot` (the strokes, packed), `work` (idle, working or cannot),
     `older` (whether the robot has written another letter than is seen), `scene` (its view),
@@ -119,7 +119,18 @@ class RobotPanel(anywidget.AnyWidget):
         return {"accept": ",".join(suffixes), "names": f"{', '.join(names[:-1])} or {names[-1]}"}
 
     def load(self, recording: Recording | str | Path) -> None:
-        """Show a recording of one's own."""
+        """Show a recording of one's own.
+
+        Raises:
+            RecordingError: It cannot be read, or has no stroke.
+        """
+        own = recording if isinstance(recording, Recording) else read_recording(recording)
+        if not own.strokes():
+            raise RecordingError("There is no stroke in this recording: the pen never wrote.")
+        self._show_own(own)
+
+    def _show_own(self, own: Recording) -> None:
+        """Show a recording that has strokes."""
         raise NotImplementedError
 
     def write(self) -> None:

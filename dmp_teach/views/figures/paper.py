@@ -32,16 +32,7 @@ from dmp_teach.views.palette import (
 
 # An infinite width ("no ends") stands here on an axis of widths that ends at 40.
 INFINITE_WIDTH_PLACE = 80.0
-WIDTH_TICKS = {
-    0.2: "0.2",
-    round(2 / 3, 6): "⅔",
-    1.0: "1",
-    2.0: "2",
-    4.0: "4",
-    10.0: "10",
-    20.0: "20",
-    40.0: "40",
-}
+WIDTH_TICKS = [0.2, 0.666667, 1, 2, 4, 10, 20, 40]
 TRACE_LOOKS: dict[str, Look] = {
     "demonstration": {"color": PERSON_COLOR, "linestyle": (0, (5, 2)), "linewidth": 2.2},
     "DMP*": {"color": ROBOT_COLOR, "linestyle": "-", "linewidth": 1.8},
@@ -88,10 +79,8 @@ def draw_error_over_width(curves: ErrorCurves, variant: str | None = None) -> Fi
     """
     figure, panel = _draw_errors(curves, variant, _place_widths(curves.x), "kernel width [1/N]")
     panel.axvspan(1, 4, color=SHADE_COLOR, linewidth=0, zorder=0)
-    names = dict(WIDTH_TICKS)
-    if np.isinf(curves.x).any():
-        names[INFINITE_WIDTH_PLACE] = "no ends"
-    set_log_ticks(panel.xaxis, list(names), names)
+    ends = {INFINITE_WIDTH_PLACE: "no ends"} if np.isinf(curves.x).any() else {}
+    set_log_ticks(panel.xaxis, [*WIDTH_TICKS, *ends], {0.666667: "⅔", **ends})
     look: Look = {"transform": panel.get_xaxis_transform(), "va": "top", "color": MUTED_COLOR}
     panel.text(2, 0.985, "1/N to 4/N", ha="center", **look)
     return figure

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import asdict, dataclass, replace
+from dataclasses import dataclass, replace
 from itertools import product
 from operator import itemgetter
 
@@ -64,10 +64,6 @@ class Camera:
             aspect: Width over height of the picture.
         """
         return max(self.high, self.wide / aspect)
-
-    def as_dict(self) -> dict[str, object]:
-        """Return the fields by their names, for JSON."""
-        return asdict(self)
 
 
 def check_camera_name(name: str) -> str:

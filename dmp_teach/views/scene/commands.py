@@ -18,7 +18,7 @@ import umsgpack
 from meshcat.animation import Animation, AnimationClip
 
 from dmp_teach.trajectory import Array
-from dmp_teach.views.scene.packing import Faces, PackedMesh, Track, pack_commands
+from dmp_teach.views.scene.packing import PackedMesh, Track, pack_commands
 from dmp_teach.views.scene.pen_force import FORCE_SHADES, shade_rgb
 from dmp_teach.views.scene.ribbon import Ribbon
 from dmp_teach.views.scene.shapes import Shape, build_floor, place_lamp
@@ -59,17 +59,10 @@ class CommandRecorder:
 class _Mesh(meshcat.geometry.Geometry):
     """A mesh in few bytes, with the normals that make it smooth."""
 
-    def __init__(
-        self,
-        name: str,
-        vertices: Array,
-        normals: Array | None,
-        faces: Faces,
-        colors: Array | None = None,
-    ) -> None:
+    def __init__(self, name: str, mesh: PackedMesh) -> None:
         # Meshcat's own identifiers hold the machine's address and the time.
         self.uuid = name
-        self.mesh = PackedMesh(vertices, normals, faces, colors)
+        self.mesh = mesh
 
     def intrinsic_transform(self) -> Array:
         """Return the pose transposed: three.js reads columns where meshcat writes rows."""
@@ -165,8 +158,8 @@ def _put_shape(
         material = meshcat.geometry.MeshPhongMaterial(
             color=color, shininess=30, specular=gloss, side=0
         )
-    mesh = _Mesh(shape.name, shape.vertices, shape.normals, shape.faces)
-    _put_mesh(parent[shape.name], mesh, material)
+    mesh = PackedMesh(shape.vertices, shape.normals, shape.faces)
+    _put_mesh(parent[shape.name], _Mesh(shape.name, mesh), material)
 
 
 def _put_ribbon(
@@ -179,7 +172,8 @@ def _put_ribbon(
         colors = shades[stage.shades][ribbon.owners]
         color = WHITE_HEX
     material = meshcat.geometry.MeshBasicMaterial(color=color, vertexColors=colors is not None)
-    _put_mesh(node, _Mesh(name, ribbon.vertices, None, ribbon.faces, colors), material)
+    mesh = PackedMesh(ribbon.vertices, None, ribbon.faces, colors)
+    _put_mesh(node, _Mesh(name, mesh), material)
     node.set_transform(stage.page.X_world_page)
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from functools import cached_property, lru_cache
 
 import numpy as np
@@ -138,7 +138,7 @@ class Stage:
             action = f"It writes {strokes} stroke{ending} in {self.duration:.1f} s."
         return {
             "duration": self.duration,
-            "cameras": {name: camera.as_dict() for name, camera in self.cameras.items()},
+            "cameras": {name: asdict(camera) for name, camera in self.cameras.items()},
             "page": [*self.page.X_world_page.ravel().tolist(), self.page.width, self.page.height],
             "plan": _list_dots(self.plan),
             "ink": _list_dots(self.ink, self.shades),
