@@ -261,17 +261,6 @@ def test_a_tip_switch_cuts_a_trace(tmp_path):
     check_d(read(tmp_path, inkml(f"<trace>{', '.join(rows)}</trace>", form)), pressure=False)
 
 
-def test_continued_traces_are_one_stroke(tmp_path):
-    bar, bowl = d_strokes()
-    parts = [
-        trace(bar[:30], attributes=' xml:id="a" continuation="begin"'),
-        trace(bar[30:50], attributes=' xml:id="b" continuation="middle" priorRef="#a"'),
-        trace(bowl),
-        trace(bar[50:], attributes=' continuation="end" priorRef="#b"'),
-    ]
-    check_d(read(tmp_path, inkml("".join(parts))))
-
-
 def test_a_single_point_is_a_dot(tmp_path):
     recording = read(tmp_path, inkml(BODY + "<trace>30 10 2500 400</trace>"))
     assert len(recording.strokes()) == 3

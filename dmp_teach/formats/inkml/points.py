@@ -1,9 +1,9 @@
-"""The points of an InkML trace: values, differences and second differences, as the recommendation has them.
+"""The points of an InkML trace: values, differences and second differences.
 
-A value may follow a sign: ! says that it is meant as it stands, ' that it is the difference from the last one, and "
-the change of that difference. The sign holds for its channel until the next one. * keeps the last value (or goes on
-with the last difference), ? is a value that nobody knows, T and F are true and false, # begins a hexadecimal number.
-Spaces may be left out where a sign divides.
+A value may follow a sign: ! says that it is meant as it stands, ' that it is the difference from
+the last one, and " the change of that difference. The sign holds for its channel until the next
+one. * keeps the last value (or goes on with the last difference), ? is an unknown value, T and F
+are true and false, # begins a hexadecimal number. Spaces may be left out where a sign divides.
 """
 
 from __future__ import annotations
@@ -16,21 +16,22 @@ from dmp_teach.errors import RecordingError
 from dmp_teach.formats.inkml.channels import TraceFormat
 from dmp_teach.trajectory import Array
 
-TOKEN = re.compile(
-    r"([!'\"]?)\s*(?:([+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?)|([+-]?)#([0-9A-Fa-f]{1,12})|([TF*?]))|(,)|(\S)"
-)
+DECIMAL = r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
+TOKEN = re.compile(rf"([!'\"]?)\s*(?:({DECIMAL})|([+-]?)#([0-9A-Fa-f]{{1,12}})|([TF*?]))|(,)|(\S)")
+WORDS = {"T": 1.0, "F": 0.0, "*": None}
 TOO_LARGE = 1e100
-MOST = 300_000  # points in a file
+MOST_POINTS = 300_000  # in a file
 
 
-class _Counter:
+class _ChannelState:
     """One channel on its way through a trace."""
 
-    def __init__(self):
-        self.sign, self.value, self.step, self.bend = "!", np.nan, 0.0, 0.0
+    def __init__(self) -> None:
+        self.sign, self.value = "!", np.nan
+        self.step = self.bend = 0.0
 
     def next(self, sign: str, number: float | None) -> float:
-        """The next value; a `number` of None goes on as before."""
+        """Return the next value; a `number` of None goes on as before."""
         self.sign = sign or self.sign
         if self.sign == "!":
             self.value = self.value if number is None else number
@@ -45,55 +46,54 @@ class _Counter:
         return self.value
 
 
-def points_of(text: str, form: TraceFormat, most: int = MOST) -> Array:
-    """The points of a trace, shape (K, C), a column for each channel; NaN where a value is not known.
+def read_points(text: str, form: TraceFormat, most: int = MOST_POINTS) -> Array:
+    """Return the points of a trace, a column for each channel, NaN for an unknown value.
 
     Args:
         text: What the trace holds.
         form: Its channels.
         most: More points than this are refused.
 
+    Returns:
+        Shape (K, C).
+
     Raises:
-        RecordingError: A sign that has no place in a trace, too few or too many values in a point, or too many points.
+        RecordingError: A sign that has no place in a trace, too few or too many values in a point,
+            or too many points.
     """
-    counters = [_Counter() for _ in form.channels]
-    regular = sum(channel.regular for channel in form.channels)
-    rows, row = [], []
+    states = [_ChannelState() for _ in form.channels]
+    regular = sum(channel.is_regular for channel in form.channels.values())
+    rows: list[list[float]] = []
+    row: list[float] = []
     for match in TOKEN.finditer(text):
         sign, number, minus, digits, word, comma, odd = match.groups()
-        if odd or len(row) > len(counters) - (not comma):
-            _refuse(odd, text, match.start(), len(counters))
+        place = text[match.start() : match.start() + 20]
+        if digits:
+            number = str(int(minus + digits, 16))
+        if odd or (number and not abs(float(number)) < TOO_LARGE):
+            raise RecordingError(f"has {place.strip()!r} where a number should be.")
+        if len(row) > len(states) - (not comma):
+            raise RecordingError(f"has more than {len(states)} values in a point near {place!r}.")
         if comma:
-            _finish(rows, row, counters, regular)
+            rows.append(_whole_row(row, states, regular, len(rows)))
             row = []
             if len(rows) > most:
                 raise RecordingError(f"has more than {most} points; cut it.")
-            continue
-        if digits:
-            number = str(int(minus + digits, 16))
-        if number and not abs(float(number)) < TOO_LARGE:
-            _refuse(number, text, match.start(), len(counters))
-        counter = counters[len(row)]
-        known = {"T": 1.0, "F": 0.0}.get(word) if word else float(number)
-        row.append(np.nan if word == "?" else counter.next(sign, known))
+        elif word == "?":
+            row.append(np.nan)
+        else:
+            row.append(states[len(row)].next(sign, WORDS[word] if word else float(number)))
     if row or not rows:
-        _finish(rows, row, counters, regular)
-    return np.array(rows, dtype=float).reshape(len(rows), len(counters))
+        rows.append(_whole_row(row, states, regular, len(rows)))
+    return np.array(rows).reshape(len(rows), len(states))
 
 
-def _finish(rows: list, row: list, counters: list[_Counter], regular: int) -> None:
-    """End a point: what may be left out keeps its last value."""
+def _whole_row(
+    row: list[float], states: list[_ChannelState], regular: int, number: int
+) -> list[float]:
+    """Return a point with the last value of each channel that it leaves out."""
     if len(row) < regular:
         raise RecordingError(
-            f"has {len(row)} values in point {len(rows)}, but its channels need {regular}."
+            f"has {len(row)} values in point {number}, but its channels need {regular}."
         )
-    rows.append(row + [counter.value for counter in counters[len(row) :]])
-
-
-def _refuse(odd: str | None, text: str, place: int, channels: int) -> None:
-    """Say what has no place in a trace."""
-    if odd:
-        raise RecordingError(f"has {text[place : place + 20].strip()!r} where a number should be.")
-    raise RecordingError(
-        f"has more than {channels} values in a point near {text[place : place + 20]!r}."
-    )
+    return row + [state.value for state in states[len(row) :]]

@@ -13,15 +13,15 @@ from dmp_teach.formats.safe_xml import finite_number
 from dmp_teach.trajectory import Array
 
 TAP = 0.02  # how long a single point lasts [s]
-FASTEST = 0.0002  # no pen is looked at more often: such times are no milliseconds [s]
-SLOWEST = 1.0  # nor so seldom [s]
-LONGEST = 3600.0  # nobody writes one stroke so long [s]
+SHORTEST_STEP = 0.0002  # no pen is looked at more often: such times are no milliseconds [s]
+LONGEST_STEP = 1.0  # nor so seldom [s]
+LONGEST_STROKE = 3600.0  # [s]
 
 
-def times_of(
+def trace_times(
     values: Array | None, form: TraceFormat, offset: str | None, duration: str | None, count: int
 ) -> Array | None:
-    """The times of a trace (K,) [s]; None where the file does not tell them.
+    """Return the times of a trace (K,) [s]; None where the file does not tell them.
 
     Args:
         values: Its channel T, shape (K,), or None.
@@ -34,32 +34,34 @@ def times_of(
         RecordingError: No unit, and milliseconds would be too slow for any pen.
     """
     begin = 0.001 * (finite_number(offset) or 0.0)
-    if (
-        values is not None
-        and np.isfinite(values).any()
-        and (count == 1 or np.nanmax(values) > np.nanmin(values))
-    ):
-        scale = form.find("T").scale
-        if scale is None:
-            step = float(np.nanmedian(np.diff(values))) if count > 2 else 1.0
-            if step * 0.001 > SLOWEST:
-                raise RecordingError(
-                    f"has points {step:.4g} apart in channel T, which says no unit, and would be milliseconds; give it "
-                    "its unit, such as units='us'."
-                )
-            scale = 1.0 if 0 < step * 0.001 < FASTEST else 0.001
-        return begin + values * scale
+    known = [] if values is None else values[np.isfinite(values)]
+    if values is not None and len(known) and (count == 1 or np.ptp(known) > 0):
+        return begin + values * _time_scale(values, form.channels["T"].scale)
     if form.rate is not None:
         return begin + np.arange(count) / form.rate
     seconds = 0.001 * (finite_number(duration) or 0.0)
     return begin + np.linspace(0.0, seconds, count) if seconds > 0 and count > 1 else None
 
 
-def one_clock(strokes: Sequence[tuple[Array, Array]]) -> list[tuple[Array, Array]]:
-    """Strokes one after the other, each time once.
+def _time_scale(values: Array, scale: float | None) -> float:
+    """Return the seconds in a unit of times (K,), which without a unit are ms where that can be."""
+    if scale is not None:
+        return scale
+    step = float(np.nanmedian(np.diff(values))) if len(values) > 2 else 1.0
+    if step * 0.001 > LONGEST_STEP:
+        raise RecordingError(
+            f"has points {step:.4g} apart in channel T, which says no unit, and would be "
+            "milliseconds; give it its unit, such as units='us'."
+        )
+    return 1.0 if 0 < step * 0.001 < SHORTEST_STEP else 0.001
 
-    A point at the time of the one before it is left out. A single point is a dot, and lasts 20 ms. A stroke that begins
-    before the one before it has ended, for its clock was its own, begins a pause after that one.
+
+def on_one_clock(strokes: Sequence[tuple[Array, Array]]) -> list[tuple[Array, Array]]:
+    """Return strokes one after the other, each time once.
+
+    A point at the time of the one before it is left out. A single point is a dot, and lasts 20 ms.
+    A stroke that begins before the one before it has ended, for its clock was its own, begins a
+    pause after that one.
 
     Args:
         strokes: Times (K,) [s] and rows (K, D) of each.
@@ -69,18 +71,19 @@ def one_clock(strokes: Sequence[tuple[Array, Array]]) -> list[tuple[Array, Array
     """
     laid: list[tuple[Array, Array]] = []
     for number, (times, rows) in enumerate(strokes):
-        t, row = _once(number, times, rows)
+        t, row = _each_time_once(number, times, rows)
         overlaps = bool(laid) and t[0] <= laid[-1][0][-1]
         laid.append((t - t[0] + laid[-1][0][-1] + PAUSE if overlaps else t, row))
     return laid
 
 
-def _once(number: int, t: Array, rows: Array) -> tuple[Array, Array]:
-    """A stroke with each time once, and a point as a dot; raise where its times cannot be."""
+def _each_time_once(number: int, t: Array, rows: Array) -> tuple[Array, Array]:
+    """Return a stroke with each time once, and a point as a dot."""
     with np.errstate(all="ignore"):
-        step, long = np.diff(t), t[-1] - t[0]
-    if (step < 0).any() or not long < LONGEST:
-        fault = f"takes {long:.4g} s" if not long < LONGEST else "has times that run back"
+        step = np.diff(t)
+        long = t[-1] - t[0]
+    if (step < 0).any() or not long < LONGEST_STROKE:
+        fault = f"takes {long:.4g} s" if not long < LONGEST_STROKE else "has times that run back"
         raise RecordingError(f"stroke {number} {fault}; is the unit of channel T right?")
     fresh = np.concatenate([[True], step > 0])
     if np.count_nonzero(fresh) == 1:
