@@ -70,8 +70,8 @@ class Solver:
         self._posture = solver.add_joints_task()
         solver.add_regularization_task(1e-4)
         self.proximity = Proximity(JOINTS, grown=SAFETY_SHELL)
-        # What `reach.posture` has found out, by page.
-        self.verdicts: dict[Any, Any] = {}
+        # What `reach.posture`, of which this module knows nothing, has found out by page.
+        self.verdicts: dict[object, Any] = {}
 
     def mask(self, name: str, masked: bool = True) -> None:
         """Hold a joint still, or let it go.
@@ -175,7 +175,7 @@ class Solver:
         q: Array,
         normal: Array,
         path: Array,
-        report: Callable[[str, float], Any],
+        report: Callable[[str, float], object],
         solves: int = 1,
     ) -> Array:
         """Solve for the joints along a path.

@@ -6,15 +6,14 @@ import warnings
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from dmp_teach.errors import ReachError, ReachWarning
 from dmp_teach.robot.arm import JOINTS, Solver, solver_here
+from dmp_teach.robot.clearance import describe_collision, describe_thin_margin, find_nearest
 from dmp_teach.robot.layout import lay_out
-from dmp_teach.robot.model.proximity import find_nearest
 from dmp_teach.robot.motion import Motion, describe_overloads
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.pen_path import PenPlan, connect_strokes
@@ -33,8 +32,7 @@ _LAG = 3e-5
 _FORESEEN = 0.03
 
 PlacedStrokes = tuple[Trajectory, ...]
-PlanProgress = Callable[[str, float], Any]
-"""What it returns is not used."""
+PlanProgress = Callable[[str, float], object]
 
 
 def _silent(step: str, fraction: float) -> None:
@@ -110,7 +108,7 @@ def _plan(
     _check_tip(X_world_tip, plan, page)
     first, closest = find_nearest(q, JOINTS, page)
     if first is not None:
-        raise Unreachable(str(first))
+        raise Unreachable(describe_collision(first))
     motion = Motion(
         t=plan.t,
         q=q,
@@ -121,7 +119,7 @@ def _plan(
         page=page,
         strokes=strokes,
     )
-    near = () if closest is None else (closest.note,)
+    near = () if closest is None else (describe_thin_margin(closest),)
     notes = (*slowed, *describe_overloads(motion, solver.model), *near, *reach.notes)
     return replace(motion, notes=notes), reach.warning
 
@@ -204,4 +202,4 @@ def _foreseen_collision(solver: Solver, page: Page, strokes: PlacedStrokes) -> s
     q = solver.follow(posture.q, page.normal, page.to_world(plan.position), _silent)
     first, closest = find_nearest(q, JOINTS, page, _FORESEEN)
     near = first or closest
-    return "" if near is None else str(near)
+    return "" if near is None else describe_collision(near)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -202,7 +202,7 @@ def _four_by_four(values: ArrayLike) -> Array:
     return X
 
 
-def _pose(kind: str, centre: tuple[Any, Any, Any], tilt: Any, turn: Any, yaw: Any) -> Array:
+def _pose(kind: str, centre: Sequence[float], tilt: float, turn: float, yaw: float) -> Array:
     """Return the pose (4, 4) of a sheet on a table or a board."""
     X = np.eye(4)
     X[:3, 3] = [
@@ -216,7 +216,7 @@ def _pose(kind: str, centre: tuple[Any, Any, Any], tilt: Any, turn: Any, yaw: An
     return X
 
 
-def _angle(name: str, value: Any) -> float:
+def _angle(name: str, value: float) -> float:
     """Return an angle of at most a whole turn [rad], or raise a PageError."""
     angle = finite(name, value, "an angle in radians, such as 0.35")
     if abs(angle) > 2 * np.pi:
@@ -227,7 +227,7 @@ def _angle(name: str, value: Any) -> float:
     return angle
 
 
-def finite(name: str, value: Any, meaning: str) -> float:
+def finite(name: str, value: float, meaning: str) -> float:
     """Return a finite number, or raise a PageError that says what it should be."""
     try:
         found = float(value)

@@ -1,5 +1,7 @@
+import dataclasses
 import gc
 import itertools
+import re
 import sys
 import threading
 from concurrent.futures import ThreadPoolExecutor
@@ -8,9 +10,11 @@ import numpy as np
 import pytest
 from hypothesis import strategies as st
 
+import dmp_teach as teach
 from dmp_teach.errors import JointError, MissingPartError, ReachError
 from dmp_teach.robot.arm import JOINTS, Solver, solver_here
 from dmp_teach.robot.fetch import Fetch
+from dmp_teach.robot.model.reduced import reduced_robot
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.pen_path import MOTION_RATE, connect_strokes
 from dmp_teach.trajectory import Trajectory
@@ -48,9 +52,14 @@ def test_too_fast_is_slowed_and_said(letter, faster, page):
 
 def test_a_hasty_large_letter_is_slowed():
     hasty = tuple(Trajectory(s.t / 6, s.position) for s in LETTER)
-    notes = Fetch().write(hasty, Page.table(), size=0.2).notes
-    assert notes[0].startswith("slowed from ")
-    assert all("its motor gives" in note for note in notes[1:])
+    motion = Fetch().write(hasty, Page.table(), size=0.2)
+    words = re.match(
+        r"slowed from (\d\.\d\d) s to (\d\.\d\d) s: (\w+), .* Slower is stroke 0 from ",
+        motion.notes[0],
+    )
+    assert float(words[1]) < float(words[2]) == pytest.approx(motion.duration, abs=0.006)
+    assert words[3] in JOINTS
+    assert all("its motor gives" in note for note in motion.notes[1:])
 
 
 @pytest.mark.parametrize("page", SHEETS, ids=repr)
@@ -218,23 +227,22 @@ def test_joints_that_turn_for_ever_do_not_jump_at_half_a_turn():
     )
 
 
-def test_where_placo_is_missing_the_sentence_says_what_to_do(monkeypatch):
-    monkeypatch.setitem(sys.modules, "placo", None)
-    with (
-        ThreadPoolExecutor(1) as new_thread,
-        pytest.raises(
-            MissingPartError,
-            match=r"Letters, sliders and plots work without it\..*pip install placo.*WSL",
-        ),
-    ):
+def test_without_placo_the_sentence_says_what_to_do_and_the_rest_goes_on(monkeypatch):
+    motion = dataclasses.replace(Fetch().write(LETTER, Page.table()))
+    for library in ("placo", "pinocchio"):
+        monkeypatch.setitem(sys.modules, library, None)
+    reduced_robot.cache_clear()
+    says = r"PlaCo, which is not here.* plots work without it\..*pip install placo.*WSL"
+    with ThreadPoolExecutor(1) as new_thread, pytest.raises(MissingPartError, match=says):
         new_thread.submit(Fetch).result()
+    with pytest.raises(MissingPartError, match=says):
+        _ = motion.torque
+    assert teach.Letter.learn(teach.recording_of("a")).write()
 
 
 @needs_recordings
 @pytest.mark.parametrize("path", RECORDINGS, ids=lambda path: path.stem)
 def test_every_recorded_letter_is_written(path):
-    import dmp_teach as teach  # noqa: PLC0415
-
     strokes = teach.read_recording(path).strokes()
     as_written = np.ptp(np.concatenate([stroke.position for stroke in strokes])[:, 1])
     for page in SHEETS[:2]:

@@ -7,15 +7,14 @@ from hypothesis import strategies as st
 from dmp_teach.errors import ReachError
 from dmp_teach.robot import fetch
 from dmp_teach.robot.arm import JOINTS, Solver
-from dmp_teach.robot.fetch import Fetch
-from dmp_teach.robot.model.proximity import (
+from dmp_teach.robot.clearance import (
     LEAST_CLEARANCE,
     PAGE_SURROUND,
     THIN_CLEARANCE,
-    Near,
-    Proximity,
     find_nearest,
 )
+from dmp_teach.robot.fetch import Fetch
+from dmp_teach.robot.model.proximity import Near, Proximity
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.time_scaling import TimeScaling
 from tests.robot import ink
@@ -79,14 +78,6 @@ def test_a_page_too_near_is_refused_with_the_pair_the_moment_the_depth_and_a_pag
     assert repr(error.cure) in str(error)
     motion = Fetch().write(LETTER, error.cure)
     assert brute(motion.q, error.cure).min() >= LEAST_CLEARANCE
-
-
-@pytest.mark.parametrize("x", [0.2, 0.1])
-def test_a_page_in_the_robots_lap_is_refused_with_a_page_that_works(x):
-    error = refusal(Page.table(x=x))
-    assert "body" in str(error)
-    assert "Try Page.table(x=0." in str(error)
-    assert Fetch().write(LETTER, error.cure).page is error.cure
 
 
 def go_wrong(monkeypatch, what):

@@ -20,14 +20,8 @@ from dmp_teach.robot.fetch import Fetch
 from dmp_teach.robot.model.proximity import Proximity
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.ros import bag as ros
-from dmp_teach.robot.ros.bag import (
-    APPROACH_PACE,
-    GOAL_TOPIC,
-    LEAD,
-    PATH_TOPIC,
-    schedule,
-    write_rosbag,
-)
+from dmp_teach.robot.ros.bag import GOAL_TOPIC, PATH_TOPIC, write_rosbag
+from dmp_teach.robot.ros.schedule import APPROACH_PACE, LEAD, make_schedule
 from dmp_teach.robot.ros.untuck import TUCKED
 from dmp_teach.robot.time_scaling import SPEED_SHARE
 from tests.conftest import STRICT
@@ -106,7 +100,7 @@ def stamps_of(value):
 
 
 def test_what_is_read_back_is_what_was_planned(motion, bag):
-    plan = schedule(motion)
+    plan = make_schedule(motion)
     goal = read(bag)[GOAL_TOPIC][2]
     t, q, velocity = points_of(goal)
     assert goal.goal.trajectory.joint_names == FETCH_GROUP == list(JOINTS)
@@ -116,7 +110,7 @@ def test_what_is_read_back_is_what_was_planned(motion, bag):
 
 
 def test_the_writing_is_the_motion_itself_later(motion, bag):
-    first = schedule(motion).writing
+    first = make_schedule(motion).writing
     t, q, _ = points_of(read(bag)[GOAL_TOPIC][2])
     np.testing.assert_allclose(t[first:] - t[first], motion.t, rtol=0, atol=2e-9)
     turns = (q[first:] - motion.q) / (2 * np.pi)
@@ -138,7 +132,7 @@ def test_velocities_are_the_slope_of_the_positions(bag):
 @pytest.mark.parametrize("page", PAGES, ids=repr)
 def test_the_arm_goes_from_tucked_to_the_page_within_its_limits(page):
     motion = Fetch().write(LETTER, page, size=0.1)
-    plan = schedule(motion)
+    plan = make_schedule(motion)
     np.testing.assert_array_equal(plan.q[0], TUCKED)
     way, writing = np.split(np.abs(plan.velocity) / SPEEDS, [plan.writing])
     assert way.max() <= APPROACH_PACE + 0.001
@@ -150,7 +144,7 @@ def test_the_arm_goes_from_tucked_to_the_page_within_its_limits(page):
 
 @pytest.mark.parametrize("page", PAGES, ids=repr)
 def test_the_arm_touches_nothing_on_its_way(page):
-    plan = schedule(Fetch().write(LETTER, page, size=0.1))
+    plan = make_schedule(Fetch().write(LETTER, page, size=0.1))
     proximity = Proximity(JOINTS, grown=SAFETY_SHELL)
 
     def touching(q):
@@ -197,7 +191,7 @@ def shell(link, q):
 
 
 def test_where_the_coarse_solids_overlap_the_shells_do_not(motion):
-    plan = schedule(motion)
+    plan = make_schedule(motion)
     q = plan.q[: plan.writing : 8]
     for hand in ("gripper_link", "pen_link"):
         for body in ("torso_lift_link", "shoulder_pan_link"):
@@ -215,7 +209,7 @@ def test_the_controller_takes_its_time_to_the_first_point_from_any_height_of_the
 
 
 def test_without_a_start_only_the_letter_is_written(motion):
-    plan = schedule(motion, start=None)
+    plan = make_schedule(motion, start=None)
     assert plan.writing == 0
     np.testing.assert_array_equal(plan.q, motion.q)
     np.testing.assert_allclose(plan.t, LEAD + motion.t, atol=1e-9)
@@ -223,7 +217,7 @@ def test_without_a_start_only_the_letter_is_written(motion):
 
 def test_a_start_of_ones_own_is_where_it_starts(motion):
     start = [0.2, 1.32, 0.0, -1.4, 1.72, 0.0, 1.66, 0.0]
-    plan = schedule(motion, start=start)
+    plan = make_schedule(motion, start=start)
     np.testing.assert_array_equal(plan.q[0], start)
     np.testing.assert_allclose(np.exp(1j * plan.q[-1]), np.exp(1j * motion.q[-1]), atol=1e-12)
 
@@ -372,7 +366,7 @@ def test_where_rosbags_is_missing_the_sentence_says_what_to_do(motion, tmp_path,
 
 def test_turns_of_the_joints_that_turn_for_ever_make_no_detour(motion):
     turned = dataclasses.replace(motion, q=motion.q + 2 * np.pi * 3 * TURNS)
-    np.testing.assert_allclose(schedule(turned).q, schedule(motion).q, atol=1e-12)
+    np.testing.assert_allclose(make_schedule(turned).q, make_schedule(motion).q, atol=1e-12)
 
 
 @pytest.mark.skipif(not HAS_ROS and not STRICT, reason="no ROS 1 here; .ci/run installs Debian's")
@@ -388,7 +382,7 @@ def test_a_real_roscore_delivers_every_point(motion, bag, tmp_path):
         True,
     )
     goal = ros.ros_types().deserialize_ros1(heard[GOAL_TOPIC]["data"], GOAL)
-    plan, (t, q, velocity) = schedule(motion), points_of(goal)
+    plan, (t, q, velocity) = make_schedule(motion), points_of(goal)
     assert goal.goal.trajectory.joint_names == FETCH_GROUP
     np.testing.assert_allclose(t, plan.t, rtol=0, atol=1e-9)
     np.testing.assert_allclose(q, plan.q, rtol=0, atol=1e-9)

@@ -399,5 +399,9 @@ def test_nothing_is_printed(capfd):
 
 def test_without_pybullet_it_says_what_still_works(without_pybullet):
     motion = short()
-    with pytest.raises(MissingPartError, match=r"need pybullet.*\.html\(path\) work without it"):
+    with pytest.raises(
+        MissingPartError,
+        match=r"need pybullet.*\.html\(path\) work without it.*pip install pybullet",
+    ):
         simulate(motion)
+    assert teach.Fetch().write(ink.LETTER, PAGES["table"]).duration > 0

@@ -1,1 +1,1 @@
-"""The robot's kinematics, its solids, and how near they are."""
+"""The robot's kinematics, masses and shapes, and how near its parts are."""

@@ -6,25 +6,13 @@ Distances of boxes, cylinders and spheres are coal's, which PlaCo brings with pi
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass, replace
-from operator import attrgetter
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from dmp_teach.robot.model.reduced import load_pinocchio, reduced_robot
 from dmp_teach.robot.page import Page
-from dmp_teach.robot.pen_path import MOTION_RATE
 from dmp_teach.trajectory import Array
-
-LEAST_CLEARANCE = 0.010
-"""The arm keeps this far from the robot and from what the page lies on [m]."""
-
-THIN_CLEARANCE = 0.020
-"""Less than this is worth a note [m]."""
-
-PAGE_SURROUND = 0.2
-"""What the page lies on is thought to go on for so far beyond it, on every side [m]."""
 
 _PAGE_DEPTH = 0.7
 """What the page lies on is this thick [m]: a table down to the floor, a board and its wall."""
@@ -50,32 +38,13 @@ _ARM = tuple(
 )
 _HAND = ("gripper_link", "r_gripper_finger_link", "l_gripper_finger_link", "pen_link", "pen_tip")
 
-_WORDS = {
-    "torso_fixed_link": "torso",
-    "torso_lift_link": "torso",
-    "head_pan_link": "head",
-    "head_tilt_link": "head",
-    "shoulder_pan_link": "shoulder",
-    "shoulder_lift_link": "shoulder",
-    "upperarm_roll_link": "upper arm",
-    "elbow_flex_link": "elbow",
-    "forearm_roll_link": "forearm",
-    "wrist_flex_link": "wrist",
-    "wrist_roll_link": "wrist",
-    "r_gripper_finger_link": "right finger",
-    "l_gripper_finger_link": "left finger",
-    "pen_tip": "pen",
-    "page": "what the page lies on",
-}
 
-
-@dataclass(frozen=True)
-class Near:
+class Near(NamedTuple):
     """A moment at which the arm comes near to something.
 
     Args:
         row: The sample.
-        distance: How near, less than 0 where the two would overlap [m].
+        distance: How near, less than 0 where the two overlap [m].
         link: The arm's part.
         other: A part of the robot, or "page" for what the page lies on.
     """
@@ -84,38 +53,6 @@ class Near:
     distance: float
     link: str
     other: str
-
-    def __str__(self) -> str:
-        """Say what would happen where that must not be."""
-        if self.distance < 0:
-            happens = f"would go into {self._what}, {-1000 * self.distance:.0f} mm deep"
-        else:
-            happens = f"would come within {1000 * self.distance:.0f} mm of {self._what}"
-        if 0 <= self.distance < LEAST_CLEARANCE:
-            happens += f"; {1000 * LEAST_CLEARANCE:.0f} mm must stay between them"
-        when = f"fter {self.row / MOTION_RATE:.2f} s the arm's {plain(self.link)} {happens}."
-        if self.other == "page":
-            return f"A{when}"
-        touch = "touch" if self.distance < LEAST_CLEARANCE else "come too near to"
-        return f"The arm would {touch} the robot: a{when}"
-
-    @property
-    def note(self) -> str:
-        """What to say of it where it may stay so."""
-        return (
-            f"after {self.row / MOTION_RATE:.2f} s the arm's {plain(self.link)} comes within "
-            f"{1000 * self.distance:.0f} mm of {self._what}"
-        )
-
-    @property
-    def _what(self) -> str:
-        """What the part comes near to."""
-        return plain(self.other) if self.other == "page" else f"the robot's {plain(self.other)}"
-
-
-def plain(link: str) -> str:
-    """Return what people call a link."""
-    return _WORDS.get(link, link.removesuffix("_link"))
 
 
 class Proximity:
@@ -239,30 +176,6 @@ class Proximity:
                 far += np.linalg.norm(model.jointPlacements[joint].translation)
                 joint = model.parents[joint]
         return reach
-
-
-def find_nearest(
-    q: Array, joint_names: tuple[str, ...], page: Page, within: float = THIN_CLEARANCE
-) -> tuple[Near | None, Near | None]:
-    """Find the first moment nearer than `LEAST_CLEARANCE`, and the one at which all is nearest.
-
-    Args:
-        q: Joint positions, shape (T, J) [rad, m].
-        joint_names: J names.
-        page: The sheet. Only the pen may come near to it.
-        within: What is farther away than this does not count [m].
-
-    Returns:
-        Both None where nothing counts. The distance of the first is the least that this pair has
-        at any time.
-    """
-    near = Proximity(joint_names, page, PAGE_SURROUND).approaches(q, within)
-    closest = min(near, key=lambda each: (each.distance, each.row), default=None)
-    if closest is None or closest.distance >= LEAST_CLEARANCE:
-        return None, closest
-    first = min((each for each in near if each.distance < LEAST_CLEARANCE), key=attrgetter("row"))
-    same = [each.distance for each in near if (each.link, each.other) == (first.link, first.other)]
-    return replace(first, distance=min(same)), closest
 
 
 def _grow(shape: Any, by: float) -> Any:

@@ -1,4 +1,7 @@
-"""The robot in pinocchio, which PlaCo brings: its masses and its collision shapes."""
+"""The robot in pinocchio, which PlaCo brings: its masses and its collision shapes.
+
+Neither pinocchio nor coal has types: their modules and values are Any.
+"""
 
 from __future__ import annotations
 
@@ -85,7 +88,7 @@ def reduced_robot(joint_names: tuple[str, ...]) -> ReducedRobot:
 
 
 def load_pinocchio() -> Any:
-    """Import pinocchio, or say what is missing; it has no types."""
+    """Import pinocchio, or say what is missing."""
     try:
         import pinocchio  # noqa: PLC0415 (loaded when a robot is needed, not before)
     except (ImportError, OSError) as error:

@@ -11,11 +11,11 @@ from dmp_teach.robot.page import Page
 from dmp_teach.robot.reach.posture import (
     START_POSTURES,
     TIP_TOLERANCE,
+    describe_obstacle,
     find_posture,
-    overlap_with_body,
     rim,
 )
-from dmp_teach.robot.reach.suggest import Area, Suggestion, depth_in_floor, suggest_page, whole
+from dmp_teach.robot.reach.suggest import Area, Suggestion, suggest_page, whole
 from dmp_teach.trajectory import Array
 
 
@@ -60,8 +60,8 @@ def check_reach(solver: Solver, page: Page, ink: Array) -> Reach:
         Unreachable: A part of the ink is out of reach; says which, and by how much.
     """
     area = ink.min(axis=0), ink.max(axis=0)
-    if mistake := overlap_with_body(page) or depth_in_floor(page):
-        raise Unreachable(mistake)
+    if obstacle := describe_obstacle(page):
+        raise Unreachable(obstacle)
     posture, notes, warning, odd = find_posture(solver, page, *whole(page)), [], "", _oddity(page)
     if posture.trouble:
         posture = find_posture(solver, page, *area)

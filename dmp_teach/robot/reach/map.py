@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -14,8 +13,8 @@ from dmp_teach.robot.arm import solver_here
 from dmp_teach.robot.motion import BoolArray
 from dmp_teach.robot.page import A4, Page
 from dmp_teach.robot.reach.check import misses
-from dmp_teach.robot.reach.posture import STRAINED_EFFORT, find_posture, overlap_with_body
-from dmp_teach.robot.reach.suggest import depth_in_floor, whole
+from dmp_teach.robot.reach.posture import STRAINED_EFFORT, find_posture
+from dmp_teach.robot.reach.suggest import whole
 from dmp_teach.trajectory import Array, locked
 
 # Of a page's centre, ahead of the robot and to its left [m], and of its tilt from a table, 0, to a
@@ -26,8 +25,7 @@ _TILTS = locked(np.radians(np.arange(0, 91, 10)))
 # A corner that is so far out needs no more trying [m].
 _FAR = 0.01
 
-PageProgress = Callable[[int, int], Any]
-"""What it returns is not used."""
+PageProgress = Callable[[int, int], object]
 
 PageGrid = tuple[tuple[Page, ...], ...]
 
@@ -173,12 +171,12 @@ def _try_page(page: Page) -> tuple[float, float]:
     """Return effort (inf: cannot be written on) and residual [m] of a page."""
     solver = solver_here()
     residual = max(misses(solver, page, whole(page), "corner").values())
-    if residual > _FAR or overlap_with_body(page) or depth_in_floor(page):
+    if residual > _FAR:
         return np.inf, residual
     return find_posture(solver, page, *whole(page)).effort, residual
 
 
-def _axis(name: str, values: Any, usual: Array) -> Array:
+def _axis(name: str, values: Sequence[float] | None, usual: Array) -> Array:
     """Return the values along one side of the map, rising; the usual ones where there are none."""
     try:
         axis = np.array(usual if values is None else values, dtype=float)

@@ -13,7 +13,7 @@ from itertools import islice
 import numpy as np
 
 from dmp_teach.robot.arm import Solver
-from dmp_teach.robot.model.proximity import plain
+from dmp_teach.robot.clearance import plain_name
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.pen_path import HOVER
 from dmp_teach.trajectory import Array, locked
@@ -105,7 +105,7 @@ def find_posture(
 
 def _search(solver: Solver, page: Page, low: Array, high: Array, most: int | None) -> ArmPosture:
     """Return the first comfortable posture, or else the one that asks least of the joints."""
-    best = ArmPosture(START_POSTURES[0], trouble=overlap_with_body(page))
+    best = ArmPosture(START_POSTURES[0], trouble=describe_obstacle(page))
     if best.trouble:
         return best
     for number, start in enumerate(islice(_starts(solver, page), most)):
@@ -120,8 +120,8 @@ def _search(solver: Solver, page: Page, low: Array, high: Array, most: int | Non
     return best
 
 
-def overlap_with_body(page: Page) -> str:
-    """Say how deep the page would lie in the robot's base or torso; empty where it does not."""
+def describe_obstacle(page: Page) -> str:
+    """Say how deep the page would lie in the robot's body or the floor; empty where it does not."""
     x, y = (np.linspace(-side / 2, side / 2, 2 + int(side / 0.05)) for side in page.size)
     points = page.to_world(np.stack(np.meshgrid(x, y), axis=-1)).reshape(-1, 3)
     beside = _BASE_RADIUS - np.hypot(points[:, 0], points[:, 1])
@@ -131,12 +131,13 @@ def overlap_with_body(page: Page) -> str:
         "torso": (_TORSO / 2 - np.abs(points - _TORSO_MIDDLE)).min(axis=1).max(),
     }
     part, depth = max(depths.items(), key=lambda item: item[1])
-    if depth <= 0:
-        return ""
-    return (
-        f"The page would go through the robot's body: from 0.00 s on, it and the robot's {part} "
-        f"would overlap by {max(1000 * depth, 1):.0f} mm."
-    )
+    if depth > 0:
+        return (
+            f"The page would go through the robot's body: from 0.00 s on, it and the robot's "
+            f"{part} would overlap by {max(1000 * depth, 1):.0f} mm."
+        )
+    depth = -points[:, 2].min()
+    return f"The page would go {1000 * depth:.0f} mm into the floor." if depth > 0.0005 else ""
 
 
 def _starts(solver: Solver, page: Page) -> Iterator[Array]:
@@ -217,11 +218,12 @@ def _trouble(solver: Solver, page: Page, spot: Array) -> tuple[str, bool] | None
         )
     for link in _FOREARM:
         if page.to_page(solver.place_of(link))[2] < _FOREARM_RADIUS:
-            return f"The arm's {plain(link)} would go through what the page lies on.", True
+            return f"The arm's {plain_name(link)} would go through what the page lies on.", True
     pairs = solver.proximity.touching(solver.joints())
     for other, link in sorted((other, link) for link, other in pairs):
         if not link.startswith(_FINGERS_AND_PEN):
-            return f"The arm would touch the robot: its {plain(other)} and its {plain(link)}.", True
+            parts = f"its {plain_name(other)} and its {plain_name(link)}"
+            return f"The arm would touch the robot: {parts}.", True
     return None
 
 

@@ -14,7 +14,7 @@ from scipy.spatial.transform import Rotation
 
 from dmp_teach.robot.arm import Solver
 from dmp_teach.robot.page import A4, Page
-from dmp_teach.robot.reach.posture import STRAINED_EFFORT, find_posture, overlap_with_body
+from dmp_teach.robot.reach.posture import STRAINED_EFFORT, find_posture
 from dmp_teach.trajectory import Array
 
 Area = tuple[Array, Array]
@@ -91,17 +91,8 @@ def whole(page: Page) -> Area:
     return -page.size / 2, page.size / 2
 
 
-def depth_in_floor(page: Page) -> str:
-    """Say how deep a part of the page lies under the floor; empty where none does."""
-    x, y = page.size / 2
-    deep = -page.to_world([(x, y), (x, -y), (-x, y), (-x, -y)])[:, 2].min()
-    return f"The page would go {1000 * deep:.0f} mm into the floor." if deep > 0.0005 else ""
-
-
 def _reached_with_ease(solver: Solver, page: Page, area: Area) -> bool:
     """Whether the arm reaches a part of a page without stretching out."""
-    if overlap_with_body(page) or depth_in_floor(page):
-        return False
     posture = find_posture(solver, page, *area, quick=True)
     return not posture.trouble and posture.effort < _EASE
 

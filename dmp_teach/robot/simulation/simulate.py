@@ -5,7 +5,6 @@ from __future__ import annotations
 import contextlib
 from collections.abc import Callable
 from functools import lru_cache
-from typing import Any
 
 import numpy as np
 
@@ -42,7 +41,7 @@ def simulate(
     page_height_error: float = 0.0,
     page_tilt: float = 0.0,
     pen: str = "sprung",
-    progress: Callable[[str, float], Any] | None = None,
+    progress: Callable[[str, float], object] | None = None,
 ) -> Run:
     """Simulate what happens when a motion meets gravity and paper.
 
@@ -118,7 +117,7 @@ class _Recorder:
         self.rows = 1
 
     def record(
-        self, world: World, motors: IdealMotors | RealMotors, report: Callable[[str, float], Any]
+        self, world: World, motors: IdealMotors | RealMotors, report: Callable[[str, float], object]
     ) -> None:
         """Let the whole motion happen."""
         last = len(self.motion.t) - 1
@@ -193,7 +192,7 @@ def _displace(page: Page, height: float, tilt: float) -> Page:
     return Page(X, page.width, page.height)
 
 
-def _check(motion: Any) -> None:
+def _check(motion: Motion) -> None:
     """Raise for what is no motion, or too coarse a one."""
     if not isinstance(motion, Motion):
         kind = kind_of(motion)
@@ -208,7 +207,7 @@ def _check(motion: Any) -> None:
         )
 
 
-def _check_known(name: str, value: Any, known: tuple[str, ...]) -> None:
+def _check_known(name: str, value: str, known: tuple[str, ...]) -> None:
     """Raise for a word that is not among those known."""
     if value not in known:
         raise SettingError(
@@ -216,7 +215,7 @@ def _check_known(name: str, value: Any, known: tuple[str, ...]) -> None:
         )
 
 
-def _check_size(name: str, value: Any, most: float, unit: str, hint: str) -> None:
+def _check_size(name: str, value: float, most: float, unit: str, hint: str) -> None:
     """Raise for what is no number, or so large that it must have been meant in another unit."""
     number = float(value) if isinstance(value, int | float | np.number) else np.nan
     if not abs(number) <= most:

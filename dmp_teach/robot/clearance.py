@@ -1,0 +1,96 @@
+"""Find where a motion comes too near to the robot or to what the page lies on, and say so."""
+
+from __future__ import annotations
+
+from operator import attrgetter
+
+from dmp_teach.robot.model.proximity import Near, Proximity
+from dmp_teach.robot.page import Page
+from dmp_teach.robot.pen_path import MOTION_RATE
+from dmp_teach.trajectory import Array
+
+LEAST_CLEARANCE = 0.010
+"""The arm keeps this far from the robot and from what the page lies on [m]."""
+
+THIN_CLEARANCE = 0.020
+"""Less than this is worth a note [m]."""
+
+PAGE_SURROUND = 0.2
+"""What the page lies on is thought to go on for so far beyond it, on every side [m]."""
+
+_WORDS = {
+    "torso_fixed_link": "torso",
+    "torso_lift_link": "torso",
+    "head_pan_link": "head",
+    "head_tilt_link": "head",
+    "shoulder_pan_link": "shoulder",
+    "shoulder_lift_link": "shoulder",
+    "upperarm_roll_link": "upper arm",
+    "elbow_flex_link": "elbow",
+    "forearm_roll_link": "forearm",
+    "wrist_flex_link": "wrist",
+    "wrist_roll_link": "wrist",
+    "r_gripper_finger_link": "right finger",
+    "l_gripper_finger_link": "left finger",
+    "pen_tip": "pen",
+    "page": "what the page lies on",
+}
+
+
+def find_nearest(
+    q: Array, joint_names: tuple[str, ...], page: Page, within: float = THIN_CLEARANCE
+) -> tuple[Near | None, Near | None]:
+    """Find the first moment nearer than `LEAST_CLEARANCE`, and the one at which all is nearest.
+
+    Args:
+        q: Joint positions, shape (T, J) [rad, m].
+        joint_names: J names.
+        page: The sheet. Only the pen may come near to it.
+        within: What is farther away than this does not count [m].
+
+    Returns:
+        Both None where nothing counts. The distance of the first is the least that this pair has
+        at any time.
+    """
+    near = Proximity(joint_names, page, PAGE_SURROUND).approaches(q, within)
+    closest = min(near, key=attrgetter("distance", "row"), default=None)
+    if closest is None or closest.distance >= LEAST_CLEARANCE:
+        return None, closest
+    first = min((each for each in near if each.distance < LEAST_CLEARANCE), key=attrgetter("row"))
+    same = [each.distance for each in near if (each.link, each.other) == (first.link, first.other)]
+    return first._replace(distance=min(same)), closest
+
+
+def describe_collision(near: Near) -> str:
+    """Say what would happen where the arm comes too near."""
+    what = _describe_other(near)
+    if near.distance < 0:
+        happens = f"would go into {what}, {-1000 * near.distance:.0f} mm deep"
+    else:
+        happens = f"would come within {1000 * near.distance:.0f} mm of {what}"
+    if 0 <= near.distance < LEAST_CLEARANCE:
+        happens += f"; {1000 * LEAST_CLEARANCE:.0f} mm must stay between them"
+    sentence = f"fter {near.row / MOTION_RATE:.2f} s the arm's {plain_name(near.link)} {happens}."
+    if near.other == "page":
+        return f"A{sentence}"
+    touch = "touch" if near.distance < LEAST_CLEARANCE else "come too near to"
+    return f"The arm would {touch} the robot: a{sentence}"
+
+
+def describe_thin_margin(near: Near) -> str:
+    """Note how near the arm comes where it may stay so."""
+    return (
+        f"after {near.row / MOTION_RATE:.2f} s the arm's {plain_name(near.link)} comes within "
+        f"{1000 * near.distance:.0f} mm of {_describe_other(near)}"
+    )
+
+
+def plain_name(link: str) -> str:
+    """Return what people call a link."""
+    return _WORDS.get(link, link.removesuffix("_link"))
+
+
+def _describe_other(near: Near) -> str:
+    """Return what the arm's part comes near to."""
+    name = plain_name(near.other)
+    return name if near.other == "page" else f"the robot's {name}"
