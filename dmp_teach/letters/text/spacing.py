@@ -8,6 +8,7 @@ same for all pairs, and ink keeps a distance from ink at every height.
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 
 import numpy as np
 from scipy.ndimage import maximum_filter1d
@@ -55,7 +56,7 @@ def letter_spacing(
         x_height: The height of a small letter without a stem [m].
         white: The mean distance that they get, in x-heights.
     """
-    right_edge, left_edge = _edge(left, x_height, 1), _edge(right, x_height, -1)
+    right_edge, left_edge = _edge(tuple(left), x_height, 1), _edge(tuple(right), x_height, -1)
     apart = -left_edge - right_edge
     top = max(1.0, min(_top(left, x_height), _top(right, x_height), HIGHEST_BAND))
     zone = slice(
@@ -105,7 +106,7 @@ def word_spacing(
         x_height: As in `letter_spacing`.
         lean: Of the hand, x gained for each y: the white between words leans as the words do.
     """
-    right_edge, left_edge = _edge(left, x_height, 1), _edge(right, x_height, -1)
+    right_edge, left_edge = _edge(tuple(left), x_height, 1), _edge(tuple(right), x_height, -1)
     across = x_height * _overlap(right_edge, left_edge, WORD_VIEW)
     white = WORD_WHITE * x_height + max(across, _overlap_along(left, right, lean))
     return max(letter_spacing(left, right, x_height) + WORD_SPACE * x_height, white)
@@ -122,7 +123,7 @@ def sign_spacing(
         x_height: As in `letter_spacing`.
         lean: As in `word_spacing`; an apostrophe is past an o along it.
     """
-    right_edge, left_edge = _edge(left, x_height, 1), _edge(right, x_height, -1)
+    right_edge, left_edge = _edge(tuple(left), x_height, 1), _edge(tuple(right), x_height, -1)
     if np.isfinite(_overlap(right_edge, left_edge, SIGN_NEIGHBOURHOOD)):
         return x_height * (SIGN_WHITE + _overlap(right_edge, left_edge, SIGN_VIEW))
     return SIGN_AFTER_INK * x_height + _overlap_along(left, right, lean)
@@ -133,20 +134,21 @@ def _part(stroke: Trajectory, part: slice) -> Trajectory:
 
 
 def _shift_to_white(apart: Array, white: float) -> float:
-    """Return by how much distances (B,) grow so that their mean, each limited, is `white`."""
-    least = float(apart.min()) if np.isfinite(apart).any() else 0.0
-    # The mean only grows with the shift, and reaches the depth at the upper end at the latest.
-    low, high = -least - 10, WHITE_DEPTH - least
-    for _ in range(50):
-        middle = (low + high) / 2
-        if np.minimum(apart + middle, WHITE_DEPTH).mean() < white:
-            low = middle
-        else:
-            high = middle
-    return high
+    """Return by how much distances (B,) grow so that their mean, each limited, is `white`.
+
+    The sum of min(a + m, depth) over all bands is the least of the sums in which only the k
+    smallest are not limited; so the shift m is the greatest that one of these asks for.
+    """
+    narrow = np.sort(apart[np.isfinite(apart)])
+    if not len(narrow):
+        return -np.inf
+    k = np.arange(1, len(narrow) + 1)
+    limited = (len(apart) - k) * WHITE_DEPTH
+    return float(((len(apart) * white - limited - np.cumsum(narrow)) / k).max())
 
 
-def _edge(strokes: Sequence[Trajectory], x_height: float, side: int) -> Array:
+@lru_cache(maxsize=512)
+def _edge(strokes: Strokes, x_height: float, side: int) -> Array:
     """Return how far right (side 1) or left (-1) ink reaches in each band [x-heights]."""
     edge = np.full(round((HIGHEST_BAND - LOWEST_BAND) * BANDS_PER_X_HEIGHT), -np.inf)
     for stroke in strokes:
