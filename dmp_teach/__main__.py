@@ -253,7 +253,7 @@ def check_commands(arguments):
     if rest:
         return [["pytest", *quick, *rest]]
     if quick:
-        return [*LINTERS, ["pytest", *quick]]
+        return [*LINTERS, ["pytest", *quick, "tests"]]
     return [*LINTERS, ["mypy"], ["pytest", *PARALLEL]]
 
 

@@ -1,15 +1,14 @@
 """Tiers of tests (CONTRIBUTING.md), and nothing left out under CI=true but absent recordings."""
 
 import os
-from pathlib import Path
 
 import hypothesis
 import pytest
 
-TESTS = Path(__file__).parent
 STRICT = os.environ.get("CI", "").lower() == "true"
 FEW = 5
-NOT_QUICK = {"benchmarks", "browser", "robot", "studies", "notebooks"}
+NOT_QUICK = {"benchmarks", "browser", "classroom", "launcher"}
+NOT_QUICK |= {"notebooks", "robot", "studies", "views"}
 LONGEST_FIRST = ["browser", "studies", "robot"]
 
 
@@ -29,9 +28,11 @@ def pytest_configure(config):
     """Name the marks of the quick tier, and try laws on few examples in it."""
     config.addinivalue_line("markers", "quick: takes no time; run with -m quick")
     config.addinivalue_line("markers", "slow: not in the quick tier")
+    # How long an example takes says little while all cores are busy.
+    patient = {"deadline": None, "suppress_health_check": [hypothesis.HealthCheck.too_slow]}
+    hypothesis.settings.register_profile("patient", **patient)
+    hypothesis.settings.load_profile("patient")
     if is_quick(config):
-        hypothesis.settings.register_profile("quick", max_examples=FEW, deadline=None)
-        hypothesis.settings.load_profile("quick")
         hypothesis.settings = FewExamples
 
 
@@ -44,7 +45,7 @@ def pytest_ignore_collect(collection_path, config):
 def pytest_collection_modifyitems(config, items):
     """Mark as quick what is not marked as slow or thorough; on several cores, group by files."""
     for item in items:
-        if not any(item.iter_markers("slow")) and not any(item.iter_markers("thorough")):
+        if not item.get_closest_marker("slow") and not item.get_closest_marker("thorough"):
             item.add_marker("quick")
     if hasattr(config, "workerinput"):
         for item in items:

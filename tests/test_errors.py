@@ -53,13 +53,8 @@ TAKE_SETTINGS = {
     learn_random_ink: (),
     rms_error: (STROKE,),
 }
-INSIDE = {
-    "refuse_no_way",
-    "kernels_of",
-    "asleep",
-    "has_ends",
-    "Hand.of",
-}  # what others call with settings that are some
+# What other rooms call with settings that are checked already.
+INSIDE = {"Choice.of", "Hand.of", "has_ends", "kernels_of", "note_gaps"}
 
 
 def takes_settings(thing):

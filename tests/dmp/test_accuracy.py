@@ -57,6 +57,7 @@ def test_recorded_letters_are_drawn_within_the_bounds_of_the_design(preset, char
     assert np.all(figures <= BOUNDS[preset][character]), figures.round(3)
 
 
+@pytest.mark.slow
 @needs_recordings
 @pytest.mark.parametrize("preset", ["star", "joint", "plus"])
 def test_the_noisy_set_is_drawn_to_within_its_noise(preset):
@@ -74,6 +75,7 @@ def test_fewer_samples_a_second_cost_little(every):
     assert max(found) <= 0.90
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("preset", "worst"), [("star", 0.3), ("joint", 0.1), ("plus", 0.1)])
 def test_our_own_letters_are_drawn_as_near(preset, worst):
     ours = [stroke for each in characters() for stroke in recording_of(each).strokes()]

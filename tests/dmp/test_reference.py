@@ -106,6 +106,7 @@ def plain(p, goal):
     return np.array(path)
 
 
+@pytest.mark.filterwarnings("ignore:Kernels leave gaps")
 @settings(max_examples=15, deadline=None)
 @given(
     st.integers(0, 999),

@@ -123,6 +123,7 @@ def test_with_patience_the_clock_waits_for_a_pen_that_is_held():
     assert np.linalg.norm(patient.position[-1] - p.goal) < 2e-3
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(
     ("ask", "answer"),
     [

@@ -295,6 +295,7 @@ while True:
 """
 
 
+@pytest.mark.slow
 def test_a_program_that_is_killed_while_it_writes_leaves_a_whole_file(tmp_path):
     path = write_recording(recording_of("l"), tmp_path / "a.json")
     program = subprocess.Popen([sys.executable, "-c", KILLED, str(path)], stdout=subprocess.PIPE)

@@ -90,6 +90,7 @@ def test_good_files_are_read(tmp_path, name):
     assert letters_or_a_sentence(tmp_path / name, FILES[name])
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", FILES)
 def test_files_that_are_broken_off_anywhere(tmp_path, name):
     data = FILES[name]
@@ -328,6 +329,7 @@ def read_alone(folder, count):
     return [line.split("\t") for line in done.stdout.splitlines()]
 
 
+@pytest.mark.slow
 def test_no_poison_takes_long_or_much_room(poison):
     names = [*POISON, "packed bytes"]
     assert len(poison) == len(names)
@@ -339,6 +341,7 @@ def test_no_poison_takes_long_or_much_room(poison):
     assert slow == {}
 
 
+@pytest.mark.slow
 def test_no_poison_reaches_a_file_or_the_net(poison):
     said = dict(zip(POISON, (row[3] for row in poison), strict=False))
     for name in ("billion laughs", "quadratic", "a file", "a net"):

@@ -405,6 +405,7 @@ BROKEN = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("fault", BROKEN)
 def test_what_cannot_be_read_says_where_and_why(tmp_path, fault):
     text, sentence = BROKEN[fault]

@@ -180,6 +180,7 @@ def test_views_that_cannot_be_shown_say_why(tmp_path, fault):
     assert len(str(caught.value)) < 400
 
 
+@pytest.mark.slow
 def test_views_of_views_never_take_long(tmp_path):
     """Each shows the one before it ten times."""
     views = "".join(

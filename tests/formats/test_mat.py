@@ -224,6 +224,7 @@ BOMBS = {
 }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("bomb", BOMBS)
 def test_no_claim_of_a_file_is_believed(tmp_path, bomb):
     data, sentence = BOMBS[bomb]

@@ -497,6 +497,7 @@ def test_a_jump_of_5_mm_in_a_stroke_is_refused_by_frame_and_row(tmp_path, leap, 
         read_recording(motive(tmp_path / "D_w07.csv", t, lab(page)))
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("leap", [0.008, 0.02, 0.06])
 @pytest.mark.parametrize("sample", [135, 170, 330, 380])
 @pytest.mark.parametrize("back", [False, True])
@@ -564,6 +565,7 @@ def test_json_is_read_by_the_alphabet(tmp_path):
         dmp_teach.read_recording(tmp_path / "a.json")
 
 
+@pytest.mark.slow
 @needs_recordings
 @pytest.mark.parametrize("path", RECORDINGS, ids=lambda path: path.stem)
 def test_every_real_recording_has_the_strokes_that_one_sees(path):

@@ -228,6 +228,7 @@ def test_what_is_written_is_read_again_to_the_micrometre_and_by_others(tmp_path,
     assert not re.search(r"\d{4}-\d\d|date|time", path.read_text())
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(not shutil.which("chromium"), reason="no browser")
 def test_a_browser_shows_the_ink(tmp_path):
     from PIL import Image  # noqa: PLC0415

@@ -118,6 +118,7 @@ def test_the_first_alphabet_is_taken_unless_another_is_named():
     )
 
 
+@pytest.mark.slow
 @every_letter
 def test_every_letter_is_a_recording_at_120_hz_that_stands_on_its_line(name, letter):
     recording = recording_of(letter, name)
@@ -137,6 +138,7 @@ def test_every_letter_is_a_recording_at_120_hz_that_stands_on_its_line(name, let
     )
 
 
+@pytest.mark.slow
 @every_letter
 def test_every_letter_goes_from_rest_to_rest_no_faster_than_a_hand(name, letter):
     recording = recording_of(letter, name)
@@ -147,6 +149,7 @@ def test_every_letter_goes_from_rest_to_rest_no_faster_than_a_hand(name, letter)
     assert 1.0 < recording.duration < 6.0
 
 
+@pytest.mark.slow
 @every_letter
 def test_the_pen_is_lifted_between_strokes_and_lies_on_the_paper_else(name, letter):
     samples, spans = written(name, letter)
@@ -159,6 +162,7 @@ def test_the_pen_is_lifted_between_strokes_and_lies_on_the_paper_else(name, lett
         assert 0.015 < height[(t > up) & (t < down)].max() < 0.040
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", alphabets())
 def test_bends_are_slow_as_the_two_thirds_power_law_says(name):
     bends, speeds = [], []
@@ -183,6 +187,7 @@ def test_bends_are_slow_as_the_two_thirds_power_law_says(name):
         assert np.corrcoef(bends[some], speeds[some])[0, 1] < together
 
 
+@pytest.mark.slow
 @every_letter
 def test_the_height_tells_the_strokes_that_the_hand_made(name, letter):
     recording, (_, spans) = recording_of(letter, name), written(name, letter)
@@ -194,6 +199,7 @@ def test_the_height_tells_the_strokes_that_the_hand_made(name, letter):
         assert abs(stroke.t[-1] - end) < 0.05
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("theta", [0.08, 0.10])
 @pytest.mark.parametrize("sigma", [0.003, 0.006, 0.010])
 def test_the_number_of_strokes_does_not_hang_on_the_thresholds(theta, sigma):
@@ -214,6 +220,7 @@ def test_the_bowl_of_d_runs_from_the_top_of_its_bar_to_the_foot(name):
     assert aside.max() > 0.4 * np.linalg.norm(chord)
 
 
+@pytest.mark.slow
 def test_capitals_are_as_high_as_stems_or_a_bit_less_and_x_is_one_height():
     for name in alphabets():
         top = {
@@ -313,6 +320,7 @@ def test_half_a_turn_makes_one_sign_of_another(name, sign, usual):
     )
 
 
+@pytest.mark.slow
 @every_letter
 def test_every_letter_is_learned(name, letter):
     assert Letter.learn(recording_of(letter, name)).error < 0.9e-3
@@ -347,6 +355,7 @@ def test_an_accent_may_be_a_sign_of_its_own(letter):
     assert file_name(two) == file_name(letter)
 
 
+@pytest.mark.slow
 @every_letter
 def test_the_script_writes_the_letters_that_are_here(name, letter):
     here, made = recording_of(letter, name), script().recording(name, letter)
@@ -355,6 +364,7 @@ def test_the_script_writes_the_letters_that_are_here(name, letter):
     np.testing.assert_allclose(here.position, made.position, atol=2e-6)
 
 
+@pytest.mark.slow
 def test_the_script_writes_all_letters_and_the_same_bytes_twice(tmp_path):
     for folder in ("once", "twice"):
         script().main(tmp_path / folder)

@@ -21,6 +21,7 @@ def numbers(path):
     return np.array(re.findall(r"-?[0-9.]+", path.get("d")), float)
 
 
+@pytest.mark.slow
 @for_every([(character,) for character in [*characters(), *signs()]])
 def test_every_letter_lies_on_its_sheet_with_a_circle_where_each_stroke_begins(character):
     recording = dmp_teach.recording_of(character)

@@ -315,7 +315,7 @@ def test_an_unknown_word_is_refused(capsys):
     [
         ([], [0, 0, 0, 0], [*LINTERS, "mypy", ALL], 0),
         ([], [0, 0, 1, 0], [*LINTERS, "mypy", ALL], 1),
-        (["--quick"], [0, 0, 0], [*LINTERS, "pytest -m quick"], 0),
+        (["--quick"], [0, 0, 0], [*LINTERS, "pytest -m quick tests"], 0),
         (["--quick", "tests/dmp"], [0], ["pytest -m quick tests/dmp"], 0),
         (["tests/dmp", "-k", "law"], [2], ["pytest tests/dmp -k law"], 2),
     ],

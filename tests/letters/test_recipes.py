@@ -109,6 +109,7 @@ def test_the_first_line_is_taken_that_can_be():
     )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("alphabet", alphabets())
 def test_made_letters_are_written_in_the_order_and_direction_of_school(shelves, alphabet):
     for character, how in recipes():
@@ -163,6 +164,7 @@ def test_parts_of_a_quick_letter_are_learned_as_finely_as_the_letter():
             assert np.abs(part.drawn.position - part.shown.position).max() < 0.05 * size, character
 
 
+@pytest.mark.slow
 def test_every_letter_has_a_top_and_a_bottom():
     for alphabet in alphabets():
         for character in characters(alphabet):
@@ -237,6 +239,7 @@ def test_a_letter_is_made_from_a_shelf():
         make_letter("P", {})
 
 
+@pytest.mark.slow
 @needs_recordings
 @pytest.mark.parametrize("transform", FORMS)
 def test_everybodys_strokes_make_every_letter_that_they_can(everybody, transform):

@@ -86,6 +86,7 @@ def test_nothing_in_a_word_touches_its_neighbours_nor_theirs(name, text):
         assert one.query(other.data)[0].min() > 0.09 * HANDS[name].x_height
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", alphabets())
 def test_punctuation_stands_where_it_should(name):
     size = HANDS[name].x_height
@@ -183,6 +184,7 @@ SPELT = (
 SPELT += ("ÙLTIMO", "2+2=4", "3/4", "wait\u2026", "«ça»", "déjà!", "œæœ")
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", alphabets())
 @pytest.mark.parametrize("text", SPELT)
 def test_every_language_that_we_have_letters_for_is_written(name, text):
@@ -227,6 +229,7 @@ def _joints(hand):
             )
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", alphabets())
 def test_joined_letters_touch_only_by_the_way_between_them(name):
     size = HANDS[name].x_height
@@ -242,6 +245,7 @@ def test_joined_letters_touch_only_by_the_way_between_them(name):
         assert apart.min() > 0.1 * size, pair
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", alphabets())
 def test_a_pen_that_moves_keeps_its_heading_where_letters_meet(name):
     """At both ends of a connection; where the pen rests, as on the peak of a v, it may turn."""
@@ -259,6 +263,7 @@ def test_a_pen_that_moves_keeps_its_heading_where_letters_meet(name):
             assert turn[around][moves].max(initial=0) < 22, (pair, seam)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", alphabets())
 def test_the_way_between_letters_makes_no_detour(name):
     """It rises no higher than its ends and sinks no lower but for a dip, and leads to the right."""
@@ -470,6 +475,7 @@ def test_what_comes_back_to_the_left_is_a_mark():
         assert len(split_marks(character, HANDS["round"].glyph(character))[1]) == marks, character
 
 
+@pytest.mark.slow
 def test_accents_are_written_too():
     accented = [character for character in characters() if not character.isascii()]
     for character in accented:
@@ -548,6 +554,7 @@ def test_the_robot_writes_text_as_one_motion_where_it_stands():
 TEXT = "the quick brown fox jumps over the lazy dog"
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("joined", [False, True])
 @pytest.mark.parametrize("x_height", [0.005, 0.009])
 def test_lines_stay_inside_their_margins(x_height, joined):
@@ -587,6 +594,7 @@ def seams(name, some, others):
     ], between
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", alphabets())
 def test_the_white_between_any_two_words_is_wider_than_any_within_a_word_and_varies_little(name):
     inside, between = seams(name, ALL, ALL)
@@ -594,6 +602,7 @@ def test_the_white_between_any_two_words_is_wider_than_any_within_a_word_and_var
     assert 0.59 < between.min() < between.max() < 0.92
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", alphabets())
 def test_no_sign_stands_so_far_off_that_it_looks_like_another_word(name):
     """Brackets and fractions lean, as the letters beside them do; quotation marks stand high."""
@@ -603,6 +612,7 @@ def test_no_sign_stands_so_far_off_that_it_looks_like_another_word(name):
         assert between.min() > 0.59
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("name", alphabets())
 @pytest.mark.parametrize("joined", [False, True])
 @pytest.mark.parametrize(
@@ -625,6 +635,7 @@ def test_a_new_line_begins_at_the_left_margin_one_pitch_lower():
         np.testing.assert_allclose(first.position, same.position, atol=1e-12)
 
 
+@pytest.mark.slow
 @settings(max_examples=8, deadline=None)
 @given(st.floats(0.004, 0.06), st.floats(0.06, 0.3), st.floats(0.06, 0.4))
 def test_text_fits_or_the_error_names_a_size_that_does(x_height, width, height):

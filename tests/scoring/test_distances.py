@@ -78,6 +78,7 @@ def test_a_mirrored_letter_is_another_letter():
     assert letter_distance(mirrored, d) > 0.3
 
 
+@pytest.mark.slow
 def test_a_letter_of_one_hand_is_nearest_to_the_same_letter_of_the_other():
     one, other = ([strokes(letter, alphabet) for letter in LETTERS] for alphabet in alphabets()[:2])
     found = letter_distances(one, other)
@@ -88,6 +89,7 @@ def test_a_letter_of_one_hand_is_nearest_to_the_same_letter_of_the_other():
         assert len(strange) <= 6, strange
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("kind", "most"), [(str.islower, 3), (str.isupper, 8)])
 def test_letters_with_accents_are_read_across_hands_as_those_without(kind, most):
     """Small letters, then capitals; a U of one hand and an O of the other look alike."""
@@ -99,6 +101,7 @@ def test_letters_with_accents_are_read_across_hands_as_those_without(kind, most)
         assert len(wrong) <= most, wrong
 
 
+@pytest.mark.slow
 @needs_recordings
 def test_every_a_is_nearer_to_every_a_than_to_any_d_and_every_d_to_every_d():
     a, d = (

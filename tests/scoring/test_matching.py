@@ -71,6 +71,7 @@ def test_a_letter_in_one_stroke_is_told_as_joined_and_the_other_way_round_as_spl
     assert len(match_strokes(two, one).split) == 1
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("alphabet", alphabets())
 @pytest.mark.parametrize("character", list("BDPRxt457"))
 @pytest.mark.parametrize("gone", [0, 1])
@@ -131,6 +132,7 @@ def test_no_ordinary_lean_is_read_as_a_mirror_image(letter, shear, width, turn, 
     assert found.reversed == ()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("character", list("DEBCK3OHIX"))
 @pytest.mark.parametrize("hands", [("round", "round"), ("round", "slanted"), ("slanted", "round")])
 def test_two_writers_who_lean_apart_write_the_same_letter(character, hands):
@@ -145,6 +147,7 @@ def test_two_writers_who_lean_apart_write_the_same_letter(character, hands):
         assert found.extra == found.missing == ()
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("alphabet", alphabets())
 @pytest.mark.parametrize("view", [MIRROR, HEAD, LEFT])
 def test_nearly_every_letter_that_can_be_mirrored_or_turned_is_seen_as_that(view, alphabet):

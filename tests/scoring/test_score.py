@@ -54,6 +54,7 @@ def strokes(character, alphabet=None):
     return list(recording_of(character, alphabet).strokes())
 
 
+@pytest.mark.slow
 @HANDS
 @pytest.mark.parametrize("fault", GROWING)
 def test_a_growing_fault_grows_in_its_measure_and_is_named(fault, alphabet):
@@ -68,6 +69,7 @@ def test_a_growing_fault_grows_in_its_measure_and_is_named(fault, alphabet):
             assert re.search(WORDS[fault], each.sentence), (character, each.sentence)
 
 
+@pytest.mark.slow
 @HANDS
 @pytest.mark.parametrize("character", list("DBPRxt457"))
 @pytest.mark.parametrize(
@@ -97,6 +99,7 @@ def test_a_fault_of_one_stroke_is_named(spoil, name, words, character, alphabet)
     assert re.search(words, found.sentence), found.sentence
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("character", list("abdegPRz2457"))
 def test_a_mirrored_letter_and_one_on_its_head_are_named(character):
     model = strokes(character)
@@ -319,6 +322,7 @@ def test_any_scribble_gets_a_score(written, character):
     ) == list(range(len(scribble)))
 
 
+@pytest.mark.slow
 @needs_recordings
 def test_the_hands_of_other_writers_are_close_in_shape():
     for letter in "aD":
@@ -366,6 +370,7 @@ def left_out(alphabet):
                 yield character, score(written, model)
 
 
+@pytest.mark.slow
 def test_a_stroke_that_was_left_out_is_missing_also_an_accent():
     """But for capitals of the slanted hand, whose accents stand close and along their letter."""
     for alphabet, unseen in zip(alphabets(), (1, 6), strict=True):

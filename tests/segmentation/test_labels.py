@@ -42,6 +42,7 @@ def test_labels_are_in_order():
         assert (np.diff([t for t in times if t is not None]) >= 0).all(), name
 
 
+@pytest.mark.slow
 @needs_recordings
 @pytest.mark.parametrize("path", LABELLED, ids=[path.stem for path in LABELLED])
 def test_a_recording_is_cut_where_a_person_would_cut_it(path):
@@ -67,6 +68,7 @@ def ends(drawn):
     return np.abs(off)
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("habit", HABITS)
 def test_writers_drawn_by_lot_are_cut_where_their_pens_wrote(habit):
     """No dots (i): who rests beside a dot smaller than the marker's noise made no stroke."""
