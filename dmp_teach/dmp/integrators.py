@@ -230,9 +230,9 @@ class Spring:
         drive = np.zeros((columns, self.steps + 1)).T
         forced = drive[:, : u.shape[1]]
         first = self.integrator.first_input
+        forced[2 + first :] = before * u[first:-1]
         if now:
-            forced[1:] = now * u
-        forced[2 + first :] += before * u[first:-1]
+            forced[1:] += now * u
         drive[1] += kick * start_velocity
         return lfilter([1.0], recursion, drive.T).T
 

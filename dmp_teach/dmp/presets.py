@@ -107,20 +107,3 @@ def preset(name: str) -> dict[str, Any]:
     """Return every field of one preset."""
     column = PRESET_NAMES.index(name)
     return {field: row[column] for field, row in TABLE.items()}
-
-
-def as_markdown() -> str:
-    """Return the table of presets as it stands in the documentation, a row for each setting."""
-    lines = [
-        "| setting | " + " | ".join(f"`{name}`" for name in PRESET_NAMES) + " |",
-        "|---|" + "---|" * len(PRESET_NAMES),
-    ]
-    for field, row in TABLE.items():
-        lines.append(f"| `{field}` | " + " | ".join(_as_cell(value) for value in row) + " |")
-    return "\n".join(lines) + "\n"
-
-
-def _as_cell(value: Any) -> str:
-    if isinstance(value, bool):
-        return "yes" if value else "no"
-    return "-" if value is None else f"{value:.4g}" if isinstance(value, float) else str(value)

@@ -225,7 +225,8 @@ class DMP:
     @cached_property
     def _goal_gain(self) -> Array:
         """A: how the path grows with each coordinate of the goal, shape (T, D)."""
-        gain = np.broadcast_to(self._gain, self.nominal_path.shape)
+        gain = Equation(self.settings, self.steps).goal_gain()
+        gain = np.broadcast_to(gain, self.nominal_path.shape)
         # Each coordinate in one piece of memory halves a product with one number for each.
         return np.asfortranarray(self._at_sample_times(gain))
 
@@ -238,11 +239,6 @@ class DMP:
     def _demonstrated(self) -> Array:
         """The path to the demonstrated goal at the demonstration's sample times, shape (T, D)."""
         return self._at_sample_times(self.start + self.nominal_path)
-
-    @cached_property
-    def _gain(self) -> Array:
-        """How the nominal path of DMP* grows with its goal offset, shape (M + 1, 1)."""
-        return Equation(self.settings, self.steps).goal_gain()
 
     def _at_sample_times(self, path: Array) -> Array:
         """Return `path` (M + 1, D) at the demonstration's sample times, shape (T, D)."""
@@ -258,12 +254,12 @@ class DMP:
 
     def _path(self, offset: Array, steps: int) -> Array:
         """Return the path from its start for a goal offset (D,), shape (steps + 1, D)."""
-        kept, taught = steps == self.steps, self.goal - self.start
-        path = self.nominal_path if kept else self._drawn(steps)
+        path = self.nominal_path if steps == self.steps else self._drawn(steps)
+        taught = self.goal - self.start
         if (offset == taught).all():
             return path
         self.transformation.check_goal(taught, offset, path)
-        gain = self._gain if kept else Equation(self.settings, steps).goal_gain()
+        gain = Equation(self.settings, steps).goal_gain()
         return self.transformation.retarget(path, taught, offset, gain)
 
     def _drawn(self, steps: int) -> Array:

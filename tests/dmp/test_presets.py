@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import dmp_teach.dmp
-from dmp_teach.dmp.presets import BORROWED, PRESET_NAMES, SWITCHES, TABLE, as_markdown, preset
+from dmp_teach.dmp.presets import BORROWED, PRESET_NAMES, SWITCHES, TABLE, preset
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import SettingWarning
@@ -26,6 +26,20 @@ COSTS = {
     "full Gaussians": (15, 60),
     "F not divided by K": (1e4, 1e6),
 }
+
+
+def as_markdown():
+    """The table of presets as the documentation has it, a row for each setting."""
+    lines = [["setting", *(f"`{name}`" for name in PRESET_NAMES)]]
+    lines += [[f"`{field}`", *map(as_cell, row)] for field, row in TABLE.items()]
+    head, *rows = (f"| {' | '.join(line)} |\n" for line in lines)
+    return "".join([head, "|---" * len(lines[0]) + "|\n", *rows])
+
+
+def as_cell(value):
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    return "-" if value is None else f"{value:.4g}" if isinstance(value, float) else str(value)
 
 
 def cost(demos, settings):
