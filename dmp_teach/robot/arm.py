@@ -12,7 +12,7 @@ import numpy as np
 from dmp_teach.files import ASSETS
 from dmp_teach.robot.model.kinematics import Model
 from dmp_teach.robot.model.proximity import Proximity
-from dmp_teach.robot.model.reduced import placo_missing
+from dmp_teach.robot.model.reduced import explain_missing_placo
 from dmp_teach.robot.pen_path import MOTION_RATE
 from dmp_teach.robot.quiet import quiet
 from dmp_teach.trajectory import Array
@@ -215,7 +215,7 @@ class Solver:
         return q
 
 
-def solver_here() -> Solver:
+def get_solver() -> Solver:
     """Return the solver of this thread: PlaCo's must not be shared, and each one leaks 0.35 MB."""
     if not hasattr(_here, "solver"):
         _here.solver = Solver()
@@ -236,5 +236,5 @@ def _placo() -> Any:
     try:
         import placo  # noqa: PLC0415 (loaded when a robot is needed, not before)
     except (ImportError, OSError) as error:
-        raise placo_missing(error) from None
+        raise explain_missing_placo(error) from None
     return placo

@@ -70,27 +70,27 @@ def describe_collision(near: Near) -> str:
         happens = f"would come within {1000 * near.distance:.0f} mm of {what}"
     if 0 <= near.distance < LEAST_CLEARANCE:
         happens += f"; {1000 * LEAST_CLEARANCE:.0f} mm must stay between them"
-    sentence = f"fter {near.row / MOTION_RATE:.2f} s the arm's {plain_name(near.link)} {happens}."
+    moment = f"{near.row / MOTION_RATE:.2f} s the arm's {get_plain_name(near.link)} {happens}."
     if near.other == "page":
-        return f"A{sentence}"
+        return f"After {moment}"
     touch = "touch" if near.distance < LEAST_CLEARANCE else "come too near to"
-    return f"The arm would {touch} the robot: a{sentence}"
+    return f"The arm would {touch} the robot: after {moment}"
 
 
 def describe_thin_margin(near: Near) -> str:
     """Note how near the arm comes where it may stay so."""
     return (
-        f"after {near.row / MOTION_RATE:.2f} s the arm's {plain_name(near.link)} comes within "
+        f"after {near.row / MOTION_RATE:.2f} s the arm's {get_plain_name(near.link)} comes within "
         f"{1000 * near.distance:.0f} mm of {_describe_other(near)}"
     )
 
 
-def plain_name(link: str) -> str:
+def get_plain_name(link: str) -> str:
     """Return what people call a link."""
     return _WORDS.get(link, link.removesuffix("_link"))
 
 
 def _describe_other(near: Near) -> str:
     """Return what the arm's part comes near to."""
-    name = plain_name(near.other)
+    name = get_plain_name(near.other)
     return name if near.other == "page" else f"the robot's {name}"

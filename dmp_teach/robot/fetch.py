@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from dmp_teach.errors import ReachError, ReachWarning
-from dmp_teach.robot.arm import JOINTS, Solver, solver_here
+from dmp_teach.robot.arm import JOINTS, Solver, get_solver
 from dmp_teach.robot.clearance import describe_collision, describe_thin_margin, find_nearest
 from dmp_teach.robot.layout import lay_out
 from dmp_teach.robot.motion import Motion, describe_overloads
@@ -19,7 +19,7 @@ from dmp_teach.robot.page import Page
 from dmp_teach.robot.pen_path import PenPlan, connect_strokes
 from dmp_teach.robot.reach.check import Unreachable, check_reach
 from dmp_teach.robot.reach.posture import PEN_TILT_TOLERANCE, TIP_TOLERANCE, find_posture
-from dmp_teach.robot.reach.suggest import other_pages, suggest_page
+from dmp_teach.robot.reach.suggest import list_other_pages, suggest_page
 from dmp_teach.robot.time_scaling import TimeScaling
 from dmp_teach.trajectory import Array, Trajectory
 
@@ -49,7 +49,7 @@ class Fetch:
     joint_names = JOINTS
 
     def __init__(self) -> None:
-        self.model = solver_here().model
+        self.model = get_solver().model
 
     def write(
         self,
@@ -83,7 +83,7 @@ class Fetch:
             ReachError: The arm cannot get to the ink, or would touch the robot or what the page
                 lies on; says where, by how much, and which page works.
         """
-        placed, solver = lay_out(strokes, page, at, size), solver_here()
+        placed, solver = lay_out(strokes, page, at, size), get_solver()
         try:
             motion, warning = _plan(solver, page, placed, progress or _silent)
         except Unreachable as error:
@@ -133,7 +133,7 @@ def _refusal(solver: Solver, page: Page, strokes: PlacedStrokes, error: Unreacha
         problem = _foreseen_collision(solver, page, strokes) or problem
     suggestion = suggest_page(solver, page, area)
     suggested = [suggestion.page] if suggestion.fits else []
-    for other in [*suggested, *other_pages(page, area)]:
+    for other in [*suggested, *list_other_pages(page, area)]:
         if repr(other) == repr(page):
             continue
         with suppress(Unreachable):

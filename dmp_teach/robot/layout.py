@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from dmp_teach.errors import PageError, TrajectoryError, kind_of
-from dmp_teach.robot.page import Page, finite
+from dmp_teach.robot.page import Page, check_finite
 from dmp_teach.trajectory import Array, Trajectory
 
 PAGE_MARGIN = 0.005
@@ -122,9 +122,9 @@ def _scale(extent: Array, page: Page, size: float | None) -> float:
         raise PageError(
             "The ink has no height (a dot, or a level line), so size cannot set it; leave size out."
         )
-    scale = (
-        1.0 if size is None else finite("size", size, "a height in metres, such as 0.1") / extent[1]
-    )
+    scale = 1.0
+    if size is not None:
+        scale = check_finite("size", size, "a height in metres, such as 0.1") / extent[1]
     if scale <= 0:
         raise PageError(f"size is {size} m, but the ink's height must be more than 0.")
     if (extent * scale > room + 1e-9).any():

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from dmp_teach.robot.model.kinematics import Model
-from dmp_teach.robot.model.reduced import reduced_robot
+from dmp_teach.robot.model.reduced import load_reduced_robot
 from dmp_teach.robot.page import Page
 from dmp_teach.trajectory import Array, Trajectory, locked
 
@@ -77,7 +77,7 @@ class Motion:
         """
         v = np.gradient(self.q, self.t, axis=0)
         a = np.gradient(v, self.t, axis=0)
-        return locked(reduced_robot(self.joint_names).torques(self.q, v, a))
+        return locked(load_reduced_robot(self.joint_names).torques(self.q, v, a))
 
     def __repr__(self) -> str:
         """Show it in one line, without the numbers."""
@@ -98,7 +98,7 @@ def _describe_overload(motion: Motion, joint: int, limit: float) -> str:
     row = int(np.abs(motion.torque[:, joint]).argmax())
     q = motion.q[row : row + 1]
     needed = abs(motion.torque[row, joint])
-    weight = abs(reduced_robot(motion.joint_names).torques(q, 0 * q, 0 * q)[0, joint])
+    weight = abs(load_reduced_robot(motion.joint_names).torques(q, 0 * q, 0 * q)[0, joint])
     if weight < limit:
         # What is not weight goes with the square of the speed.
         longer = np.ceil(10 * np.sqrt((needed - weight) / (limit - weight))) / 10

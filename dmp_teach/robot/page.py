@@ -55,7 +55,7 @@ class Page:
                 "millimetres?"
             )
         for name in ("width", "height"):
-            value = finite(name, getattr(self, name), "a length in metres, such as 0.21")
+            value = check_finite(name, getattr(self, name), "a length in metres, such as 0.21")
             if not 0.01 <= value <= 2.0:
                 hint = " Is that in millimetres?" if value >= 10 else ""
                 raise PageError(
@@ -206,7 +206,7 @@ def _pose(kind: str, centre: Sequence[float], tilt: float, turn: float, yaw: flo
     """Return the pose (4, 4) of a sheet on a table or a board."""
     X = np.eye(4)
     X[:3, 3] = [
-        finite(name, value, "a place in metres, such as 0.7")
+        check_finite(name, value, "a place in metres, such as 0.7")
         for name, value in zip("xyz", centre, strict=True)
     ]
     angles = _angle("tilt", tilt), _angle("turn", turn)
@@ -218,7 +218,7 @@ def _pose(kind: str, centre: Sequence[float], tilt: float, turn: float, yaw: flo
 
 def _angle(name: str, value: float) -> float:
     """Return an angle of at most a whole turn [rad], or raise a PageError."""
-    angle = finite(name, value, "an angle in radians, such as 0.35")
+    angle = check_finite(name, value, "an angle in radians, such as 0.35")
     if abs(angle) > 2 * np.pi:
         raise PageError(
             f"{name} is {angle:g} rad, more than a whole turn. If that is in degrees, write "
@@ -227,7 +227,7 @@ def _angle(name: str, value: float) -> float:
     return angle
 
 
-def finite(name: str, value: float, meaning: str) -> float:
+def check_finite(name: str, value: float, meaning: str) -> float:
     """Return a finite number, or raise a PageError that says what it should be."""
     try:
         found = float(value)

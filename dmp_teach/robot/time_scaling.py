@@ -61,9 +61,10 @@ class TimeScaling:
         for beside in (np.floor(before), np.ceil(after)):
             np.maximum.at(self._needed, (beside.astype(int), joints), wanted)
         needed, rests = self._needed.max(axis=1), self._path.rests
-        self._late = [lateness(needed[start : stop + 1]) for start, stop in pairwise(rests)]
+        self._late = [compute_lateness(needed[start : stop + 1]) for start, stop in pairwise(rests)]
         parts = [
-            start + due_samples(late) for start, late in zip(rests[:-1], self._late, strict=True)
+            start + find_due_samples(late)
+            for start, late in zip(rests[:-1], self._late, strict=True)
         ]
         self.samples = np.concatenate([*(part[:-1] for part in parts), parts[-1][-1:]])
         return True
@@ -108,7 +109,7 @@ class TimeScaling:
                 )
 
 
-def lateness(needed: Array) -> Array:
+def compute_lateness(needed: Array) -> Array:
     """Return how much longer than usual each sample lasts, at least `needed` - 1, shape (n,).
 
     The clock's rate is the least of 1 / needed within `EASING` of each sample, then averaged over
@@ -132,7 +133,7 @@ def lateness(needed: Array) -> Array:
     return late
 
 
-def due_samples(late: Array) -> Array:
+def find_due_samples(late: Array) -> Array:
     """Return which sample is due at each whole time when sample i lasts 1 + late[i], shape (m,)."""
     times = np.append(0, np.cumsum(1 + (late[1:] + late[:-1]) / 2))
     samples = CubicHermiteSpline(times, np.arange(len(late)), 1 / (1 + late))(

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 import dmp_teach as teach
-from dmp_teach.robot.arm import solver_here
+from dmp_teach.robot.arm import get_solver
 from dmp_teach.robot.model.kinematics import Model
 from dmp_teach.robot.motion import Motion
 from dmp_teach.trajectory import Array
@@ -55,7 +55,7 @@ def writing(turns: int) -> tuple[list[dict[str, Any]], list[str]]:
 
 def _tasks(strokes: Any, pink: dict[str, Callable]) -> tuple[Motion, dict[str, Callable[[], Any]]]:
     """A letter's motion, and what is measured with it."""
-    fetch, page, solver = teach.Fetch(), teach.Page.table(), solver_here()
+    fetch, page, solver = teach.Fetch(), teach.Page.table(), get_solver()
     motion = fetch.write(strokes, page)
     run = teach.simulate(motion)
 

@@ -12,9 +12,9 @@ from hypothesis import strategies as st
 
 import dmp_teach as teach
 from dmp_teach.errors import JointError, MissingPartError, ReachError
-from dmp_teach.robot.arm import JOINTS, Solver, solver_here
+from dmp_teach.robot.arm import JOINTS, Solver, get_solver
 from dmp_teach.robot.fetch import Fetch
-from dmp_teach.robot.model.reduced import reduced_robot
+from dmp_teach.robot.model.reduced import load_reduced_robot
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.pen_path import MOTION_RATE, connect_strokes
 from dmp_teach.trajectory import Trajectory
@@ -99,7 +99,7 @@ def test_the_arm_starts_and_ends_at_rest():
 def test_the_base_and_the_torso_stay():
     motion = Fetch().write(LETTER, Page.table())
     assert np.ptp(motion.q[:, JOINTS.index("torso_lift_joint")]) == 0
-    np.testing.assert_array_equal(solver_here().base(), np.eye(4))
+    np.testing.assert_array_equal(get_solver().base(), np.eye(4))
 
 
 def test_the_same_input_gives_the_same_motion_whatever_was_written_before():
@@ -108,7 +108,7 @@ def test_the_same_input_gives_the_same_motion_whatever_was_written_before():
     with pytest.raises(ReachError):
         fetch.write(LETTER, Page.table(x=2.0))
     fetch.write(LETTER, Page.board(), size=0.18)
-    solver_here().verdicts.clear()
+    get_solver().verdicts.clear()
     again = Fetch().write(LETTER, Page.table(), size=0.12)
     np.testing.assert_array_equal(first.q, again.q)
     np.testing.assert_array_equal(first.tip, again.tip)
@@ -167,7 +167,7 @@ def test_two_threads_write_at_once_and_do_not_mix():
 
 def test_a_solver_is_built_once_in_a_thread():
     assert Fetch() is not Fetch()
-    assert solver_here() is solver_here()
+    assert get_solver() is get_solver()
 
 
 def test_nothing_is_printed(capfd):
@@ -187,12 +187,12 @@ def test_nothing_is_printed(capfd):
 )
 def test_a_joint_that_is_none_is_not_masked_in_silence(name, nearest):
     with pytest.raises(JointError, match=nearest):
-        solver_here().mask(name)
+        get_solver().mask(name)
 
 
 @pytest.mark.parametrize("sign", [1, -1])
 def test_a_pen_that_already_stands_upright_or_upside_down_is_no_trouble(sign):
-    solver = solver_here()
+    solver = get_solver()
     posture = (0.386, -0.11, -0.45, -0.37, 1.53, -1.39, -0.88, 0.82)
     solver.stand(posture, np.array([0.0, 0, 1]), torso=True)
     X = solver.pen()
@@ -203,7 +203,7 @@ def test_a_pen_that_already_stands_upright_or_upside_down_is_no_trouble(sign):
 
 
 def test_the_posture_comes_to_rest():
-    solver = solver_here()
+    solver = get_solver()
     target = np.array([0.7, 0, 0.72])
     solver.stand(
         (0.386, -0.11, -0.45, -0.37, 1.53, -1.39, -0.88, 0.82), np.array([0.0, 0, 1]), torso=True
@@ -217,7 +217,7 @@ def test_the_posture_comes_to_rest():
 
 
 def test_joints_that_turn_for_ever_do_not_jump_at_half_a_turn():
-    solver = solver_here()
+    solver = get_solver()
     turns = np.linspace(3, 10, 500)
     states = np.zeros((500, solver.state_size))
     column = solver.columns["forearm_roll_joint"]
@@ -231,7 +231,7 @@ def test_without_placo_the_sentence_says_what_to_do_and_the_rest_goes_on(monkeyp
     motion = dataclasses.replace(Fetch().write(LETTER, Page.table()))
     for library in ("placo", "pinocchio"):
         monkeypatch.setitem(sys.modules, library, None)
-    reduced_robot.cache_clear()
+    load_reduced_robot.cache_clear()
     says = r"PlaCo, which is not here.* plots work without it\..*pip install placo.*WSL"
     with ThreadPoolExecutor(1) as new_thread, pytest.raises(MissingPartError, match=says):
         new_thread.submit(Fetch).result()

@@ -9,7 +9,13 @@ from dmp_teach.robot.fetch import Fetch
 from dmp_teach.robot.layout import lay_out
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.pen_path import MOTION_RATE, connect_strokes
-from dmp_teach.robot.time_scaling import EASING, SPEED_SHARE, TimeScaling, due_samples, lateness
+from dmp_teach.robot.time_scaling import (
+    EASING,
+    SPEED_SHARE,
+    TimeScaling,
+    compute_lateness,
+    find_due_samples,
+)
 from dmp_teach.trajectory import Trajectory
 from tests.robot import ink
 from tests.robot.ink import LETTER, law
@@ -33,7 +39,7 @@ def needed_at(hurry, n=400):
 @law(hurry=HURRY)
 def test_every_sample_lasts_as_long_as_it_must_and_those_far_from_a_hurry_no_longer(hurry):
     needed = needed_at(hurry)
-    longer = lateness(needed)
+    longer = compute_lateness(needed)
     assert (1 + longer >= needed - 1e-9).all()
     near = np.convolve(needed > 1, np.ones(4 * REACH + 1), "same") > 0
     assert (longer[~near] == 0).all()
@@ -41,9 +47,9 @@ def test_every_sample_lasts_as_long_as_it_must_and_those_far_from_a_hurry_no_lon
 
 @law(hurry=HURRY)
 def test_the_clock_never_jumps(hurry):
-    rate = 1 / (1 + lateness(needed_at(hurry)))
+    rate = 1 / (1 + compute_lateness(needed_at(hurry)))
     assert np.abs(np.diff(rate)).max() <= 1.5 / REACH
-    samples = due_samples(lateness(needed_at(hurry)))
+    samples = find_due_samples(compute_lateness(needed_at(hurry)))
     assert (np.diff(samples) > 0).all()
     assert np.diff(samples).max() <= 1 + 1e-9
     assert np.abs(np.diff(samples, n=2)).max() <= 1.5 / REACH
@@ -51,8 +57,8 @@ def test_the_clock_never_jumps(hurry):
 
 @law(hurry=HURRY)
 def test_samples_after_a_slowed_place_are_those_of_the_unhurried_plan(hurry):
-    longer = lateness(needed_at(hurry))
-    samples = due_samples(longer)
+    longer = compute_lateness(needed_at(hurry))
+    samples = find_due_samples(longer)
     assert samples[0] == 0
     assert samples[-1] == len(longer) - 1
     untouched = np.flatnonzero(longer == 0)
@@ -61,7 +67,7 @@ def test_samples_after_a_slowed_place_are_those_of_the_unhurried_plan(hurry):
 
 @pytest.mark.parametrize("length", [2, 3, 10])
 def test_a_piece_of_few_samples_can_be_slowed_too(length):
-    samples = due_samples(lateness(np.full(length, 7.3)))
+    samples = find_due_samples(compute_lateness(np.full(length, 7.3)))
     assert len(samples) >= 7.3 * (length - 1) + 1
     np.testing.assert_allclose(np.diff(samples), np.diff(samples)[0])
 

@@ -9,7 +9,7 @@ from dmp_teach.files.writing import ASSETS
 from dmp_teach.robot.arm import JOINTS
 from dmp_teach.robot.fetch import Fetch
 from dmp_teach.robot.model.kinematics import Model
-from dmp_teach.robot.model.reduced import reduced_robot
+from dmp_teach.robot.model.reduced import load_reduced_robot
 from dmp_teach.robot.model.urdf import read_origin
 from dmp_teach.robot.motion import describe_overloads
 from dmp_teach.robot.page import Page
@@ -46,7 +46,7 @@ def height_energy(q):
 def test_at_rest_a_motor_holds_what_lifting_would_gain():
     """Another route: gravity's torque is the slope of the energy of height, by our kinematics."""
     q, still, step = RNG.uniform(LOW, HIGH, (20, len(JOINTS))), np.zeros((20, len(JOINTS))), 1e-5
-    needed = reduced_robot(JOINTS).torques(q, still, still)
+    needed = load_reduced_robot(JOINTS).torques(q, still, still)
     for joint in range(len(JOINTS)):
         by = step * np.eye(len(JOINTS))[joint]
         slope = (height_energy(q + by) - height_energy(q - by)) / (2 * step)
@@ -77,7 +77,7 @@ def test_the_sprung_pens_slide_has_a_force_too():
     sprung = Model.load(ASSETS / "fetch_sprung.urdf")
     names = (*JOINTS, SLIDE_JOINT)
     q = np.zeros((1, len(names)))
-    needed = reduced_robot(names).torques(q, 0 * q, 0 * q)[0]
+    needed = load_reduced_robot(names).torques(q, 0 * q, 0 * q)[0]
     carried = {sprung.joint(SLIDE_JOINT).child}
     for joint in sprung.joints:
         carried |= {joint.child} if joint.parent in carried else set()
@@ -119,4 +119,4 @@ def test_a_weight_that_is_too_much_is_not_cured_by_patience():
 
 def test_an_unknown_joint_is_refused():
     with pytest.raises(JointError, match="elbow_flex_joint"):
-        reduced_robot(("elbow_flex",))
+        load_reduced_robot(("elbow_flex",))

@@ -10,7 +10,7 @@ import pytest
 
 from dmp_teach.files.writing import ASSETS
 from dmp_teach.robot.arm import JOINTS, SAFETY_SHELL
-from dmp_teach.robot.clearance import plain_name
+from dmp_teach.robot.clearance import get_plain_name
 from dmp_teach.robot.model.proximity import Proximity
 from dmp_teach.robot.model.urdf import read_origin
 from dmp_teach.robot.page import Page
@@ -155,4 +155,4 @@ def test_a_page_is_a_block_that_goes_on_beyond_its_edge():
 
 def test_every_part_has_a_plain_name():
     links = {link for pair in Proximity(JOINTS, Page.table()).pairs for link in pair}
-    assert not [link for link in links if re.search("_|link", plain_name(link))]
+    assert not [link for link in links if re.search("_|link", get_plain_name(link))]

@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from dmp_teach.robot.model.reduced import load_pinocchio, reduced_robot
+from dmp_teach.robot.model.reduced import load_pinocchio, load_reduced_robot
 from dmp_teach.robot.page import Page
 from dmp_teach.trajectory import Array
 
@@ -76,7 +76,7 @@ class Proximity:
         grown: float = 0.0,
     ) -> None:
         self._pinocchio = pinocchio = load_pinocchio()
-        self._robot = reduced_robot(joint_names)
+        self._robot = load_reduced_robot(joint_names)
         self._geometry = self._robot.geometry.copy()
         if grown:
             for shape in self._geometry.geometryObjects:

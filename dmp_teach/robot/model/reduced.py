@@ -82,7 +82,7 @@ class ReducedRobot:
 
 
 @lru_cache(maxsize=4)
-def reduced_robot(joint_names: tuple[str, ...]) -> ReducedRobot:
+def load_reduced_robot(joint_names: tuple[str, ...]) -> ReducedRobot:
     """Return the robot that moves only in some joints, built once."""
     return ReducedRobot(joint_names)
 
@@ -92,11 +92,11 @@ def load_pinocchio() -> Any:
     try:
         import pinocchio  # noqa: PLC0415 (loaded when a robot is needed, not before)
     except (ImportError, OSError) as error:
-        raise placo_missing(error) from None
+        raise explain_missing_placo(error) from None
     return pinocchio
 
 
-def placo_missing(error: Exception) -> MissingPartError:
+def explain_missing_placo(error: Exception) -> MissingPartError:
     """Return the error where PlaCo, or what it brings, cannot be imported."""
     return MissingPartError(
         f"The robot's joints are solved by PlaCo, which is not here ({error}). Letters, sliders "

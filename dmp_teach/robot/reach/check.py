@@ -13,9 +13,9 @@ from dmp_teach.robot.reach.posture import (
     TIP_TOLERANCE,
     describe_obstacle,
     find_posture,
-    rim,
+    list_rim_places,
 )
-from dmp_teach.robot.reach.suggest import Area, Suggestion, suggest_page, whole
+from dmp_teach.robot.reach.suggest import Area, Suggestion, suggest_page, whole_area
 from dmp_teach.trajectory import Array
 
 
@@ -62,7 +62,10 @@ def check_reach(solver: Solver, page: Page, ink: Array) -> Reach:
     area = ink.min(axis=0), ink.max(axis=0)
     if obstacle := describe_obstacle(page):
         raise Unreachable(obstacle)
-    posture, notes, warning, odd = find_posture(solver, page, *whole(page)), [], "", _oddity(page)
+    notes = []
+    warning = ""
+    odd = _oddity(page)
+    posture = find_posture(solver, page, *whole_area(page))
     if posture.trouble:
         posture = find_posture(solver, page, *area)
         notes.append("the arm reaches this ink, but not all of the page")
@@ -83,7 +86,7 @@ def check_reach(solver: Solver, page: Page, ink: Array) -> Reach:
     return Reach(posture.q, tuple(notes), warning)
 
 
-def misses(solver: Solver, page: Page, area: Area, among: str = "") -> dict[str, float]:
+def measure_misses(solver: Solver, page: Page, area: Area, among: str = "") -> dict[str, float]:
     """Return how far the tip of an upright pen stays from each place around an area, at best [m].
 
     Args:
@@ -92,7 +95,11 @@ def misses(solver: Solver, page: Page, area: Area, among: str = "") -> dict[str,
         area: The part.
         among: "corner" for those only.
     """
-    return {name: _miss(solver, page, place) for name, place in rim(*area).items() if among in name}
+    return {
+        name: _miss(solver, page, place)
+        for name, place in list_rim_places(*area).items()
+        if among in name
+    }
 
 
 def _strained(suggestion: Suggestion) -> str:
@@ -114,7 +121,7 @@ def _oddity(page: Page) -> str:
 
 def _shortfall(solver: Solver, page: Page, area: Area) -> str:
     """Say which place is furthest out, a corner rather than an edge, and by how much."""
-    short = misses(solver, page, area)
+    short = measure_misses(solver, page, area)
     name = max(short, key=lambda name: short[name] + (0.005 if "corner" in name else 0.0))
     if max(short.values()) <= TIP_TOLERANCE:
         return ""

@@ -9,12 +9,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from dmp_teach.errors import PageError
-from dmp_teach.robot.arm import solver_here
+from dmp_teach.robot.arm import get_solver
 from dmp_teach.robot.motion import BoolArray
 from dmp_teach.robot.page import A4, Page
-from dmp_teach.robot.reach.check import misses
+from dmp_teach.robot.reach.check import measure_misses
 from dmp_teach.robot.reach.posture import STRAINED_EFFORT, find_posture
-from dmp_teach.robot.reach.suggest import whole
+from dmp_teach.robot.reach.suggest import whole_area
 from dmp_teach.trajectory import Array, locked
 
 # Of a page's centre, ahead of the robot and to its left [m], and of its tilt from a table, 0, to a
@@ -169,11 +169,11 @@ def _try_pages(
 
 def _try_page(page: Page) -> tuple[float, float]:
     """Return effort (inf: cannot be written on) and residual [m] of a page."""
-    solver = solver_here()
-    residual = max(misses(solver, page, whole(page), "corner").values())
+    solver = get_solver()
+    residual = max(measure_misses(solver, page, whole_area(page), "corner").values())
     if residual > _FAR:
         return np.inf, residual
-    return find_posture(solver, page, *whole(page)).effort, residual
+    return find_posture(solver, page, *whole_area(page)).effort, residual
 
 
 def _axis(name: str, values: Sequence[float] | None, usual: Array) -> Array:

@@ -13,7 +13,7 @@ from itertools import islice
 import numpy as np
 
 from dmp_teach.robot.arm import Solver
-from dmp_teach.robot.clearance import plain_name
+from dmp_teach.robot.clearance import get_plain_name
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.pen_path import HOVER
 from dmp_teach.trajectory import Array, locked
@@ -160,7 +160,7 @@ def _try_posture(solver: Solver, start: Array, page: Page, low: Array, high: Arr
     effort = 0.0
     joints: list[Array] = []
     jacobians: list[Array] = []
-    places = [*rim(low, high).values(), middle]
+    places = [*list_rim_places(low, high).values(), middle]
     for place in places:
         for spot in (place, place + np.array([0, 0, HOVER])):
             solver.glide(page.to_world(spot))
@@ -190,7 +190,7 @@ def _effort_between(solver: Solver, moved: Array, turned: Array) -> float:
     return float(speeds.max() / far) if far > 1e-3 else 0.0
 
 
-def rim(low: Array, high: Array) -> dict[str, Array]:
+def list_rim_places(low: Array, high: Array) -> dict[str, Array]:
     """Return eight places around a part of a page, each beside the next, (3,) [m]."""
     (left, bottom), (right, top) = low, high
     x, y = (low + high) / 2
@@ -218,11 +218,11 @@ def _trouble(solver: Solver, page: Page, spot: Array) -> tuple[str, bool] | None
         )
     for link in _FOREARM:
         if page.to_page(solver.place_of(link))[2] < _FOREARM_RADIUS:
-            return f"The arm's {plain_name(link)} would go through what the page lies on.", True
+            return f"The arm's {get_plain_name(link)} would go through what the page lies on.", True
     pairs = solver.proximity.touching(solver.joints())
     for other, link in sorted((other, link) for link, other in pairs):
         if not link.startswith(_FINGERS_AND_PEN):
-            parts = f"its {plain_name(other)} and its {plain_name(link)}"
+            parts = f"its {get_plain_name(other)} and its {get_plain_name(link)}"
             return f"The arm would touch the robot: {parts}.", True
     return None
 

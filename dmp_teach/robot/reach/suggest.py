@@ -60,7 +60,7 @@ def suggest_page(solver: Solver, page: Page, area: Area) -> Suggestion:
     """
     for sheet in _sheets(page, area):
         for other in _turned(sheet):
-            for part in (whole(other), area):
+            for part in (whole_area(other), area):
                 best = _best_place(other, part)
                 if _reached_with_ease(solver, best, part):
                     found = _nearest(solver, other, best, part)
@@ -73,20 +73,22 @@ def suggest_page(solver: Solver, page: Page, area: Area) -> Suggestion:
     return Suggestion(middle if _reached_with_ease(solver, middle, spot) else usual(), False)
 
 
-def other_pages(page: Page, area: Area) -> Iterator[Page]:
+def list_other_pages(page: Page, area: Area) -> Iterator[Page]:
     """Yield other pages for the same ink, the likest first, each as easy to reach as can be.
 
     Args:
         page: The one that was wanted.
         area: Where its ink is.
     """
-    best = [_best_place(other, part) for other in _turned(page) for part in (whole(other), area)]
+    best = [
+        _best_place(other, part) for other in _turned(page) for part in (whole_area(other), area)
+    ]
     yield from best
     for far in _AHEAD:
         yield best[0].moved((far, 0.0, 0.0))
 
 
-def whole(page: Page) -> Area:
+def whole_area(page: Page) -> Area:
     """Return all of a page."""
     return -page.size / 2, page.size / 2
 
