@@ -13,7 +13,7 @@ import numpy as np
 from dmp_teach.trajectory import locked
 
 # One mapping for each row, all with the same keys; units stand in the keys.
-Rows = tuple[Mapping[str, Any], ...]
+TableRows = tuple[Mapping[str, Any], ...]
 
 
 class Tabled:
@@ -28,7 +28,7 @@ class Tabled:
             if isinstance(value, np.ndarray):
                 object.__setattr__(self, each.name, locked(value, dtype=value.dtype))
 
-    def rows(self) -> Rows:
+    def rows(self) -> TableRows:
         """Return one mapping for each row."""
         raise NotImplementedError
 
@@ -44,7 +44,7 @@ class Tabled:
         return html_table(self.rows(), self.STYLES)
 
 
-def text_table(rows: Rows, widths: Mapping[str, int]) -> str:
+def text_table(rows: TableRows, widths: Mapping[str, int]) -> str:
     """Return rows in aligned columns.
 
     Args:
@@ -73,7 +73,7 @@ def text_table(rows: Rows, widths: Mapping[str, int]) -> str:
     return "\n".join(lines)
 
 
-def html_table(rows: Rows, styles: Mapping[str, str]) -> str:
+def html_table(rows: TableRows, styles: Mapping[str, str]) -> str:
     """Return rows as an HTML table; `styles` gives some words a style of their own."""
     if not rows:
         return "<p>(no rows)</p>"

@@ -33,10 +33,10 @@ def resample_evenly(path: Array, points: int) -> tuple[Array, Array]:
     Returns:
         The points, and the fractional row of `path` where each of them is, shape (points,).
     """
-    way = arc_lengths(path)
-    even = np.linspace(0, way[-1], points)
-    resampled = np.column_stack([np.interp(even, way, axis) for axis in path.T])
-    return resampled, np.interp(even, way, np.arange(len(way)))
+    arc = arc_lengths(path)
+    even = np.linspace(0, arc[-1], points)
+    resampled = np.column_stack([np.interp(even, arc, axis) for axis in path.T])
+    return resampled, np.interp(even, arc, np.arange(len(arc)))
 
 
 def find_corners(stroke: Trajectory) -> tuple[int, ...]:

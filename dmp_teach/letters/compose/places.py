@@ -27,8 +27,8 @@ def point_at(path: Array, place: float | str) -> Array:
             f"There is no place {place!r} on a stroke; give a part from 0 to 1, or "
             f"{list_names(STROKE_PLACES)}."
         )
-    way = arc_lengths(path)
-    return np.array([np.interp(part * way[-1], way, axis) for axis in path.T])
+    arc = arc_lengths(path)
+    return np.array([np.interp(part * arc[-1], arc, axis) for axis in path.T])
 
 
 def sample_at(path: Array, place: str) -> int:

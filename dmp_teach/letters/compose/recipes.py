@@ -76,18 +76,18 @@ C  c all size 1.9
 """
 """Every recipe: the letter, then its strokes."""
 
-NUMBER = r"-?\d+(?:\.\d+)?"
-SPOT = r"(\d+:[\w.]+(?:/\d+:[\w.]+)?)"
-VERBS: dict[str, Callable[..., Piece]] = {
-    rf"lead (\w+) to {SPOT}": lambda piece, done, end, spot: piece.led(**{end: _spot(spot, done)}),
-    rf"put (\w+) at {SPOT}": lambda piece, done, place, spot: piece.put(place, _spot(spot, done)),
+_NUMBER = r"-?\d+(?:\.\d+)?"
+_SPOT = r"(\d+:[\w.]+(?:/\d+:[\w.]+)?)"
+RECIPE_VERBS: dict[str, Callable[..., Piece]] = {
+    rf"lead (\w+) to {_SPOT}": lambda piece, done, end, spot: piece.led(**{end: _spot(spot, done)}),
+    rf"put (\w+) at {_SPOT}": lambda piece, done, place, spot: piece.put(place, _spot(spot, done)),
     r"slide (\w+) to (\d+)": lambda piece, done, place, n: piece.slid(place, _stroke(n, done)),
-    rf"meet {SPOT}": lambda piece, done, spot: piece.meeting(_spot(spot, done)),
-    rf"size ({NUMBER})": lambda piece, done, factor: piece.scaled(float(factor)),
-    rf"tall ({NUMBER}) of (\d+)": lambda piece, done, part, n: piece.scaled(
+    rf"meet {_SPOT}": lambda piece, done, spot: piece.meeting(_spot(spot, done)),
+    rf"size ({_NUMBER})": lambda piece, done, factor: piece.scaled(float(factor)),
+    rf"tall ({_NUMBER}) of (\d+)": lambda piece, done, part, n: piece.scaled(
         float(part) * _tallness(_stroke(n, done)) / max(_tallness(piece), 1e-9)
     ),
-    rf"turn ({NUMBER})": lambda piece, done, degrees: piece.turned(float(degrees)),
+    rf"turn ({_NUMBER})": lambda piece, done, degrees: piece.turned(float(degrees)),
     r"back\b": lambda piece, done: piece.backwards(),
 }
 """What is done with a stroke: the words, and the method of `Piece`."""
@@ -197,7 +197,7 @@ def _transformed(
 def _follow(piece: Piece, words: str, done: list[Piece]) -> Piece:
     """Return one stroke after what the recipe does with it."""
     while words:
-        for pattern, verb in VERBS.items():
+        for pattern, verb in RECIPE_VERBS.items():
             match = re.match(pattern, words)
             if match:
                 piece = verb(piece, done, *match.groups())
@@ -230,6 +230,6 @@ def _spot(words: str, done: list[Piece]) -> Array:
     spots: list[Array] = []
     for each in words.split("/"):
         number, place = each.split(":")
-        stroke, is_height = _stroke(number, done), re.fullmatch(NUMBER, place)
+        stroke, is_height = _stroke(number, done), re.fullmatch(_NUMBER, place)
         spots.append(stroke.height(float(place)) if is_height else stroke.at(place))
     return np.array([spots[0][0], spots[-1][1]])

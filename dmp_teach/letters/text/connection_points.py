@@ -139,10 +139,10 @@ def find_meeting(here: Array, stroke: Trajectory, x_height: float) -> Meeting:
 
 def _on_up_stroke(here: Array, path: Array, x_height: float) -> Meeting:
     """Return a point on the first, rising part; from above the first, or well up a long one."""
-    heading, way = np.unwrap(headings(path)), arc_lengths(path) / x_height
-    near = max(1, int(np.searchsorted(way, END_CUT)))
+    heading, arc = np.unwrap(headings(path)), arc_lengths(path) / x_height
+    near = max(1, int(np.searchsorted(arc, END_CUT)))
     steep = heading[near:] > UP_STROKE_HEADINGS[1] + 0.1
-    ends = near + np.flatnonzero(steep | (way[near:] > 1.0))
+    ends = near + np.flatnonzero(steep | (arc[near:] > 1.0))
     some = np.arange(near, max(near + 1, int(ends[0])) if len(ends) else len(path) - 1)
     if here[1] > HIGH_END * x_height:
         higher = some[path[some, 1] > LONG_UP_STROKE_HEIGHT * x_height]

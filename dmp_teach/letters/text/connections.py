@@ -100,10 +100,10 @@ def _timed(
     so that the speed follows the two-thirds power law and has the `velocities` of both letters,
     (2,) each [m/s].
     """
-    way = arc_lengths(path)
+    arc = arc_lengths(path)
     turn = np.abs(np.gradient(np.unwrap(headings(path))))
-    ease = (turn / np.maximum(np.gradient(way), 1e-12) + 0.25 / x_height) ** (1 / 3)
-    q = np.concatenate([[0.0], np.cumsum(np.diff(way) * (ease[1:] + ease[:-1]) / 2)])
+    ease = (turn / np.maximum(np.gradient(arc), 1e-12) + 0.25 / x_height) ** (1 / 3)
+    q = np.concatenate([[0.0], np.cumsum(np.diff(arc) * (ease[1:] + ease[:-1]) / 2)])
     v, w = (
         float(np.linalg.norm(velocity)) * e
         for velocity, e in zip(velocities, (ease[0], ease[-1]), strict=True)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from dmp_teach.errors import SettingError
-from dmp_teach.studies.tables import Rows, Tabled
+from dmp_teach.studies.tables import Tabled, TableRows
 from dmp_teach.trajectory import Array
 
 PERMUTATIONS = 999
@@ -112,7 +112,7 @@ class Attributions(Tabled):
         names = ", ".join(each.question for each in self.items)
         raise SettingError(f"{question!r} was not asked; asked was: {names}.")
 
-    def rows(self) -> Rows:
+    def rows(self) -> TableRows:
         """Return one row for each question."""
         return tuple(
             {

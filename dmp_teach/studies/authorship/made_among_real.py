@@ -21,7 +21,7 @@ from dmp_teach.trajectory import Trajectory
 
 ONLY_MOVED = "only moved"
 
-Job = tuple[str, list[tuple[int, str, OneTake]], list[tuple[str, Written]]]
+CharacterJob = tuple[str, list[tuple[int, str, OneTake]], list[tuple[str, Written]]]
 """A character, takes (number, writer, letters) to make it of, and real ones (writer, letter)."""
 Answer = tuple[int, str, str | None]
 """The number of a take, who wrote it, and who was named."""
@@ -61,7 +61,7 @@ def _results(letters: Sequence[Written], options: RunOptions) -> list[JobResult]
     return [each for each in run(_do_job, _jobs(letters), **options) if each is not None]
 
 
-def _jobs(letters: Sequence[Written]) -> list[Job]:
+def _jobs(letters: Sequence[Written]) -> list[CharacterJob]:
     """Return a piece of work for each character that can be made, and that two writers wrote."""
     takes = [(number, writer, take) for number, (writer, take) in enumerate(sort_takes(letters))]
     jobs = []
@@ -79,7 +79,7 @@ def _hows(character: str, take: OneTake) -> list[str]:
     return [how for _, how in recipes(character) if set(letters_needed(how)) <= take.keys()]
 
 
-def _do_job(job: Job) -> JobResult | None:
+def _do_job(job: CharacterJob) -> JobResult | None:
     """Return the answers about one character; None where it can be made of no take."""
     character, takes, real = job
     whose = np.array([writer for writer, _ in real])

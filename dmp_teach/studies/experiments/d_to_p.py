@@ -14,7 +14,7 @@ from dmp_teach.errors import SettingError
 from dmp_teach.letters import Letter, cut_at_corners, find_bar_and_bowl
 from dmp_teach.studies.inputs import Written, list_letters, own_recordings
 from dmp_teach.studies.parallel import RunOptions, run
-from dmp_teach.studies.tables import Rows, Tabled
+from dmp_teach.studies.tables import Tabled, TableRows
 from dmp_teach.trajectory import Array, Trajectory
 
 # What makes a P, in parts of the bar: the bowl ends near the middle of the bar, leaves a leg free
@@ -122,7 +122,7 @@ class MadeLetters(Tabled):
         """The transformations."""
         return tuple(dict.fromkeys(item.made_with for item in self.items))
 
-    def rows(self) -> Rows:
+    def rows(self) -> TableRows:
         """Return one row for each P."""
         return tuple(
             {

@@ -20,7 +20,7 @@ from dmp_teach.studies.experiments.variants import (
 )
 from dmp_teach.studies.inputs import Stroke, named_strokes
 from dmp_teach.studies.parallel import RunOptions, run
-from dmp_teach.studies.tables import Rows, Tabled
+from dmp_teach.studies.tables import Tabled, TableRows
 from dmp_teach.trajectory import Array, Trajectory
 
 SWEPT_WIDTHS = (
@@ -80,7 +80,7 @@ class ErrorCurves(Tabled):
         """The median over strokes, shape (V, K) [m]."""
         return np.median(self.error, axis=1)
 
-    def rows(self) -> Rows:
+    def rows(self) -> TableRows:
         """Return the medians over strokes in mm, a row for each x."""
         return tuple(
             {

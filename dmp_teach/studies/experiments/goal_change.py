@@ -13,7 +13,7 @@ from dmp_teach.errors import SettingError
 from dmp_teach.studies.experiments.variants import rms
 from dmp_teach.studies.inputs import named_strokes
 from dmp_teach.studies.parallel import RunOptions, run
-from dmp_teach.studies.tables import Rows, Tabled
+from dmp_teach.studies.tables import Tabled, TableRows
 from dmp_teach.trajectory import Array, Trajectory, locked
 
 AXIS_NAMES = "xyz"
@@ -88,7 +88,7 @@ class GoalChanges(Tabled):
         """Return one figure of every case, such as `values("star")`, shape (C,)."""
         return np.array([getattr(case, name) for case in self.cases])
 
-    def rows(self) -> Rows:
+    def rows(self) -> TableRows:
         """Return one row for each case."""
         return tuple(
             {

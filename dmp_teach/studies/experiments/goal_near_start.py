@@ -13,7 +13,7 @@ from dmp_teach.errors import SettingError
 from dmp_teach.studies.experiments.joint_demand import arm_at_table, greatest_acceleration
 from dmp_teach.studies.inputs import named_strokes
 from dmp_teach.studies.parallel import RunOptions, run
-from dmp_teach.studies.tables import Rows, Tabled
+from dmp_teach.studies.tables import Tabled, TableRows
 from dmp_teach.trajectory import Array, Trajectory
 
 GOAL_OFFSETS = (0.05, 0.02, 0.01, 0.005, 0.002, 0.001, 0.0005)
@@ -52,7 +52,7 @@ class GoalsNearStart(Tabled):
         kept = demand[:, :, :1] <= 1
         return ((demand[:, :, 1:] > 1) & kept).sum(axis=1) / np.maximum(kept.sum(axis=1), 1)
 
-    def rows(self) -> Rows:
+    def rows(self) -> TableRows:
         """Return a row for each offset of the goal."""
         return tuple(
             {

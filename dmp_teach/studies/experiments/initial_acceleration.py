@@ -10,7 +10,7 @@ import numpy as np
 from dmp_teach.dmp import DMP, Settings, as_settings
 from dmp_teach.studies.inputs import Stroke, named_strokes
 from dmp_teach.studies.parallel import RunOptions, run
-from dmp_teach.studies.tables import Rows, Tabled
+from dmp_teach.studies.tables import Tabled, TableRows
 from dmp_teach.trajectory import Array
 
 
@@ -33,7 +33,7 @@ class InitialAcceleration(Tabled):
     with_term: Array
     fed: Array
 
-    def rows(self) -> Rows:
+    def rows(self) -> TableRows:
         """Return one row for each stroke."""
         columns = (self.strokes, self.without, self.with_term, self.fed)
         return tuple(

@@ -11,7 +11,7 @@ import numpy as np
 from dmp_teach.dmp import DMP, Settings, as_settings
 from dmp_teach.studies.experiments.variants import rms
 from dmp_teach.studies.parallel import RunOptions, run
-from dmp_teach.studies.tables import Rows, Tabled
+from dmp_teach.studies.tables import Tabled, TableRows
 from dmp_teach.trajectory import Array, Trajectory
 
 INK_KINDS = ("waves", "closed", "corners", "straight")
@@ -36,7 +36,7 @@ class RandomInkErrors(Tabled):
     error: Array
     miss: Array
 
-    def rows(self) -> Rows:
+    def rows(self) -> TableRows:
         """Return medians over the pieces."""
         return tuple(
             {

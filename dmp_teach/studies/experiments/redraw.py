@@ -14,7 +14,7 @@ from dmp_teach.errors import SettingError
 from dmp_teach.letters import rms_distance
 from dmp_teach.studies.inputs import Written, list_letters
 from dmp_teach.studies.parallel import RunOptions, run
-from dmp_teach.studies.tables import Rows, Tabled
+from dmp_teach.studies.tables import Tabled, TableRows
 from dmp_teach.trajectory import Trajectory
 
 FIGURE_4_WIDTHS = (1.0, 10.0, np.inf, 2 / 3)
@@ -55,7 +55,7 @@ class Redrawings(Tabled):
 
     items: tuple[Redrawn, ...]
 
-    def rows(self) -> Rows:
+    def rows(self) -> TableRows:
         """Return errors in mm and in per cent of the letter's size."""
         return tuple(
             {

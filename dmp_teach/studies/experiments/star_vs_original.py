@@ -15,7 +15,7 @@ from dmp_teach.errors import SettingError
 from dmp_teach.studies.experiments.variants import Variant, rms
 from dmp_teach.studies.inputs import Stroke, named_strokes
 from dmp_teach.studies.parallel import RunOptions, run
-from dmp_teach.studies.tables import Rows, Tabled
+from dmp_teach.studies.tables import Tabled, TableRows
 from dmp_teach.trajectory import Array, Trajectory
 
 REPEATS_PER_TIMING = 5
@@ -41,7 +41,7 @@ class OriginalComparison(Tabled):
     error: Array
     time_ratio: float
 
-    def rows(self) -> Rows:
+    def rows(self) -> TableRows:
         """Return one row for each stroke."""
         return tuple(
             {

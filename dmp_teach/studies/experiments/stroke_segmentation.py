@@ -12,7 +12,7 @@ from dmp_teach.ink import Recording
 from dmp_teach.segmentation import RULES
 from dmp_teach.studies.inputs import list_recordings
 from dmp_teach.studies.parallel import RunOptions, run
-from dmp_teach.studies.tables import Rows, Tabled
+from dmp_teach.studies.tables import Tabled, TableRows
 from dmp_teach.trajectory import Trajectory
 
 # An end is right if it is this near to the true one [s].
@@ -67,7 +67,7 @@ class Segmentation(Tabled):
 
     items: tuple[SegmentationCase, ...]
 
-    def rows(self) -> Rows:
+    def rows(self) -> TableRows:
         """Return a row for each recording: strokes by each rule, and whether all ends are right."""
         return tuple(
             {

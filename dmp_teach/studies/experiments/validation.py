@@ -14,7 +14,7 @@ from dmp_teach.errors import SettingError, TrajectoryError
 from dmp_teach.studies.experiments.variants import rms
 from dmp_teach.studies.inputs import list_letters
 from dmp_teach.studies.parallel import RunOptions, run
-from dmp_teach.studies.tables import Rows, Tabled
+from dmp_teach.studies.tables import Tabled, TableRows
 from dmp_teach.trajectory import Array, Trajectory
 
 # The smallest number is chosen whose error is at most this many times the least one, or at most
@@ -58,7 +58,7 @@ class Choice(Tabled):
     samples: int
     settings: Settings
 
-    def rows(self) -> Rows:
+    def rows(self) -> TableRows:
         """Return a row for each candidate, marked where it is the best or chosen."""
         marks = {self.best: "least error", self.chosen: "chosen"}
         return tuple(

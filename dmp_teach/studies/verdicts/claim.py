@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from dmp_teach.errors import SettingError
-from dmp_teach.studies.tables import Rows, Tabled
+from dmp_teach.studies.tables import Tabled, TableRows
 from dmp_teach.studies.verdicts.evidence import Evidence, evidence_of
 
 HOLDS, FAILS, DEPENDS = "HOLDS", "DOES NOT HOLD", "DEPENDS ON"
@@ -72,7 +72,7 @@ class Claims(Tabled):
             f"There is no claim {key!r}; there are: {', '.join(each.name for each in self.items)}."
         )
 
-    def rows(self) -> Rows:
+    def rows(self) -> TableRows:
         """Return what is shown of each row."""
         return tuple(
             {
