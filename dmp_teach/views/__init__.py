@@ -1,4 +1,4 @@
-"""What is looked at: the 3-D scene, as a live view, a file and a picture."""
+"""Views: the 3-D scene, live, as a file and as a picture; figures in `views.figures`."""
 
 import lazy_loader
 

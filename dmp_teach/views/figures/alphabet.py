@@ -33,7 +33,7 @@ def draw_contact_sheet(
 ) -> Figure:
     """Draw letters in rows on their writing lines, all in one scale.
 
-    Strokes are told apart by number, colour and arrows.
+    Strokes differ by number, colour and arrows.
 
     Args:
         alphabet: One of `alphabets()`; None is the first.

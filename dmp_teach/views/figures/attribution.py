@@ -33,7 +33,7 @@ def draw_attribution_bars(*found: Attributions) -> Figure:
         found: From `classify_writers` and `attribute_made_letters`, in the order of the bars.
 
     Raises:
-        SettingError: Nothing was asked.
+        SettingError: No question has an answer.
     """
     questions = [each for answers in found for each in answers if each.items]
     if not questions:
@@ -72,7 +72,7 @@ def draw_confusion(answers: Answers) -> Figure:
         answers: One question of `classify_writers` or `attribute_made_letters`.
 
     Raises:
-        SettingError: Nothing was asked.
+        SettingError: The question has no answer.
     """
     if not answers.items:
         raise SettingError(

@@ -39,7 +39,7 @@ FORM_LOOKS: dict[str, Look] = {
 }
 BAR_LOOK: Look = {"color": ROBOT_COLOR, "linestyle": "-"}
 BOWL_LOOK: Look = {"color": "#E69F00", "linestyle": (0, (6, 1.2))}
-# Ink that gets farther than so many sizes of the letter leaves the page, and is cut.
+# Ink that gets farther away than this many sizes of the letter is cut.
 MAX_DISTANCE_IN_SIZES = 3.5
 
 

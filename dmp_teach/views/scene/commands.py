@@ -1,4 +1,4 @@
-"""The scene as commands for meshcat's viewer: recorded here, sent to nobody.
+"""The scene as commands for meshcat's viewer: recorded here, never sent.
 
 Stock meshcat starts a web server that everybody in the room can reach. Here its Python API only
 records the commands; the viewer script gets them in the browser over the kernel's own channel, or
@@ -21,7 +21,7 @@ from dmp_teach.trajectory import Array
 from dmp_teach.views.scene.packing import PackedMesh, Track, pack_commands
 from dmp_teach.views.scene.pen_force import FORCE_SHADES, shade_rgb
 from dmp_teach.views.scene.ribbon import Ribbon
-from dmp_teach.views.scene.shapes import Shape, build_floor, place_lamp
+from dmp_teach.views.scene.shapes import ColoredMesh, build_floor, place_lamp
 from dmp_teach.views.scene.stage import Stage, build_visual, load_robot_model
 from dmp_teach.views.scene.tracks import build_ink_track, build_joint_track, find_link_paths
 
@@ -147,7 +147,7 @@ def _set_property(node: meshcat.Visualizer, key: str, value: object) -> None:
 
 def _put_shape(
     parent: meshcat.Visualizer,
-    shape: Shape,
+    shape: ColoredMesh,
     material: meshcat.geometry.Material | None = None,
     gloss: int = 0x1C1C1C,
 ) -> None:

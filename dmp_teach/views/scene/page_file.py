@@ -13,7 +13,7 @@ _POLICY = (
     "default-src 'none'; style-src 'unsafe-inline'; script-src 'unsafe-inline' blob:; "
     "img-src data: blob:"
 )
-"""The file asks nobody for anything, and the browser holds it to that."""
+"""The file loads nothing from elsewhere, and the browser holds it to that."""
 
 _PAGE = """<!doctype html>
 <html lang="en">

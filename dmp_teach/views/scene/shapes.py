@@ -26,7 +26,7 @@ _RAIL_INSET = 0.05
 
 
 @dataclass(frozen=True, eq=False)
-class Shape:
+class ColoredMesh:
     """A mesh of one colour, in the world.
 
     Args:
@@ -43,14 +43,14 @@ class Shape:
     faces: Faces
     color: Rgba
 
-    def moved(self, X: Array) -> Shape:
+    def moved(self, X: Array) -> ColoredMesh:
         """Return the same shape at the pose `X` (4, 4)."""
         R = X[:3, :3]
         vertices = self.vertices @ R.T + X[:3, 3]
-        return Shape(self.name, vertices, self.normals @ R.T, self.faces, self.color)
+        return ColoredMesh(self.name, vertices, self.normals @ R.T, self.faces, self.color)
 
 
-def build_surroundings(page: Page) -> tuple[Shape, ...]:
+def build_surroundings(page: Page) -> tuple[ColoredMesh, ...]:
     """Build the sheet and what carries it: a wooden table, or a board where the page is steep."""
     is_table = page.normal[2] > 0.5
     width = page.width + 2 * _MARGIN_OF_TABLE
@@ -77,17 +77,17 @@ def place_lamp(page: Page) -> Array:
     return 2.2 * page.normal + (0.3, 1.8, 2.2)
 
 
-def build_floor(radius: float = 2.0) -> Shape:
+def build_floor(radius: float = 2.0) -> ColoredMesh:
     """Build a disc that only shows the shadows which fall on it."""
     angles = np.linspace(0, 2 * np.pi, 48, endpoint=False)
     rim = np.column_stack([np.cos(angles), np.sin(angles), np.zeros(48)])
     vertices = locked(np.vstack([np.zeros(3), radius * rim]))
     corners = np.arange(1, 49)
     faces = np.column_stack([np.zeros(48, int), corners, np.roll(corners, -1)])
-    return Shape("floor", vertices, np.tile((0.0, 0.0, 1.0), (49, 1)), faces, SHADOW_RGBA)
+    return ColoredMesh("floor", vertices, np.tile((0.0, 0.0, 1.0), (49, 1)), faces, SHADOW_RGBA)
 
 
-def _build_legs(page: Page, width: float, height: float, behind: float) -> tuple[Shape, ...]:
+def _build_legs(page: Page, width: float, height: float, behind: float) -> tuple[ColoredMesh, ...]:
     """Build a round leg under every corner down to the floor, if the corner is above it."""
     corners = [(sx * width / 2, sy * height / 2, -behind) for sx in (-1, 1) for sy in (-1, 1)]
     angles = np.linspace(0, 2 * np.pi, 20, endpoint=False)
@@ -101,7 +101,7 @@ def _build_legs(page: Page, width: float, height: float, behind: float) -> tuple
 
 def _build_slab(
     name: str, size: tuple[float, float], z: tuple[float, float], radius: float, color: Rgba
-) -> Shape:
+) -> ColoredMesh:
     """Build a plate with rounded corners, flat in x and y, from the lower to the upper `z` [m]."""
     turn = np.linspace(0, np.pi / 2, 7 if radius > 0 else 2)
     points, normals = [], []
@@ -115,7 +115,7 @@ def _build_slab(
 
 def _build_prism(
     name: str, outline: Array, sideways: Array, z: tuple[float, float], color: Rgba
-) -> Shape:
+) -> ColoredMesh:
     """Pull a convex outline (P, 2) with its normals (P, 2) from the lower to the upper `z` [m]."""
     count = len(outline)
     bottom, top = (np.column_stack([outline, np.full(count, height)]) for height in z)
@@ -129,4 +129,4 @@ def _build_prism(
     upper_walls = np.column_stack([here, after + count, here + count])
     fan = np.column_stack([np.zeros(count - 2, int), np.arange(1, count - 1), np.arange(2, count)])
     faces = np.vstack([lower_walls, upper_walls, fan[:, ::-1] + 2 * count, fan + 3 * count])
-    return Shape(name, locked(vertices), locked(normals), locked(faces, np.uint32), color)
+    return ColoredMesh(name, locked(vertices), locked(normals), locked(faces, np.uint32), color)

@@ -14,7 +14,7 @@ from dmp_teach.views.scene.cameras import Camera, fit_cameras
 from dmp_teach.views.scene.keyframes import find_key_rows
 from dmp_teach.views.scene.pen_force import describe_force, find_ink_width, find_shade
 from dmp_teach.views.scene.ribbon import MAX_DOTS, Ribbon, build_ribbon, find_inked_strokes
-from dmp_teach.views.scene.shapes import Shape, build_surroundings
+from dmp_teach.views.scene.shapes import ColoredMesh, build_surroundings
 
 WAITING_JOINTS = {
     "torso_lift_joint": 0.386,
@@ -46,11 +46,11 @@ def load_robot_model(pen: str = "rigid") -> Model:
     return Model.load(PENS[pen])
 
 
-def build_visual(visual: Visual, name: str) -> Shape:
+def build_visual(visual: Visual, name: str) -> ColoredMesh:
     """Return a piece of the robot's shell in its own frame."""
     red, green, blue, opacity = visual.color.tolist()
     color = (red, green, blue, opacity)
-    return Shape(name, visual.vertices, visual.normals, visual.faces, color)
+    return ColoredMesh(name, visual.vertices, visual.normals, visual.faces, color)
 
 
 @dataclass(frozen=True, eq=False)
@@ -115,7 +115,7 @@ class Stage:
         return build_ribbon(strokes, PLAN_WIDTH, PLAN_HEIGHT, 0.002, MAX_DOTS // 2)
 
     @cached_property
-    def surroundings(self) -> tuple[Shape, ...]:
+    def surroundings(self) -> tuple[ColoredMesh, ...]:
         """The sheet and what carries it."""
         return build_surroundings(self.page)
 
@@ -152,7 +152,7 @@ class Stage:
         times, q = self.keys
         return np.array([np.interp(t, times, column) for column in q.T])
 
-    def robot(self, t: float, pen_only: bool = False) -> tuple[Shape, ...]:
+    def robot(self, t: float, pen_only: bool = False) -> tuple[ColoredMesh, ...]:
         """Return the robot's shell in the world at time `t` [s], or the pen alone."""
         model = self.model
         poses = model.link_poses(self.joints(t), self.joint_names)
