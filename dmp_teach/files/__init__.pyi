@@ -1,4 +1,5 @@
-from .javascript import bundle as bundle
+from .javascript import join_modules as join_modules
+from .javascript import join_styles as join_styles
 from .reading import contents as contents
 from .strict_json import is_number as is_number
 from .strict_json import is_pseudonym as is_pseudonym

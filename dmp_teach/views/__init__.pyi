@@ -1,3 +1,3 @@
-from .scene.page_file import read_beside as read_beside
+from .scene.view import STYLE_TOKENS as STYLE_TOKENS
 from .scene.view import SceneView as SceneView
 from .scene.view import view as view

@@ -11,20 +11,20 @@ import traitlets
 from dmp_teach.classroom.panels import messages
 from dmp_teach.classroom.panels.robot_panel import (
     RobotPanel,
-    bundle,
     list_letter_choices,
     pack_points,
 )
 from dmp_teach.classroom.panels.sheets import fit_goal_sheet
 from dmp_teach.dmp import Settings, knob_of
 from dmp_teach.errors import SettingWarning
-from dmp_teach.files import bundle as bundled
+from dmp_teach.files import join_modules, join_styles
 from dmp_teach.ink import Recording, recording_of
 from dmp_teach.letters import Letter, rms_distance
 from dmp_teach.robot import Page
 from dmp_teach.trajectory import Trajectory
-from dmp_teach.views import SceneView, read_beside
+from dmp_teach.views import STYLE_TOKENS, SceneView
 
+_HERE = Path(__file__).parent
 # The letters of the paper's figures, and two that D becomes.
 NEAR_LETTERS = "abemBDMPR"
 OWN_RECORDING = "own recording"
@@ -51,8 +51,8 @@ class Explore(RobotPanel):
     Its knobs are traits: `n_kernels`, `kernel_width` [1/N], `stroke`, `goal_x` and `goal_y` [m].
     """
 
-    _esm = bundled(Path(__file__).with_name("explore.js"))
-    _css = read_beside("tokens.css") + bundle("panel.css", "paper.css")
+    _esm = join_modules(_HERE / "explore.js")
+    _css = join_styles(STYLE_TOKENS, *(_HERE / sheet for sheet in ("panel.css", "paper.css")))
 
     near = traitlets.List(list(NEAR_LETTERS)).tag(sync=True)
     letter = traitlets.Unicode().tag(sync=True)

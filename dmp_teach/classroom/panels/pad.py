@@ -11,11 +11,10 @@ import traitlets
 from numpy.typing import ArrayLike
 
 from dmp_teach.classroom.panels.attempts import Attempt, Attempts
-from dmp_teach.classroom.panels.messages import describe_stroke
+from dmp_teach.classroom.panels.messages import add_article, describe_stroke
 from dmp_teach.classroom.panels.pad_view import describe_pad
 from dmp_teach.classroom.panels.robot_panel import (
     RobotPanel,
-    bundle,
     list_letter_choices,
     pack_points,
 )
@@ -28,13 +27,14 @@ from dmp_teach.classroom.panels.sheets import (
     place_on_sheet,
 )
 from dmp_teach.errors import RecordingError
-from dmp_teach.files import bundle as bundled
+from dmp_teach.files import join_modules, join_styles
 from dmp_teach.ink import Recording, characters, check_pseudonym, pad_stroke, recording_of
 from dmp_teach.letters import Letter
 from dmp_teach.robot import Page
 from dmp_teach.scoring import Score
-from dmp_teach.views import read_beside
+from dmp_teach.views import STYLE_TOKENS
 
+_HERE = Path(__file__).parent
 NEAR_CHARACTERS = ["", "a", "e", "i", "m", "D", "P"]
 MAX_STROKES = 60
 
@@ -60,11 +60,15 @@ def pad(character: str | None = "a", page: Page | None = None, writer: str | Non
 class Pad(RobotPanel):
     """The writing pad; the letter to be written is the trait `character`, "" for any."""
 
-    _esm = bundled(Path(__file__).with_name("pad.js"))
-    _css = read_beside("tokens.css") + bundle("panel.css", "paper.css", "pad.css")
+    _esm = join_modules(_HERE / "pad.js")
+    _css = join_styles(
+        STYLE_TOKENS, *(_HERE / sheet for sheet in ("panel.css", "paper.css", "pad.css"))
+    )
 
     near = traitlets.List(NEAR_CHARACTERS).tag(sync=True)
     character = traitlets.Unicode().tag(sync=True)
+    # "an a", or "a letter".
+    wanted = traitlets.Unicode().tag(sync=True)
     lines: traitlets.List[float] = traitlets.List().tag(sync=True)
     model = traitlets.Bytes().tag(sync=True)
     model_times: traitlets.List[list[float]] = traitlets.List().tag(sync=True)
@@ -267,6 +271,7 @@ class Pad(RobotPanel):
         self._model = recording_of(self.character) if self.character else None
         strokes = self._model.strokes() if self._model else ()
         with self.hold_sync():
+            self.wanted = add_article(self.character) if self.character else "a letter"
             self.sheet = fit_pad_sheet(strokes)
             self.lines = find_writing_lines()
             self.model = pack_points(strokes)

@@ -21,7 +21,7 @@ from dmp_teach.robot import Motion, Page
 from dmp_teach.trajectory import Trajectory
 from dmp_teach.views import SceneView
 
-_HERE = Path(__file__).parent
+MAX_FILE_BYTES = 8_000_000
 PLANNING_STEPS = {
     "wake": "Waking the robot",
     "reach": "Can the arm reach the letter?",
@@ -29,11 +29,6 @@ PLANNING_STEPS = {
 }
 # Any, here and below: JSON for the browser.
 _IDLE: dict[str, Any] = {"state": "idle"}
-
-
-def bundle(*names: str) -> str:
-    """Join files beside this one."""
-    return "\n".join((_HERE / name).read_text(encoding="utf-8") for name in names)
 
 
 def pack_points(strokes: Sequence[Trajectory]) -> bytes:
@@ -112,11 +107,15 @@ class RobotPanel(anywidget.AnyWidget):
         self.on_msg(self._hear)
 
     @traitlets.default("files")
-    def _describe_formats(self) -> dict[str, str]:
+    def _describe_formats(self) -> dict[str, object]:
         """Return the formats that a panel reads, for its file button."""
         names = [each.name for each in known_formats()]
         suffixes = [suffix for each in known_formats() for suffix in each.suffixes]
-        return {"accept": ",".join(suffixes), "names": f"{', '.join(names[:-1])} or {names[-1]}"}
+        return {
+            "accept": ",".join(suffixes),
+            "names": f"{', '.join(names[:-1])} or {names[-1]}",
+            "limit": MAX_FILE_BYTES,
+        }
 
     def load(self, recording: Recording | str | Path) -> None:
         """Show a recording of one's own.
@@ -169,9 +168,8 @@ class RobotPanel(anywidget.AnyWidget):
             self._open_bytes(message["name"], bytes(buffers[0]))
         elif kind == "too large":
             size = f"{message['size'] / 1e6:.0f} MB"
-            self._refuse(
-                f"{message['name']} has {size}. A recording of one letter has less than 8."
-            )
+            limit = f"A recording of one letter has less than {MAX_FILE_BYTES / 1e6:.0f}."
+            self._refuse(f"{message['name']} has {size}. {limit}")
 
     def _open_bytes(self, name: str, content: bytes) -> None:
         """Read a file that came from the browser; it is kept nowhere."""

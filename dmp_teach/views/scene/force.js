@@ -1,10 +1,30 @@
-// How hard the pen presses, on the slider's own clock. Uses el() of scene.js, which comes after it.
+// How hard the pen presses, on the slider's own clock.
 
-const FORCE_TOP = 1.6; // [N] the scale is always the same; what is higher is written beside an arrow
+import { change, make, newId } from "../dom.js";
+
+/**
+ * @typedef {{
+ *   duration: number, label: string, notes: string, cameras: Record<string, any>,
+ *   plan: number[][], ink: number[][], force?: Force,
+ * }} Facts a motion, or what became of it; a dot of ink is its time, x, y, whether it is a
+ *   stroke's first, and its shade
+ */
+/**
+ * @typedef {{
+ *   band: number[], curve: number[][], down: number[][], most: number, inked: number,
+ *   verdict: string, findings: string[],
+ * }} Force a point of the curve is its time, force, and the nib's x and y
+ */
+
+// [N] The scale is always the same; what is higher is written beside an arrow.
+const FORCE_TOP = 1.6;
 const FORCE_Y = { top: 24, zero: 104, bar: 125, height: 140 };
+const THUMB = 14;
 const SHADES = 6;
+
+/** @type {[number, string, string?][]} */
 const FEELS = [
-  [0.03, "The pen is in the air."], // unless it is meant to write
+  [0.03, "The pen is in the air."],
   [0.2, "As heavy as a pencil", "hardly touching"],
   [0.35, "As heavy as a strawberry", "good pressing"],
   [0.8, "As heavy as an egg", "good pressing"],
@@ -15,9 +35,12 @@ const FEELS = [
 ];
 
 /** The ink so far on the small page, a path for each shade of force. */
-function shadedInk() {
-  const paths = Array.from({ length: SHADES }, (_, n) => el("path", { class: `dts-shade dts-shade-${n}` }));
-  const show = (dots, count) => {
+export function shadedInk() {
+  const paths = Array.from({ length: SHADES }, (_, n) =>
+    make("path", { class: `dts-shade dts-shade-${n}` }),
+  );
+  /** Draw the first dots, if they have shades; return whether they have. */
+  const show = (/** @type {number[][]} */ dots, /** @type {number} */ count) => {
     const shaded = dots.length > 0 && dots[0].length > 4;
     const d = paths.map(() => "");
     for (let n = 0; shaded && n < count; n += 1) {
@@ -25,106 +48,179 @@ function shadedInk() {
       const from = first ? dots[n] : dots[n - 1];
       d[shade] += `M${from[1]} ${-from[2]}L${x} ${-y}`;
     }
-    paths.forEach((path, n) => path.setAttribute("d", d[n]));
+    for (const [n, path] of paths.entries()) path.setAttribute("d", d[n]);
     return shaded;
   };
-  return { node: el("g", {}, ...paths), show };
+  return { node: make("g", {}, ...paths), show };
 }
 
-/** Time, force and place of the nib at a time, even from point to point of the curve. */
-function feltAt(curve, t) {
+/**
+ * Time, force and place of the nib at a time, even from point to point of the curve.
+ * @param {number[][]} curve
+ * @param {number} t
+ */
+export function feltAt(curve, t) {
   const next = curve.findIndex(([when]) => when >= t);
   if (next <= 0) return next === 0 ? curve[0] : curve[curve.length - 1];
   const part = (t - curve[next - 1][0]) / (curve[next][0] - curve[next - 1][0]);
   return curve[next].map((value, n) => curve[next - 1][n] + part * (value - curve[next - 1][n]));
 }
 
-/** The strip under the slider: force, good pressing, when the pen was meant to be down, and the moment itself. */
-function forceStrip(slider) {
-  const id = `dts-force-${(sceneCount += 1)}`;
-  const shape = (name, tag = "path", more = {}) => el(tag, { class: `dts-f-${name}`, ...more });
-  const text = (name, words) => el("text", { class: `dts-f-${name}` }, words);
-  const band = shape("band", "rect");
-  const [edges, zero, rest, done] = [shape("edges"), shape("zero"), shape("rest"), shape("done", "path", { "clip-path": `url(#${id})` })];
-  const [bars, barsDone] = [shape("bars"), shape("bars-done", "path", { "clip-path": `url(#${id})` })];
-  const [head, dot, clip] = [shape("head"), shape("dot", "circle", { r: 7 }), el("rect", { y: 0, x: 0, height: 200 })];
-  const labels = { high: text("label"), low: text("label"), down: text("label", "pen down"), good: text("good", "good pressing") };
-  const [peak, now] = [text("peak"), text("now")];
-  const marks = [band, edges, zero, ...Object.values(labels), rest, bars, done, barsDone, peak, head, dot, now];
-  const svg = el("svg", { class: "dts-strip", role: "img" }, el("clipPath", { id }, clip), ...marks);
-  const newtons = el("b", { class: "dts-newtons" });
-  const says = el("span", {});
-  const findings = el("ul", { class: "dts-findings" });
-  const title = el("p", { class: "dts-force-title" }, el("b", {}, "How hard the pen presses"));
-  const sentence = el("p", { class: "dts-feels" }, newtons, says);
-  const node = el("section", { class: "dts-force", hidden: "" }, title, svg, sentence, findings);
-  let [facts, duration, time, left, right] = [null, 0, 0, 0, 1];
-
-  const x = (t) => left + (duration ? (t / duration) * (right - left) : 0);
-  const y = (force) => FORCE_Y.zero - (Math.min(force, FORCE_TOP) / FORCE_TOP) * (FORCE_Y.zero - FORCE_Y.top);
-  const at = (node, px, py, anchor) => {
-    node.setAttribute("x", px);
-    node.setAttribute("y", py);
-    node.setAttribute("text-anchor", anchor);
-  };
-  /** Lay it out again: the playhead must stand under the slider's thumb. */
-  const draw = () => {
-    const [box, bar] = [svg.getBoundingClientRect(), slider.getBoundingClientRect()];
-    if (!facts || !box.width || !bar.width) return;
-    const thumb = 14;
-    [left, right] = [bar.left + thumb - box.left, bar.right - thumb - box.left];
-    const [low, high] = facts.band;
-    svg.setAttribute("viewBox", `0 0 ${box.width} ${FORCE_Y.height}`);
-    Object.entries({ x: left, y: y(high), width: right - left, height: y(low) - y(high) }).forEach(([k, v]) => band.setAttribute(k, v));
-    edges.setAttribute("d", [low, high].map((force) => `M${left} ${y(force)}H${right}`).join(""));
-    zero.setAttribute("d", `M${left} ${y(0)}H${right}`);
-    labels.high.textContent = `${high} N`;
-    labels.low.textContent = `${low} N`;
-    at(labels.high, left - 10, y(high) + 5, "end");
-    at(labels.low, left - 10, y(low) + 5, "end");
-    at(labels.down, left - 10, FORCE_Y.bar + 5, "end");
-    const beside = box.width - right > 96;
-    at(labels.good, beside ? right + 10 : right - 6, beside ? (y(low) + y(high)) / 2 + 5 : y(high) + 16, beside ? "start" : "end");
-    const line = facts.curve.map(([t, force], n) => `${n ? "L" : "M"}${x(t).toFixed(1)} ${y(force).toFixed(1)}`).join("");
-    const down = facts.down.map(([from, to]) => `M${x(from)} ${FORCE_Y.bar}H${x(to)}`).join("");
-    [rest, done].forEach((path) => path.setAttribute("d", line));
-    [bars, barsDone].forEach((path) => path.setAttribute("d", down));
-    const worst = facts.curve.reduce((most, point) => (point[1] > most[1] ? point : most));
-    peak.textContent = worst[1] > FORCE_TOP ? `↑ ${facts.most} N` : "";
-    const near = x(worst[0]) > right - 80;
-    at(peak, x(worst[0]) + (near ? -8 : 8), FORCE_Y.top - 8, near ? "end" : "start");
-    show(time);
-  };
-
-  const load = (all) => {
-    facts = all.force ?? null;
-    duration = all.duration;
-    node.hidden = !facts;
-    if (!facts) return;
-    svg.setAttribute("aria-label", `How hard the pen presses. ${facts.verdict}`);
-    findings.replaceChildren(...facts.findings.map((words) => el("li", {}, words)));
-    findings.hidden = !facts.findings.length;
-    draw();
-  };
-
-  const show = (t) => {
-    time = t;
-    if (!facts) return;
-    const [, force] = feltAt(facts.curve, t);
-    const [, feel, verdict] = FEELS.find(([most]) => force < most);
-    const digits = force < 10 ? 1 : 0;
-    clip.setAttribute("width", Math.max(0, x(t)));
-    head.setAttribute("d", `M${x(t)} 2V${FORCE_Y.height - 4}`);
-    dot.setAttribute("cx", x(t));
-    dot.setAttribute("cy", y(force));
-    now.textContent = `${force.toFixed(digits)} N`;
-    const near = x(t) > right - 64;
-    at(now, x(t) + (near ? -14 : 14), Math.max(y(force) - 10, FORCE_Y.top + 16), near ? "end" : "start");
-    newtons.replaceChildren(force.toFixed(digits), el("small", {}, " N"));
-    const lacks = !verdict && facts.down.some(([from, to]) => from <= t && t <= to);
-    const felt = verdict ? [`${feel}: `, el("b", {}, verdict), ". "] : [`${lacks ? "The pen does not reach the paper." : feel} `];
-    says.replaceChildren(...felt, facts.verdict);
-  };
-  return { node, load, draw, show };
+/**
+ * What a force feels like: [words, verdict]; in the air there is no verdict.
+ * @param {number} force [N]
+ * @param {boolean} mustWrite whether the pen is meant to be down
+ */
+export function feelOf(force, mustWrite) {
+  const [, feel, verdict] = FEELS.find(([most]) => force < most);
+  return !verdict && mustWrite ? ["The pen does not reach the paper."] : [feel, verdict];
 }
 
+/**
+ * The strip under the slider: force, good pressing, when the pen was meant to be down, and the
+ * moment itself.
+ */
+export class ForceStrip {
+  /** @param {HTMLInputElement} slider the playhead stands under its thumb */
+  constructor(slider) {
+    this.slider = slider;
+    /** @type {Force | null} */
+    this.force = null;
+    this.duration = 0;
+    this.time = 0;
+    this.left = 0;
+    this.right = 1;
+    const id = newId("force");
+    const shape = (/** @type {string} */ name, more = {}) =>
+      make("path", { class: `dts-f-${name}`, ...more });
+    const text = (/** @type {string} */ name, words = "") =>
+      make("text", { class: `dts-f-${name}` }, words);
+    const done = { "clip-path": `url(#${id})` };
+    this.band = make("rect", { class: "dts-f-band" });
+    this.edges = shape("edges");
+    this.zero = shape("zero");
+    this.rest = shape("rest");
+    this.bars = shape("bars");
+    this.done = shape("done", done);
+    this.barsDone = shape("bars-done", done);
+    this.head = shape("head");
+    this.dot = make("circle", { class: "dts-f-dot", r: 7 });
+    this.clip = make("rect", { y: 0, x: 0, height: 200 });
+    this.labels = {
+      high: text("label"),
+      low: text("label"),
+      down: text("label", "pen down"),
+      good: text("good", "good pressing"),
+    };
+    this.peak = text("peak");
+    this.now = text("now");
+    const marks = [this.band, this.edges, this.zero, ...Object.values(this.labels), this.rest];
+    marks.push(this.bars, this.done, this.barsDone, this.peak, this.head, this.dot, this.now);
+    const clip = make("clipPath", { id }, this.clip);
+    this.svg = make("svg", { class: "dts-strip", role: "img" }, clip, ...marks);
+    this.newtons = make("b", { class: "dts-newtons" });
+    this.says = make("span");
+    this.findings = make("ul", { class: "dts-findings" });
+    this.node = make(
+      "section",
+      { class: "dts-force", hidden: true },
+      make("p", { class: "dts-force-title" }, make("b", {}, "How hard the pen presses")),
+      this.svg,
+      make("p", { class: "dts-feels" }, this.newtons, this.says),
+      this.findings,
+    );
+  }
+
+  x(/** @type {number} */ time) {
+    const part = this.duration ? time / this.duration : 0;
+    return this.left + part * (this.right - this.left);
+  }
+
+  y(/** @type {number} */ force) {
+    const part = Math.min(force, FORCE_TOP) / FORCE_TOP;
+    return FORCE_Y.zero - part * (FORCE_Y.zero - FORCE_Y.top);
+  }
+
+  load(/** @type {Facts} */ facts) {
+    this.force = facts.force ?? null;
+    this.duration = facts.duration;
+    this.node.hidden = !this.force;
+    if (!this.force) return;
+    const { verdict, findings } = this.force;
+    this.svg.setAttribute("aria-label", `How hard the pen presses. ${verdict}`);
+    this.findings.replaceChildren(...findings.map((words) => make("li", {}, words)));
+    this.findings.hidden = !findings.length;
+    this.draw();
+  }
+
+  /** Lay it out again: the playhead must stand under the slider's thumb. */
+  draw() {
+    const [box, bar] = [this.svg.getBoundingClientRect(), this.slider.getBoundingClientRect()];
+    if (!this.force || !box.width || !bar.width) return;
+    [this.left, this.right] = [bar.left + THUMB - box.left, bar.right - THUMB - box.left];
+    this.svg.setAttribute("viewBox", `0 0 ${box.width} ${FORCE_Y.height}`);
+    this.drawScale(box.width);
+    this.drawCurve();
+    this.show(this.time);
+  }
+
+  drawScale(/** @type {number} */ width) {
+    const { left, right, labels } = this;
+    const [low, high] = this.force.band;
+    const [top, bottom] = [this.y(high), this.y(low)];
+    change(this.band, { x: left, y: top, width: right - left, height: bottom - top });
+    this.edges.setAttribute("d", `M${left} ${bottom}H${right}M${left} ${top}H${right}`);
+    this.zero.setAttribute("d", `M${left} ${this.y(0)}H${right}`);
+    labels.high.textContent = `${high} N`;
+    labels.low.textContent = `${low} N`;
+    put(labels.high, left - 10, top + 5, "end");
+    put(labels.low, left - 10, bottom + 5, "end");
+    put(labels.down, left - 10, FORCE_Y.bar + 5, "end");
+    if (width - right > 96) put(labels.good, right + 10, (bottom + top) / 2 + 5, "start");
+    else put(labels.good, right - 6, top + 16, "end");
+  }
+
+  drawCurve() {
+    const { curve, down, most } = this.force;
+    const places = curve.map(([t, force]) => `${this.x(t).toFixed(1)} ${this.y(force).toFixed(1)}`);
+    const bars = down.map(([from, to]) => `M${this.x(from)} ${FORCE_Y.bar}H${this.x(to)}`).join("");
+    for (const path of [this.rest, this.done]) path.setAttribute("d", `M${places.join("L")}`);
+    for (const path of [this.bars, this.barsDone]) path.setAttribute("d", bars);
+    const worst = curve.reduce((a, b) => (b[1] > a[1] ? b : a));
+    this.peak.textContent = worst[1] > FORCE_TOP ? `↑ ${most} N` : "";
+    const at = this.x(worst[0]);
+    const near = at > this.right - 80;
+    put(this.peak, at + (near ? -8 : 8), FORCE_Y.top - 8, near ? "end" : "start");
+  }
+
+  show(/** @type {number} */ time) {
+    this.time = time;
+    if (!this.force) return;
+    const { curve, down, verdict } = this.force;
+    const [, force] = feltAt(curve, time);
+    const [x, y] = [this.x(time), this.y(force)];
+    const newtons = force.toFixed(force < 10 ? 1 : 0);
+    this.clip.setAttribute("width", String(Math.max(0, x)));
+    this.head.setAttribute("d", `M${x} 2V${FORCE_Y.height - 4}`);
+    change(this.dot, { cx: x, cy: y });
+    this.now.textContent = `${newtons} N`;
+    const near = x > this.right - 64;
+    const above = Math.max(y - 10, FORCE_Y.top + 16);
+    put(this.now, x + (near ? -14 : 14), above, near ? "end" : "start");
+    this.newtons.replaceChildren(newtons, make("small", {}, " N"));
+    const mustWrite = down.some(([from, to]) => from <= time && time <= to);
+    const [feel, pressing] = feelOf(force, mustWrite);
+    const felt = pressing ? [`${feel}: `, make("b", {}, pressing), ". "] : [`${feel} `];
+    this.says.replaceChildren(...felt, verdict);
+  }
+}
+
+/**
+ * @param {SVGTextElement} node
+ * @param {number} x
+ * @param {number} y
+ * @param {"start" | "end"} anchor
+ */
+function put(node, x, y, anchor) {
+  change(node, { x, y, "text-anchor": anchor });
+}

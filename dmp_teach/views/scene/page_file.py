@@ -6,7 +6,6 @@ import base64
 import gzip
 import html
 import json
-from pathlib import Path
 from typing import Any
 
 _POLICY = (
@@ -37,32 +36,9 @@ body[data-jp-theme-light="false"] {{ --jp-ui-font-color0: #f4f4f4; }}
 {data}
 <script type="module">
 {script}
-{start}
 </script>
 </body>
 </html>
-"""
-
-_START = """
-const part = (name) => Uint8Array.from(atob(document.getElementById(name).textContent), (c) => c.charCodeAt(0));
-const state = JSON.parse(new TextDecoder().decode(await gunzip(part("state"))));
-for (const { id } of document.querySelectorAll("script[id]:not(#state)")) state[id] = part(id);
-const heard = {};
-const model = {
-  get: (name) => state[name],
-  set(name, value) {
-    if (state[name] === value) return;
-    state[name] = value;
-    (heard[`change:${name}`] ?? []).forEach((listener) => listener());
-  },
-  on: (event, listener) => (heard[event] ??= []).push(listener),
-  save_changes() {},
-};
-const dark = window.matchMedia("(prefers-color-scheme: dark)");
-const dress = () => (document.body.dataset.jpThemeLight = String(!dark.matches));
-dark.addEventListener("change", dress);
-dress();
-render({ model, el: document.getElementById("view") });
 """
 
 
@@ -74,7 +50,7 @@ def render_page(
     Args:
         title: Of the window.
         css: The view's style sheet.
-        script: The view's script; it defines `render({model, el})`.
+        script: The page's script; it shows the view with the traits that stand in the page.
         state: The view's traits that are not bytes, of any type.
         parts: Those that are: "viewer", "robot", "run" and "planned_run", compressed.
     """
@@ -90,11 +66,5 @@ def render_page(
         label=html.escape(state["facts"]["label"]),
         data="\n".join(data),
         script=script,
-        start=_START,
     )
     return text.encode("utf-8")
-
-
-def read_beside(name: str) -> str:
-    """A file that stands beside this module."""
-    return Path(__file__).with_name(name).read_text(encoding="utf-8")

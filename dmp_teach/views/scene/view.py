@@ -9,17 +9,18 @@ import anywidget
 import traitlets
 
 from dmp_teach.errors import ViewError, kind_of
-from dmp_teach.files import write_whole
+from dmp_teach.files import join_modules, join_styles, write_whole
 from dmp_teach.robot import Motion, Run
 from dmp_teach.views.scene.cameras import CAMERA_NAMES
 from dmp_teach.views.scene.commands import pack_robot, pack_viewer, record_stage
 from dmp_teach.views.scene.packing import pack_commands
-from dmp_teach.views.scene.page_file import read_beside, render_page
+from dmp_teach.views.scene.page_file import render_page
 from dmp_teach.views.scene.picture import render_png
 from dmp_teach.views.scene.stage import Stage
 
-_SCRIPT = read_beside("scene_3d.js") + read_beside("force.js") + read_beside("scene.js")
-_STYLE = read_beside("tokens.css") + read_beside("scene.css") + read_beside("force.css")
+_HERE = Path(__file__).parent
+STYLE_TOKENS = _HERE / "tokens.css"
+"""The colours and sizes that the styles of every panel and view use."""
 
 PLANNED = "as planned"
 HAPPENED = "as it happened"
@@ -42,8 +43,8 @@ class SceneView(anywidget.AnyWidget):
         ViewError: Something that is neither a motion nor a run.
     """
 
-    _esm = _SCRIPT
-    _css = _STYLE
+    _esm = join_modules(_HERE / "scene.js")
+    _css = join_styles(STYLE_TOKENS, _HERE / "scene.css", _HERE / "force.css")
 
     viewer = _as_bytes()
     robot = _as_bytes()
@@ -110,7 +111,8 @@ class SceneView(anywidget.AnyWidget):
         parts = {name: getattr(self, name) for name in ("viewer", "robot", "run", "planned_run")}
         state = {name: getattr(self, name) for name in ("facts", "planned_facts", "camera", "seen")}
         state |= {"time": 0.0, "playing": True, "speed": 1.0, "compact": False, "motion_id": "0"}
-        text = render_page("A robot writes a letter", _STYLE, _SCRIPT, state, parts)
+        script = join_modules(_HERE / "page.js")
+        text = render_page("A robot writes a letter", self._css, script, state, parts)
         return write_whole(path, text, ".html")
 
     def png(

@@ -1,0 +1,74 @@
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import {
+  badgePlaces,
+  labelPlace,
+  outside,
+  rulerLength,
+  startLabels,
+  viewOf,
+} from "../../dmp_teach/classroom/panels/layout.js";
+
+const VIEW = viewOf([-0.1, -0.1, 0.1, 0.1], [300, 200]);
+const DOT = [[[0, 0]]];
+
+const apart = ([x, y], [u, v]) => Math.hypot(x - u, y - v);
+
+test("a pixel is the place that it shows, there and back", () => {
+  for (const place of [
+    [0, 0],
+    [0.03, -0.07],
+  ]) {
+    assert.ok(apart(VIEW.metres(VIEW.px(place)), place) < 1e-12);
+  }
+});
+
+test("the whole box is seen, and up is up", () => {
+  assert.deepEqual(VIEW.px([0, 0.1]), [150, 0]);
+  assert.deepEqual(VIEW.px([0, -0.1]), [150, 200]);
+});
+
+test("the ruler has whole centimetres and is long enough to be read", () => {
+  for (const k of [100, 700, 3000, 9000]) {
+    const cm = rulerLength({ k });
+    assert.ok(cm * 0.01 * k > 48 && [1, 2, 5, 10, 20, 50].includes(cm));
+  }
+});
+
+test("starts that lie on each other share one label", () => {
+  const strokes = [[[0, 0]], [[0.001, 0]], [[0.08, 0.08]]];
+  const labels = startLabels(VIEW, strokes, (number) => `start ${number}`);
+  assert.deepEqual(
+    labels.map((label) => label.words),
+    ["start 1, 2", "start 3"],
+  );
+});
+
+test("a label at the edge of the sheet turns inwards", () => {
+  assert.equal(labelPlace(VIEW, [150, 100], DOT)["text-anchor"], "start");
+  assert.equal(labelPlace(VIEW, [298, 100], DOT)["text-anchor"], "end");
+});
+
+test("a line that has left the sheet is told its side and how far", () => {
+  assert.equal(outside(VIEW, [[0, 0]]), null);
+  assert.equal(outside(VIEW, []), null);
+  const away = outside(VIEW, [
+    [0, 0],
+    [0, -0.15],
+  ]);
+  assert.equal(away.words, "5 cm further down");
+  assert.equal(outside(VIEW, [[0.65, 0]]).words, "0.5 m further right");
+});
+
+test("numbers of goals that lie on each other keep apart, a single goal has none", () => {
+  assert.deepEqual(badgePlaces(VIEW, [[0, 0]], DOT), [null]);
+  const [first, second] = badgePlaces(
+    VIEW,
+    [
+      [0, 0],
+      [0, 0],
+    ],
+    DOT,
+  );
+  assert.ok(apart(first, second) > 28);
+});
