@@ -1,4 +1,4 @@
-"""Files are opened in one place: ordinary ones only, and none so large that no letter could need it."""
+"""Open files in one place: ordinary ones only, none larger than a letter could need."""
 
 from __future__ import annotations
 
@@ -8,17 +8,18 @@ from pathlib import Path
 
 from dmp_teach.errors import RecordingError
 
-LARGEST = 64_000_000  # a bigger file is no recording of a letter [bytes]
+LARGEST_FILE = 64_000_000  # a bigger file is no recording of a letter [bytes]
 
 
 def contents(path: str | os.PathLike[str]) -> tuple[bytes, str]:
-    """What a file holds, and its name without the folder, for messages.
+    """Return what a file holds, and its name without the folder, for messages.
 
     Args:
         path: The file; `~` is the user's own folder.
 
     Raises:
-        RecordingError: Not a path, no such file, a folder, a pipe or a device, empty, or larger than `LARGEST`.
+        RecordingError: Not a path, no such file, a folder, a pipe or a device, empty, or larger
+            than `LARGEST_FILE`.
     """
     if not isinstance(path, str | os.PathLike) or not isinstance(os.fspath(path), str):
         raise RecordingError(
@@ -36,13 +37,13 @@ def contents(path: str | os.PathLike[str]) -> tuple[bytes, str]:
             raise RecordingError(
                 f"{name} is a pipe or a device, but must be an ordinary file; save the ink in one."
             )
-        if about.st_size > LARGEST:
-            most = LARGEST / 1e6
+        if about.st_size > LARGEST_FILE:
+            most = LARGEST_FILE / 1e6
             raise RecordingError(
                 f"{name} has {about.st_size / 1e6:.0f} MB, but ink has at most {most:.0f}; cut it."
             )
         with path.open("rb") as file:
-            data = file.read(LARGEST)
+            data = file.read(LARGEST_FILE)
     except OSError as error:
         raise RecordingError(
             f"{name} cannot be read: {error.strerror or error}. Check the path."

@@ -1,4 +1,4 @@
-"""Files of ours are plain JSON objects that say what they are and in which version: read strictly, never run."""
+"""Read our files strictly: plain JSON objects that say what they are and in which version."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from typing import Any
 from dmp_teach.errors import RecordingError
 
 PSEUDONYM = re.compile(r"[A-Za-z0-9][A-Za-z0-9_-]{0,19}")
-MOST_DIGITS = 5  # six would be a date, or a number that somebody gave to a person
+MOST_DIGITS = 5  # six would be a date, or a number that was given to a person
 _short = reprlib.Repr()
 _short.maxstring = _short.maxlong = 60
 
@@ -20,7 +20,7 @@ _short.maxstring = _short.maxlong = 60
 def loaded(
     data: bytes, kind: str, versions: Collection[int], fields: Collection[str]
 ) -> dict[str, Any]:
-    """One of our objects with exactly its fields.
+    """Return one of our objects with exactly its fields.
 
     Args:
         data: The file.
@@ -62,21 +62,22 @@ def must(holds: bool, name: str, value: Any, rule: str) -> None:
 
 
 def shown(value: Any) -> str:
-    """The beginning of a value, for messages."""
+    """Return the beginning of a value, for messages."""
     return _short.repr(value)
 
 
 def is_number(value: Any) -> bool:
-    """A finite number; True and False are none."""
+    """Tell whether a value is a finite number; True and False are none."""
     if isinstance(value, bool) or not isinstance(value, int | float):
         return False
     return abs(value) < 1e300 and math.isfinite(value)
 
 
 def is_pseudonym(writer: str) -> bool:
-    """Whether a text can be a pseudonym, such as "w01": nobody's name, no address, no date of birth.
+    """Tell whether a text can be a pseudonym, such as "w01": no name, address or date of birth.
 
-    At most 20 letters, digits, - and _, of them at most 5 digits; capitals only where there is a digit, too.
+    At most 20 letters, digits, - and _, of them at most 5 digits; capitals only where there is a
+    digit, too.
     """
     digits = sum(sign.isdigit() for sign in writer)
     plain = digits > 0 or writer == writer.lower()
@@ -89,7 +90,7 @@ def _no_constant(word: str) -> None:
 
 
 def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
-    """An object whose names occur once."""
+    """Return an object whose names occur once."""
     content = dict(pairs)
     if len(content) < len(pairs):
         raise ValueError("a name occurs twice in one object")

@@ -1,4 +1,4 @@
-"""Where the files that come with the project are, and how files are written: whole or not at all."""
+"""Where the files that come with the project are, and files written whole or not at all."""
 
 from __future__ import annotations
 
@@ -38,7 +38,8 @@ def write_whole(path: str | os.PathLike, data: bytes, suffix: str) -> Path:
     path = Path(os.path.expanduser(path))
     if path.suffix.lower() != suffix:
         raise PathError(
-            f"The path is {str(path)!r}, but its name must end with {suffix}: try {path.stem + suffix!r}."
+            f"The path is {str(path)!r}, but its name must end with {suffix}: try "
+            f"{path.stem + suffix!r}."
         )
     if not path.parent.is_dir():
         raise PathError(
@@ -63,7 +64,7 @@ def write_whole(path: str | os.PathLike, data: bytes, suffix: str) -> Path:
 
 
 def _umask() -> int:
-    """Which rights new files do not get; Python can only read it by setting it."""
+    """Return which rights new files do not get; Python can only read it by setting it."""
     mask = os.umask(0)
     os.umask(mask)
     return mask

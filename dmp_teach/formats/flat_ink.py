@@ -64,7 +64,8 @@ def check_size(strokes: Sequence[Array]) -> None:
         size = float(np.ptp(ink, axis=0).max()) if np.isfinite(ink).all() else np.inf
     if not SMALLEST_INK < size < LARGEST_INK:
         raise RecordingError(
-            f"the ink is {size:.4g} m large, but must be {SMALLEST_INK} to {LARGEST_INK} m; is its unit right?"
+            f"the ink is {size:.4g} m large, but must be {SMALLEST_INK} to {LARGEST_INK} m; is "
+            "its unit right?"
         )
 
 

@@ -37,7 +37,8 @@ def read_recording(
         path: The file. From a name such as `a_w01.csv` come the letter "a" and the writer "w01" of
             a CSV.
         marker: In a CSV, the name of the marker at the pen; None finds it.
-        up: In a CSV, the direction out of the paper in the cameras' world, one of +x -x +y -y +z -z.
+        up: In a CSV, the direction out of the paper in the cameras' world, one of +x -x +y -y +z
+            -z.
         right: In a CSV, the direction to the right on the page.
         number: Which letter of a file that holds several, from 0; with `character`, which one of
             those.
@@ -85,7 +86,8 @@ def _format_of(data: bytes, name: str) -> Format:
             return each
     kinds = ", ".join(map(str, known_formats()))
     raise RecordingError(
-        f"{name} is in none of the formats that are read: {kinds}. Save or export the ink in one of them."
+        f"{name} is in none of the formats that are read: {kinds}. Save or export the ink in one "
+        "of them."
     )
 
 

@@ -1,4 +1,4 @@
-"""The formats that ink comes in: each is one module or folder of this room that makes its `FORMAT`."""
+"""The formats that ink comes in: each is a module or folder here that makes its `FORMAT`."""
 
 from __future__ import annotations
 
@@ -39,7 +39,8 @@ class Format:
         name: What people call it.
         suffixes: The ends of its files' names; the first is the one that is written.
         sniff: Tells from a file's bytes whether it is in this format.
-        read: Returns the letters of a file from its bytes and its name; raises a RecordingError that names the file.
+        read: Returns the letters of a file from its bytes and its name; raises a RecordingError
+            that names the file.
         write: Returns a recording as text; None where the format is only read.
     """
 

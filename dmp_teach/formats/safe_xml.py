@@ -27,7 +27,7 @@ class _BoundedTree(TreeBuilder):
         super().__init__()
         self.count = self.depth = 0
 
-    def start(self, tag: str, attrs: dict[str, str]) -> Element:  # type: ignore[override]
+    def start(self, tag: str, attrs: dict[str, str]) -> Element:
         """Count an element on the way in."""
         self.count += 1
         self.depth += 1

@@ -22,9 +22,9 @@ def write_recording(ink: Recording | Iterable[Trajectory], path: str | os.PathLi
 
     `.json` keeps all of it, to the last bit. `.inkml` keeps the strokes, their times (to 1 us) and
     pressure, and places to 0.1 um; what the pen did in the air is left out. `.svg` keeps the
-    strokes' shape and order, to 1 um, a path for each, in lengths_in_mm and unfilled, as pen plotters
-    want it; read again, at a hand's pace, its sharp bends are cut by up to 0.1 mm. A label keeps
-    every sign that XML can hold.
+    strokes' shape and order, to 1 um, a path for each, in millimetres and unfilled, as pen
+    plotters want it; read again, at a hand's pace, its sharp bends are cut by up to 0.1 mm. A label
+    keeps every sign that XML can hold.
 
     Args:
         ink: A recording, or 2-D strokes on one clock [m].
@@ -56,6 +56,7 @@ def _recording_from(ink: Iterable[Trajectory]) -> Recording:
     strokes = tuple(ink) if isinstance(ink, Iterable) else ()
     if not strokes or not all(isinstance(stroke, Trajectory) for stroke in strokes):
         raise RecordingError(
-            f"{kind_of(ink, first=True)} cannot be written as ink; give a Recording, or strokes (Trajectory)."
+            f"{kind_of(ink, first=True)} cannot be written as ink; give a Recording, or strokes "
+            "(Trajectory)."
         )
     return add_lifts(strokes)

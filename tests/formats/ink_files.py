@@ -1,4 +1,4 @@
-"""Files of our own making with the quirks of the field's: InkML from tablets and offices, both MATLAB sets."""
+"""Files of our own with the quirks of the field's: InkML of tablets and offices, MATLAB sets."""
 
 import io
 
@@ -12,9 +12,12 @@ FORCED = TIMED + '<channel name="F" type="integer" min="0" max="1000"/>'
 
 
 def inkml(body, channels=FORCED, *, extra="", prefix="", root=""):
-    """An InkML document; `body` has the traces, `extra` stands beside the trace format in the context."""
+    """An InkML document of traces (`body`); `extra` stands beside the format in the context."""
     space = f'xmlns:{prefix[:-1]}="{SPACE}"' if prefix else f'xmlns="{SPACE}"'
-    text = f'<ink {space}{root}><context xml:id="c">{extra}<traceFormat>{channels}</traceFormat></context>{body}</ink>'
+    text = (
+        f'<ink {space}{root}><context xml:id="c">{extra}<traceFormat>{channels}</traceFormat>'
+        f"</context>{body}</ink>"
+    )
     if prefix:
         for tag in (
             "ink",
@@ -75,7 +78,7 @@ def cells(values):
 
 
 def loop(turns=1.0, samples=160, size=1.0):
-    """The way of a pen that rests at both ends, at 200 Hz, shape (T, 2): a loop that drifts to the right."""
+    """A pen that rests at both ends, at 200 Hz, shape (T, 2): a loop that drifts to the right."""
     s = np.linspace(0, 1, samples)
     angle = 2 * np.pi * turns * (s - np.sin(2 * np.pi * s) / (2 * np.pi))
     return size * np.column_stack([np.sin(angle) + 0.1 * angle, 1 - np.cos(angle)])

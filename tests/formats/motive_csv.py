@@ -13,7 +13,7 @@ RATE = 120.0
 
 @dataclass
 class Pen:
-    """A hand with a marker: scripts are chains of steps, and `touches` keeps when each stroke began and ended."""
+    """A hand with a marker: a chain of steps; `touches` keeps when each stroke began and ended."""
 
     height: float = 0.03
     speed: float = 0.15
@@ -125,7 +125,7 @@ def motive(
     head=None,
     empty_last=True,
 ):
-    """Write a Motive 1.21 file; NaN becomes an empty cell, and `body` is a rigid body's name and where it was."""
+    """Write a Motive 1.21 file; NaN becomes an empty cell, `body` is a rigid body and its place."""
     body_id = '"8392B20CF49E3573"' if quoted else "8392B20CF49E3573"
     markers = [(f"{body[0]}:Marker1", np.broadcast_to(body[1], (len(t), 3))), *ghosts, (pen, world)]
     rate = "120" if whole else "120.000000"

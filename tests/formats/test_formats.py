@@ -1,4 +1,4 @@
-"""Laws of every format: what is written is read again, what is in a file decides, and files are ordinary ones."""
+"""Laws of every format: what is written is read again, and what is in a file decides."""
 
 import os
 import re

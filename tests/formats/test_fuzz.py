@@ -1,7 +1,8 @@
-"""Files from strangers: broken off, shuffled, stuffed or forged, each is a letter or a sentence, soon, in little room.
+"""Files from strangers: broken off, shuffled or forged, each is a letter or a sentence, soon.
 
-Every reader gets good files of each format with something done to them. What comes out must be recordings with finite
-numbers, or a RecordingError that names the file; in seconds, and without much memory.
+Every reader gets good files of each format with something done to them. What comes out must be
+recordings with finite numbers, or a RecordingError that names the file; in seconds, and without
+much memory.
 """
 
 import io
@@ -44,7 +45,7 @@ THOROUGH = settings(max_examples=5000, deadline=None, suppress_health_check=list
 
 
 def good_files():
-    """What is written of a letter in every format, and the `good_files` of the formats' own tests, by name."""
+    """What is written of a letter in every format, and what the formats' own tests offer."""
     files, here = {}, Path(__file__).parent
     with tempfile.TemporaryDirectory() as folder:
         for suffix in WRITTEN:
@@ -242,20 +243,28 @@ def test_paths_of_any_signs(tmp_path, way, turn):
 LAUGHS = "".join(f'<!ENTITY l{k} "{f"&l{k - 1};" * 10}">' for k in range(1, 12))
 VIEW = '<traceView traceDataRef="#a"/>'
 POISON = {
-    "billion laughs": f'<!DOCTYPE ink [<!ENTITY l0 "1 2,">{LAUGHS}]><ink><trace>&l11;</trace></ink>',
-    "quadratic": f'<!DOCTYPE ink [<!ENTITY a "{"1 2," * 9999}">]><ink><trace>{"&a;" * 9999}</trace></ink>',
-    "a file": '<!DOCTYPE ink [<!ENTITY a SYSTEM "file:///etc/hostname">]><ink><trace>&a;</trace></ink>',
-    "a net": '<!DOCTYPE ink [<!ENTITY % a SYSTEM "http://127.0.0.1:9/x"> %a;]><ink><trace>1 2</trace></ink>',
+    "billion laughs": f'<!DOCTYPE ink [<!ENTITY l0 "1 2,">{LAUGHS}]><ink><trace>&l11;</trace>'
+    f"</ink>",
+    "quadratic": f'<!DOCTYPE ink [<!ENTITY a "{"1 2," * 9999}">]><ink><trace>'
+    f"{'&a;' * 9999}</trace></ink>",
+    "a file": '<!DOCTYPE ink [<!ENTITY a SYSTEM "file:///etc/hostname">]><ink><trace>&a;</trace>'
+    "</ink>",
+    "a net": '<!DOCTYPE ink [<!ENTITY % a SYSTEM "http://127.0.0.1:9/x"> %a;]><ink><trace>'
+    "1 2</trace></ink>",
     "an outside DTD": '<!DOCTYPE ink SYSTEM "http://127.0.0.1:9/x"><ink><trace>&a;</trace></ink>',
-    "a style from outside": '<?xml-stylesheet href="file:///etc/hostname"?><svg><style>@import url(x)</style></svg>',
+    "a style from outside": '<?xml-stylesheet href="file:///etc/hostname"?><svg><style>'
+    "@import url(x)</style></svg>",
     "a picture": '<svg><image href="file:///etc/hostname"/><script>alert(1)</script></svg>',
-    "foreign markers": '<svg><path d="M0 0L9 9" marker-end="url(file:///etc/hostname#a)" style="fill:url(x#y)"/></svg>',
+    "foreign markers": '<svg><path d="M0 0L9 9" marker-end="url(file:///etc/hostname#a)" '
+    'style="fill:url(x#y)"/></svg>',
     "clones of clones": '<svg><use id="a" href="#b"/><use id="b" href="#a"/></svg>',
     "deep": "<svg>" + "<g>" * 100_000,
     "many": "<svg>" + "<g/>" * 200_000 + "</svg>",
     "wide": "<svg " + " ".join(f'a{k}="1"' for k in range(100_000)) + "/>",
-    "contexts in a ring": '<ink><context xml:id="a" contextRef="#a"/><trace contextRef="#a">1 2</trace></ink>',
-    "parts of themselves": '<ink><trace xml:id="a" continuation="end" priorRef="#a">0 0, 10 10</trace></ink>',
+    "contexts in a ring": '<ink><context xml:id="a" contextRef="#a"/><trace contextRef="#a">'
+    "1 2</trace></ink>",
+    "parts of themselves": '<ink><trace xml:id="a" continuation="end" priorRef="#a">'
+    "0 0, 10 10</trace></ink>",
     "a group of itself": '<ink><traceGroup xml:id="a"><annotation type="truth">a</annotation>'
     '<traceView traceDataRef="#a"/></traceGroup></ink>',
     "an odd encoding": '<?xml version="1.0" encoding="utf-7"?><ink/>',
@@ -275,7 +284,8 @@ POISON = {
     "braces in a sheet": f"<svg><style>{'{' * 5_000_000}</style></svg>",
     "media in a sheet": f"<svg><style>{'@media screen{' * 500_000}</style></svg>",
     "selectors": f"<svg><style>{'.a,' * 2_000_000}a{{fill:red}}</style></svg>",
-    "classes": f'<svg><style>.a{{fill:red}}</style><path d="M0 0L9 9" class="{"a " * 2_000_000}"/></svg>',
+    "classes": f"<svg><style>.a{{fill:red}}</style>"
+    f'<path d="M0 0L9 9" class="{"a " * 2_000_000}"/></svg>',
     "styles": f'<svg><path d="M0 0L9 9" style="{"fill:red;" * 1_000_000}"/></svg>',
     "views": f'<ink><trace xml:id="a">0 0, 9 9</trace>{VIEW * 90_000}</ink>',
     "many markers": f",,{'Marker,' * 60_000}\n,,{'a,' * 60_000}\n,,{'Position,' * 60_000}\n"
@@ -291,7 +301,7 @@ POISON = {
 
 @pytest.fixture(scope="module")
 def poison(tmp_path_factory):
-    """Every poisoned file read in one program of its own, with 3 GB of room and 90 seconds of the processor."""
+    """Every poisoned file read in one program of its own, in 3 GB and 90 seconds."""
     folder = tmp_path_factory.mktemp("poison")
     for k, text in enumerate(POISON.values()):
         (folder / f"{k}.txt").write_bytes(text.encode())
@@ -317,7 +327,7 @@ for k in range(int(sys.argv[2])):
 
 
 def read_alone(folder, count):
-    """What one program says of each file: seconds of the processor, kilobytes at most so far, and its sentence."""
+    """What one program says of each file: seconds, kilobytes at most so far, and its sentence."""
     done = subprocess.run(
         [sys.executable, "-c", READ, str(folder), str(count)],
         capture_output=True,

@@ -1,4 +1,4 @@
-"""InkML: channels as they are declared, and every quirk that tablets, forms and offices put into their files."""
+"""InkML: channels as they are declared, and every quirk of tablets, forms and offices."""
 
 import numpy as np
 import pytest
@@ -117,7 +117,7 @@ def test_times_without_a_unit_are_milliseconds_unless_no_pen_could_be_so_fast(tm
 
 
 def test_an_office_counts_in_steps_of_its_screen(tmp_path):
-    """Whole numbers, the unit cm, and a resolution that says what a step is; differences instead of places."""
+    """Whole numbers, the unit cm, a resolution that says what a step is; differences."""
     form = "".join(channel(name, "cm", "integer") for name in "XY") + channel("T", "dev", "integer")
     steps = source(("X", 1000, "1/cm"), ("Y", 1000, "1/cm"), ("T", 1000, "1/s"))
     body = ""
@@ -297,7 +297,8 @@ def test_references_are_followed_inside_the_file(tmp_path):
         ):
             read(
                 tmp_path,
-                f"<ink {space}>{defined}{body.replace('<trace>', f'<trace contextRef={odd!r}>')}</ink>",
+                "<ink "
+                f"{space}>{defined}{body.replace('<trace>', f'<trace contextRef={odd!r}>')}</ink>",
             )
 
 

@@ -1,4 +1,4 @@
-"""The reference sets: what their authors put into MATLAB's files is letters, and nothing in a file is believed."""
+"""The reference sets in MATLAB's files are letters, and no claim of a file is believed."""
 
 import io
 import struct
@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.formats.mat import parser as matfile
-from dmp_teach.formats.mat.parser import read_mat
+from dmp_teach.formats.mat.parser import parse_mat
 from dmp_teach.formats.read import read_recording, read_recordings
 from tests.formats.ink_files import cells, lasa, loop, mat, uci
 
@@ -128,7 +128,7 @@ VALUES = {
 @pytest.mark.parametrize("compressed", [True, False])
 def test_values_are_those_that_scipy_reads(compressed):
     data = mat(VALUES, compressed)
-    ours, theirs = read_mat(data), scipy.io.loadmat(io.BytesIO(data))
+    ours, theirs = parse_mat(data), scipy.io.loadmat(io.BytesIO(data))
     for name in ("numbers", "small", "long", "single", "flags", "nothing"):
         np.testing.assert_array_equal(ours[name], theirs[name])
     assert ours["text"] == theirs["text"][0] == "Grüße"
@@ -148,7 +148,7 @@ def test_a_big_endian_file_is_read():
         + struct.pack(">II", 14, len(body))
         + body
     )
-    np.testing.assert_array_equal(read_mat(data)["v"], [[1.5, -2.5]])
+    np.testing.assert_array_equal(parse_mat(data)["v"], [[1.5, -2.5]])
 
 
 def head(*elements):
@@ -234,13 +234,13 @@ def test_no_claim_of_a_file_is_believed(tmp_path, bomb):
 
 
 def test_numbers_that_grow_when_they_are_read_are_counted(monkeypatch):
-    monkeypatch.setattr(matfile, "MOST", 5000)
+    monkeypatch.setattr(matfile, "MOST_BYTES", 5000)
     with pytest.raises(RecordingError, match="larger than 0 MB inside"):
-        read_mat(head(array(8, (1, 1000), element(1, bytes(1000)))))
+        parse_mat(head(array(8, (1, 1000), element(1, bytes(1000)))))
 
 
 def test_objects_and_functions_are_passed_over():
-    assert read_mat(head(array(3, (1, 1), element(1, b"thing")), array(17, (1, 1)))) == {"v": None}
+    assert parse_mat(head(array(3, (1, 1), element(1, b"thing")), array(17, (1, 1)))) == {"v": None}
 
 
 FAULTS = {

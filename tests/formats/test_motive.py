@@ -1,4 +1,4 @@
-"""Which marker is the pen, also where it changes its name or is lost, and what else a table may say."""
+"""Which marker is the pen, also where it changes its name, and what else a table may say."""
 
 import re
 
@@ -80,7 +80,7 @@ def test_a_marker_that_changes_its_name_is_followed(tmp_path, cuts, gap):
 
 
 def test_a_name_for_a_while_is_followed_and_ghosts_far_away_are_not(tmp_path):
-    """Motive may find the old name again; a ghost that begins in the same frame is somewhere else."""
+    """Motive may find the old name again; a ghost that begins in that frame is elsewhere."""
     t, world = hand()
     first = world.copy()
     first[250:350] = np.nan

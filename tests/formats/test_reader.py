@@ -1,4 +1,4 @@
-"""Laws of reading: every quirk of a Motive file, and a sentence for everything that cannot be read."""
+"""Laws of reading: every quirk of a Motive file, and a sentence for what cannot be read."""
 
 import numpy as np
 import pytest
@@ -240,7 +240,7 @@ def test_a_long_gap_off_the_ink_does_no_harm(tmp_path):
 def test_a_long_gap_in_a_stroke_is_refused_by_frame_and_row(tmp_path):
     with pytest.raises(
         RecordingError,
-        match=r"D_w07.csv: marker 'Unlabeled:5000' is lost for 0.17 s.*frame 149 .row 157.*stroke 0",
+        match=r"marker 'Unlabeled:5000' is lost for 0.17 s.*frame 149 .row 157.*stroke 0",
     ):
         read_recording(d_file(tmp_path / "D_w07.csv", holes=[slice(150, 169)]))
 

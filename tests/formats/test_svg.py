@@ -1,4 +1,4 @@
-"""SVG: a drawing becomes the way of a pen at a hand's pace, and letters become drawings that others read."""
+"""SVG: a drawing becomes the way of a pen, and letters become drawings that others read."""
 
 import re
 import shutil
@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 from svgelements import SVG, Path
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.formats.hand_pace import in_time
+from dmp_teach.formats.hand_pace import at_hand_pace
 from dmp_teach.formats.read import read_recording
 from dmp_teach.formats.write import write_recording
 from dmp_teach.ink.alphabet import recording_of
@@ -86,17 +86,19 @@ SAME = {
     "relative": svg('<path d="m10,20 0,40 30,0"/>'),
     "polyline": svg('<polyline points="10,20 10,60, 40 60"/>'),
     "transforms": svg(
-        '<g transform="translate(10 20)"><g transform="rotate(90) scale(1,-1)"><path d="M0 0 H40 V30"/></g></g>'
+        '<g transform="translate(10 20)"><g transform="rotate(90) scale(1,-1)">'
+        '<path d="M0 0 H40 V30"/></g></g>'
     ),
     "matrix": svg('<path transform="matrix(2 0 0 2 -3 5)" d="M10 20 v20 h15"/>'),
     "an editor's": svg(
         f'<title>x</title><defs><path d="M0 0 L9 9"/></defs><metadata/><g id="layer1">{L}</g>'
     ),
     "hidden parts": svg(
-        f'{L}<g style="display : none"><path d="M0 0 L9 9"/></g><path display="none" d="M0 0 L9 9"/>'
+        f'{L}<g style="display : none"><path d="M0 0 L9 9"/></g><path display="none" d="M0 '
+        f'0 L9 9"/>'
     ),
-    "a declaration": '<?xml version="1.0"?><!DOCTYPE svg PUBLIC "-//W3C//DTD SVG 1.1//EN" "http://www.w3.org/s.dtd">'
-    + svg(L),
+    "a declaration": '<?xml version="1.0"?><!DOCTYPE svg PUBLIC "-//W3C//DTD '
+    'SVG 1.1//EN" "http://www.w3.org/s.dtd">' + svg(L),
     "no namespace": svg(L).replace(SPACE, ""),
     "curves that are straight": svg('<path d="M10 20 C10 30 10 50 10 60 Q25 60 40 60"/>'),
     "a clone": svg(
@@ -105,7 +107,8 @@ SAME = {
     ),
     "a clone by an old name": svg(
         '<symbol><path id="m" d="M0 0 V40 H30"/></symbol>'
-        '<use xmlns:xlink="http://www.w3.org/1999/xlink" xlink:href="#m" transform="translate(10 20)"/>'
+        '<use xmlns:xlink="http://www.w3.org/1999/xlink" xlink:href="#m" transform="translate(10 '
+        '20)"/>'
     ),
     "an empty path": svg('<path d=""/><path/><path d="M 3 4"/>' + L),
 }
@@ -117,7 +120,10 @@ def test_the_same_drawing_is_the_same_letter(tmp_path, how):
 
 
 def test_every_move_begins_a_stroke_in_the_order_of_the_file(tmp_path):
-    body = '<path d="M10 10 L10 50 M10 10 C40 10 40 50 10 50"/><line x1="0" y1="30" x2="20" y2="30"/><path d="M30 60 h0"/>'
+    body = (
+        '<path d="M10 10 L10 50 M10 10 C40 10 40 50 10 50"/><line x1="0" y1="30" x2="20" '
+        'y2="30"/><path d="M30 60 h0"/>'
+    )
     recording = read(tmp_path, svg(body))
     first, second, third, dot = corners(recording)
     assert first[:4] == pytest.approx((0.01, 0.05, 0.01, 0.01), abs=1e-6)
@@ -131,7 +137,10 @@ def test_every_move_begins_a_stroke_in_the_order_of_the_file(tmp_path):
 
 
 def test_shapes_are_drawn_as_svg_says(tmp_path):
-    body = '<circle cx="30" cy="30" r="20"/><rect x="5" y="5" width="10" height="20"/><polygon points="0,0 9,0 9,9"/>'
+    body = (
+        '<circle cx="30" cy="30" r="20"/><rect x="5" y="5" width="10" height="20"/>'
+        '<polygon points="0,0 9,0 9,9"/>'
+    )
     body += '<ellipse cx="30" cy="30" rx="20" ry="10"/><path d="M10 30 A20 20 0 0 1 50 30"/>'
     round_, box, wedge, oval, arc = corners(read(tmp_path, svg(body)))
     assert round_[4:] == pytest.approx((0.04, 0.04), abs=2e-5)
@@ -165,7 +174,7 @@ def test_a_hand_starts_and_stops_at_rest_and_never_leaves_the_ink(strokes):
     size = np.ptp(np.concatenate(strokes), axis=0).max()
     if size < 1e-3:
         return
-    written = in_time(strokes)
+    written = at_hand_pace(strokes)
     for stroke, points_ in zip(written, strokes, strict=True):
         assert np.allclose(stroke.position[[0, -1]], points_[[0, -1]], atol=1e-3 * size)
         step = np.linalg.norm(np.diff(stroke.position, axis=0), axis=1) * 120
@@ -186,18 +195,18 @@ def distance(point, way):
 
 def test_bends_are_slow_and_a_large_letter_takes_no_longer():
     s = np.linspace(0, 2 * np.pi, 400)
-    (oval,) = in_time([np.column_stack([0.05 * np.cos(s), 0.015 * np.sin(s)])])
+    (oval,) = at_hand_pace([np.column_stack([0.05 * np.cos(s), 0.015 * np.sin(s)])])
     speed = np.linalg.norm(np.gradient(oval.position, oval.t, axis=0), axis=1)
     middle = slice(len(speed) // 5, -len(speed) // 5)
     tip, flat = np.abs(oval.position[middle, 0]) > 0.045, np.abs(oval.position[middle, 0]) < 0.02
     assert speed[middle][tip].mean() < 0.8 * speed[middle][flat].mean()
-    (large,) = in_time([np.column_stack([0.5 * np.cos(s), 0.15 * np.sin(s)])])
+    (large,) = at_hand_pace([np.column_stack([0.5 * np.cos(s), 0.15 * np.sin(s)])])
     assert large.duration == pytest.approx(oval.duration, abs=0.02)
 
 
 @pytest.mark.parametrize("length", [0.01, 0.06, 0.3])
 def test_a_bar_is_one_bell_of_speed(length):
-    (stroke,) = in_time([np.array([[0.0, 0.0], [0.0, -length]])])
+    (stroke,) = at_hand_pace([np.array([[0.0, 0.0], [0.0, -length]])])
     speed = np.linalg.norm(np.gradient(stroke.position, stroke.t, axis=0), axis=1)
     peak = stroke.t[np.argmax(speed)] / stroke.duration
     assert 0.4 < peak < 0.6

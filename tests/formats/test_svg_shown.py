@@ -1,4 +1,4 @@
-"""SVG as a browser shows it: what is hidden is no ink, and what is moved or a share is where one sees it."""
+"""SVG as a browser shows it: what is hidden is no ink, and ink is where one sees it."""
 
 import re
 
@@ -33,7 +33,8 @@ HIDDEN = {
     "paper in units": '<rect x="-5" y="-5" width="110" height="90" style="fill:#fff;stroke:none"/>',
     "paper as a path": '<path fill="#eee" d="M0 0H100V80H0z"/>',
     "no size": '<circle cx="3" r="0"/><rect x="3" y="9" width="4"/><ellipse rx="0" ry="5"/>',
-    "another language": f'<switch><path systemLanguage="xx" {Z}/><foreignObject requiredExtensions="x"/><g/></switch>',
+    "another language": f'<switch><path systemLanguage="xx" {Z}/>'
+    f'<foreignObject requiredExtensions="x"/><g/></switch>',
 }
 
 
@@ -47,19 +48,25 @@ def test_what_is_hidden_is_no_ink(tmp_path, kind):
 STYLED = {
     "a comment": '<path style="/*display:none*/stroke:red" d="M10 20 V60 H40"/>',
     "a comment that does not end": '<path style="stroke:red;/*display:none" d="M10 20 V60 H40"/>',
-    "shown in what is hidden": '<g visibility="hidden"><path visibility="visible" d="M10 20 V60 H40"/></g>',
-    "drawn in what is not": '<g fill="none" stroke="none"><path stroke="#000" d="M10 20 V60 H40"/></g>',
+    "shown in what is hidden": '<g visibility="hidden"><path visibility="visible" '
+    'd="M10 20 V60 H40"/></g>',
+    "drawn in what is not": '<g fill="none" stroke="none"><path stroke="#000" d="M10 '
+    '20 V60 H40"/></g>',
     "only filled": '<path stroke="none" fill="black" d="M10 20 V60 H40"/>',
     "a class of a drawing program": '<style type="text/css">.st0{fill:none;stroke:#000;}</style>'
     '<path class="st0" d="M10 20 V60 H40"/>',
-    "a class that others have": '<style>.h{display:none}</style><path class="hh" d="M10 20 V60 H40"/>',
+    "a class that others have": '<style>.h{display:none}</style><path class="hh" d="M10 20 '
+    'V60 H40"/>',
     "a mouse over it": "<style>path:hover{opacity:0}</style>" + L,
-    "its own style is stronger": '<style>path{display:none}</style><path style="display:inline" d="M10 20 V60 H40"/>',
-    "a style is stronger than an attribute": '<path display="none" style="display:inline" d="M10 20 V60 H40"/>',
+    "its own style is stronger": '<style>path{display:none}</style><path style="display:inline" '
+    'd="M10 20 V60 H40"/>',
+    "a style is stronger than an attribute": '<path display="none" style="display:inline" '
+    'd="M10 20 V60 H40"/>',
     "inherited": '<g stroke="red" fill="none"><path stroke="inherit" d="M10 20 V60 H40"/></g>',
     "another sheet": '<style type="text/x">path{display:none}</style>' + L,
     "an import": '<style>@import url("x.css"); @font-face{font-family:x} .a{fill:none}</style>' + L,
-    "a transform in a style": '<path style="transform: scale(2) translate(1px, 2px)" d="M4 8 V28 H19"/>',
+    "a transform in a style": '<path style="transform: scale(2) translate(1px, 2px)" d="M4 '
+    '8 V28 H19"/>',
     "a transform in a sheet": "<style>.a{transform:rotate(90deg) scale(1,-1)}</style>"
     '<path class="a" d="M20 10 H60 V40"/>',
     "shares": '<line x1="10%" y1="25%" x2="10%" y2="75%" visibility="hidden"/>' + L,
@@ -162,7 +169,10 @@ def test_a_look_that_cannot_be_says_why(tmp_path, fault):
 )
 def test_styles_of_any_signs(tmp_path, sheet, style):
     sheet, style = (text.replace("<", "&lt;") for text in (sheet, style))
-    body = f'<svg><style>{sheet}</style><g class="a"><path id="a" style="{style}" d="M0 0L9 9"/></g></svg>'
+    body = (
+        f'<svg><style>{sheet}</style><g class="a"><path id="a" style="{style}" d="M0 0L9 9"/>'
+        f"</g></svg>"
+    )
     letters_or_a_sentence(tmp_path / "a.svg", body.encode())
 
 

@@ -67,7 +67,7 @@ class TraceFormat:
         return values[:, list(self.channels).index(name)] if name in self.channels else None
 
     def on_page(self, values: Array) -> tuple[Array, bool]:
-        """Return where points are on the page, shape (K, 2), y up; and whether that is in metres."""
+        """Return where points are on the page (K, 2), y up, and whether that is in metres."""
         x, y = self.channels["X"], self.channels["Y"]
         names = list(self.channels)
         points = values[:, [names.index("X"), names.index("Y")]]

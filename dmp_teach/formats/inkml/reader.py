@@ -27,7 +27,7 @@ from dmp_teach.formats.flat_ink import (
     pseudonym_from,
     usual_scale,
 )
-from dmp_teach.formats.hand_pace import in_time
+from dmp_teach.formats.hand_pace import at_hand_pace
 from dmp_teach.formats.inkml.channels import Channel, Contexts, TraceFormat, tells_channels
 from dmp_teach.formats.inkml.groups import LABELS, annotation, labelled_letters
 from dmp_teach.formats.inkml.points import MOST_POINTS, read_points
@@ -140,12 +140,11 @@ def _pen_down(values: Array, form: TraceFormat, trace: Element) -> list[_TraceSt
         t = trace_times(form.column(values, "T"), form, offset, duration, len(xy))
     pressed, tip = form.column(values, "F"), form.column(values, "S")
     force = None if pressed is None else _pressure(pressed, form.channels["F"])
-    is_known = np.isfinite(xy).all(axis=1)
-    if t is not None:
-        is_known &= np.isfinite(t)
+    rows = xy if t is None else np.column_stack([xy, t])
+    known = np.flatnonzero(np.isfinite(rows).all(axis=1))
     strokes = []
     for a, b in [(0, len(xy))] if tip is None else find_runs(tip != 0):
-        kept = np.flatnonzero(is_known[a:b]) + a
+        kept = known[(known >= a) & (known < b)]
         if len(kept):
             times, forces = (None if each is None else each[kept] for each in (t, force))
             strokes.append(_TraceStroke(times, xy[kept], forces, in_metres))
@@ -174,7 +173,7 @@ def _letter(
         rows = [np.column_stack(each) for each in zip(rows, forces, strict=True)]
     times = [stroke.t for stroke in strokes if stroke.t is not None]
     if len(times) < len(strokes):
-        laid = [(stroke.t, stroke.position) for stroke in in_time(rows)]
+        laid = [(stroke.t, stroke.position) for stroke in at_hand_pace(rows)]
     else:
         laid = on_one_clock(list(zip(times, rows, strict=True)))
     origin = lengths_in_mm(annotation(root, ("origin",)), 2)

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.formats.hand_pace import PAUSE
+from dmp_teach.formats.hand_pace import LIFT_DURATION
 from dmp_teach.formats.inkml.channels import TraceFormat
 from dmp_teach.formats.safe_xml import finite_number
 from dmp_teach.trajectory import Array
@@ -73,7 +73,7 @@ def on_one_clock(strokes: Sequence[tuple[Array, Array]]) -> list[tuple[Array, Ar
     for number, (times, rows) in enumerate(strokes):
         t, row = _each_time_once(number, times, rows)
         overlaps = bool(laid) and t[0] <= laid[-1][0][-1]
-        laid.append((t - t[0] + laid[-1][0][-1] + PAUSE if overlaps else t, row))
+        laid.append((t - t[0] + laid[-1][0][-1] + LIFT_DURATION if overlaps else t, row))
     return laid
 
 

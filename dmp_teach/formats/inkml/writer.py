@@ -1,4 +1,4 @@
-"""Write InkML: X and Y in lengths_in_mm, Y down the page, T in milliseconds."""
+"""Write InkML: X and Y in millimetres, Y down the page, T in milliseconds."""
 
 from __future__ import annotations
 

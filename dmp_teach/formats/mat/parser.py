@@ -1,38 +1,28 @@
-"""MATLAB's files, level 5, as far as ink needs: numbers, text, cells and structs; nothing in them is ever run.
+"""MATLAB's files, level 5, as far as ink needs: numbers, text, cells and structs; none is run.
 
-Written for files from strangers: no element may claim more than the file holds, compressed parts stop growing at a
-limit, cells and structs may not nest for ever, and objects and functions are passed over. The layout is that of
-"MAT-File Format" by The MathWorks. Version 7.3 is another format (HDF5) and is refused.
+Written for files from strangers, where `scipy.io.loadmat` may end the whole process: no element may
+claim more than the file holds, compressed parts stop growing at a limit, cells and structs may not
+nest for ever, and objects and functions are passed over. The layout is that of "MAT-File Format" by
+The MathWorks. Version 7.3 is another format (HDF5) and is refused.
 """
 
 from __future__ import annotations
 
+import math
 import struct
 import zlib
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
 from dmp_teach.errors import RecordingError
 
-MOST = 128_000_000  # an unpacked file and the numbers in it have fewer [bytes]
-DEEPEST = 12  # cells and structs inside one another
-LONGEST = 10_000  # signs in a text
+MOST_BYTES = 128_000_000  # an unpacked file and the numbers in it have fewer [bytes]
+DEEPEST_CELL = 12  # cells and structs inside one another
+LONGEST_TEXT = 10_000  # signs in a text
 MOST_CELLS = 200_000  # in a file
-NUMBERS = {
-    1: "i1",
-    2: "u1",
-    3: "i2",
-    4: "u2",
-    5: "i4",
-    6: "u4",
-    7: "f4",
-    9: "f8",
-    12: "i8",
-    13: "u8",
-    16: "u1",
-}
-NUMBERS |= {17: "u2", 18: "u4"}
+NUMBERS = {1: "i1", 2: "u1", 3: "i2", 4: "u2", 5: "i4", 6: "u4", 7: "f4", 9: "f8", 12: "i8"}
+NUMBERS |= {13: "u8", 16: "u1", 17: "u2", 18: "u4"}
 MATRIX, COMPRESSED = 14, 15
 CELL, STRUCT, OBJECT, TEXT = 1, 2, 3, 4
 NUMERIC = range(6, 16)
@@ -40,24 +30,24 @@ HDF5 = b"\x89HDF\r\n\x1a\n"
 CURE = "Save it in MATLAB with save(..., '-v7')."
 
 
-def read_mat(data: bytes) -> dict[str, Any]:
-    """The variables of a file.
+def parse_mat(data: bytes) -> dict[str, Any]:
+    """Return the variables of a file, by name.
 
-    Numbers become arrays (first index first), text becomes `str`, a cell array becomes a flat list in MATLAB's order, a
-    struct a dictionary, a struct array a list of them, and what cannot be read `None`.
-
-    Args:
-        data: The file.
+    Numbers become arrays, text becomes `str`, a cell array a flat list in MATLAB's order, a struct
+    a dictionary, a struct array a list of them, and what cannot be read `None`.
 
     Raises:
-        RecordingError: Not such a file, another version, broken off, or larger inside than ink can be.
+        RecordingError: Not such a file, another version, broken off, or larger inside than ink can
+            be.
     """
     if data[:8] == HDF5 or data[512:520] == HDF5 or data[:10] == b"MATLAB 7.3":
         raise RecordingError(f"is a MATLAB file of version 7.3, which is not read. {CURE}")
-    order = {b"IM": "<", b"MI": ">"}.get(data[126:128])
+    orders: dict[bytes, Literal["<", ">"]] = {b"IM": "<", b"MI": ">"}
+    order = orders.get(data[126:128])
     if order is None or data[:6] != b"MATLAB":
         raise RecordingError(f"is not a MATLAB file of version 5 to 7. {CURE}")
-    variables, file = {}, _File(order)
+    variables: dict[str, Any] = {}
+    file = _MatFile(order)
     for kind, content in file.elements(data[128:]):
         parts = (
             list(file.elements(file.unpacked(content))) if kind == COMPRESSED else [(kind, content)]
@@ -69,35 +59,38 @@ def read_mat(data: bytes) -> dict[str, Any]:
     return variables
 
 
-class _File:
-    """How much of a file has been read, and in which order its bytes are."""
+class _MatFile:
+    """A file while it is read: the order of its bytes, and how much it may still hold."""
 
-    def __init__(self, order: str):
-        self.order, self.room, self.cells = order, MOST, 0
+    def __init__(self, order: Literal["<", ">"]) -> None:
+        self.order: Literal["<", ">"] = order
+        self.room, self.cells = MOST_BYTES, 0
 
     def elements(self, data: bytes | memoryview) -> list[tuple[int, memoryview]]:
-        """The elements that lie side by side in `data`, as (type, content)."""
-        found, at, data = [], 0, memoryview(data)
+        """Return the elements that lie side by side, as (type, content)."""
+        found: list[tuple[int, memoryview]] = []
+        at, data = 0, memoryview(data)
         while len(data) - at >= 8:
             kind, size = struct.unpack(self.order + "II", data[at : at + 8])
-            if (
-                kind >> 16
-            ):  # a small element: size and type share one word, the content is the other
+            # In a small element size and type share one word, and the content is the other.
+            if kind >> 16:
                 kind, size, begin, at = kind & 0xFFFF, kind >> 16, at + 4, at + 8
-                _must(size <= 4, "a small element of more than 4 bytes")
+                _require(size <= 4, "a small element of more than 4 bytes")
             else:
                 begin = at + 8
                 at = begin + size + (0 if kind == COMPRESSED else -size % 8)
-            _must(
+            _require(
                 begin + size <= len(data),
                 f"it is broken off: {size} bytes should follow, but there are fewer",
             )
             found.append((kind, data[begin : begin + size]))
-            _must(len(found) <= MOST_CELLS, f"it has more than {MOST_CELLS} elements side by side")
+            _require(
+                len(found) <= MOST_CELLS, f"it has more than {MOST_CELLS} elements side by side"
+            )
         return found
 
     def unpacked(self, data: memoryview) -> bytes:
-        """A compressed element, unpacked as far as there is room."""
+        """Unpack a compressed element as far as there is room."""
         stream = zlib.decompressobj()
         try:
             content = stream.decompress(data, self.room + 1)
@@ -106,102 +99,98 @@ class _File:
                 f"cannot be unpacked: {error}. Copy or download it again."
             ) from None
         self._takes(len(content))
-        _must(stream.eof, "it is broken off inside a packed part")
+        _require(stream.eof, "it is broken off inside a packed part")
         return content
 
     def matrix(self, data: memoryview, depth: int) -> tuple[str, Any]:
-        """The name and the value of one array."""
+        """Return the name and the value of one array."""
         if not len(data):
             return "", np.empty((0, 0))
-        _must(depth <= DEEPEST, f"cells and structs lie more than {DEEPEST} deep")
+        _require(depth <= DEEPEST_CELL, f"cells and structs lie more than {DEEPEST_CELL} deep")
         parts = self.elements(data)
-        _must(
+        _require(
             len(parts) >= 3 and parts[0][0] == 6 and len(parts[0][1]) >= 4, "an array has no head"
         )
         kind = struct.unpack(self.order + "I", parts[0][1][:4])[0] & 0xFF
-        _must(parts[1][0] == 5 and 0 < len(parts[1][1]) <= 64, "an array has no shape")
+        _require(parts[1][0] == 5 and 0 < len(parts[1][1]) <= 64, "an array has no shape")
         shape = tuple(int(size) for size in self.numbers(*parts[1]))
-        _must(min(shape) >= 0, "an array has no shape")
+        _require(min(shape) >= 0, "an array has no shape")
         name, rest = bytes(parts[2][1]).decode("latin-1"), parts[3:]
         if kind in NUMERIC:
             return name, self._numeric(shape, rest)
         if kind == TEXT:
             return name, self._text(rest)
         if kind == CELL:
-            return name, self._cells(_count(shape), rest, depth)
-        return name, self._struct(_count(shape), rest, depth) if kind == STRUCT else None
+            return name, self._cells(math.prod(shape), rest, depth)
+        return name, self._struct(math.prod(shape), rest, depth) if kind == STRUCT else None
 
     def numbers(self, kind: int, content: memoryview) -> np.ndarray:
-        """The numbers of one element, shape (K,)."""
-        _must(kind in NUMBERS, f"its numbers are of the unknown kind {kind}")
+        """Return the numbers of one element, shape (K,)."""
+        _require(kind in NUMBERS, f"its numbers are of the unknown kind {kind}")
         dtype = np.dtype(NUMBERS[kind]).newbyteorder(self.order)
-        _must(len(content) % dtype.itemsize == 0, "its numbers are broken off")
+        _require(len(content) % dtype.itemsize == 0, "its numbers are broken off")
         return np.frombuffer(content, dtype)
 
     def _numeric(self, shape: tuple[int, ...], parts: list) -> np.ndarray:
-        """An array of numbers; an imaginary part is left out."""
+        """Return an array of numbers without their imaginary part."""
         values = self.numbers(*parts[0]) if parts else np.empty(0)
-        _must(len(values) == _count(shape), f"an array of shape {shape} has {len(values)} numbers")
+        _require(
+            len(values) == math.prod(shape), f"an array of shape {shape} has {len(values)} numbers"
+        )
         self._takes(8 * len(values))
         return values.astype(float).reshape(shape, order="F")
 
     def _text(self, parts: list) -> str:
-        """Text in one line."""
+        """Return text in one line."""
         codes = self.numbers(*parts[0]) if parts else np.empty(0)
-        _must(len(codes) <= LONGEST, f"it has text of more than {LONGEST} signs")
+        _require(len(codes) <= LONGEST_TEXT, f"it has text of more than {LONGEST_TEXT} signs")
         if parts and parts[0][0] == 16:
             return bytes(parts[0][1]).decode("utf-8", errors="replace")
         return "".join(chr(int(code)) if 0 <= code < 0xD800 else "?" for code in codes)
 
     def _takes(self, size: int) -> None:
-        """Raise if there is no room for so many bytes more."""
+        """Raise if there is no room for so many more bytes."""
         self.room -= size
-        _must(self.room >= 0, f"it is larger than {MOST / 1e6:.0f} MB inside")
+        _require(self.room >= 0, f"it is larger than {MOST_BYTES / 1e6:.0f} MB inside")
 
     def _counted(self, count: int) -> None:
         """Raise if there are more cells than ink can have."""
         self.cells += count
-        _must(self.cells <= MOST_CELLS, f"it has more than {MOST_CELLS} cells")
+        _require(self.cells <= MOST_CELLS, f"it has more than {MOST_CELLS} cells")
 
     def _cells(self, count: int, parts: list, depth: int) -> list:
-        """A cell array as a flat list."""
+        """Return a cell array as a flat list."""
         self._counted(count)
-        _must(
+        _require(
             len(parts) == count and all(kind == MATRIX for kind, _ in parts),
             "a cell array is broken off",
         )
         return [self.matrix(content, depth + 1)[1] for _, content in parts]
 
     def _struct(self, count: int, parts: list, depth: int) -> Any:
-        """A struct as a dictionary, a struct array as a list of them."""
-        _must(
+        """Return a struct as a dictionary, a struct array as a list of them."""
+        _require(
             len(parts) >= 2 and parts[0][0] == 5 and len(parts[0][1]) == 4, "a struct has no names"
         )
         width = int(self.numbers(*parts[0])[0])
         text = bytes(parts[1][1])
-        _must(0 < width <= 256 and len(text) % width == 0, "the names of a struct have no length")
+        _require(
+            0 < width <= 256 and len(text) % width == 0, "the names of a struct have no length"
+        )
         names = [
             text[k : k + width].split(b"\0")[0].decode("latin-1")
             for k in range(0, len(text), width)
         ]
         self._counted(count * max(len(names), 1))
         values = parts[2:]
-        _must(len(values) == count * len(names), "a struct is broken off")
-        _must(all(kind == MATRIX for kind, _ in values), "a struct holds what is no array")
+        _require(len(values) == count * len(names), "a struct is broken off")
+        _require(all(kind == MATRIX for kind, _ in values), "a struct holds what is no array")
         found = [self.matrix(content, depth + 1)[1] for _, content in values]
         rows = [dict(zip(names, found[k * len(names) :], strict=False)) for k in range(count)]
         return rows[0] if count == 1 else rows
 
 
-def _count(shape: tuple[int, ...]) -> int:
-    """How many values an array of that shape has, however large the numbers."""
-    count = 1
-    for size in shape:
-        count *= size
-    return count
-
-
-def _must(holds: bool, fault: str) -> None:
+def _require(holds: bool, fault: str) -> None:
     """Raise a RecordingError unless the file is sound."""
     if not holds:
         raise RecordingError(

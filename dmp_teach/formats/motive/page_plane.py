@@ -1,7 +1,7 @@
 """The page: its plane and its frame, found in the writing itself.
 
-Nobody told the cameras where the paper lay, and it was tilted by up to 29 degrees. While the pen writes it stays near
-one plane; in the air it does not, and it is never under the paper.
+Nobody told the cameras where the paper lay, and it was tilted by up to 29 degrees. While the pen
+writes it stays near one plane; in the air it does not, and it is never under the paper.
 """
 
 from __future__ import annotations
@@ -15,39 +15,42 @@ from dmp_teach.errors import RecordingError
 from dmp_teach.segmentation import find_runs, find_strokes, lowpass_hertz
 from dmp_teach.trajectory import Array
 
-AXES = {
+DIRECTIONS = {
     sign + axis: s * np.eye(3)[k]
     for sign, s in (("+", 1.0), ("-", -1.0))
     for k, axis in enumerate("xyz")
 }
-WANDER = 0.004  # how far the marker strays from its plane while the pen is down [m]
-LIKELY_SLOPE = 0.3  # papers are rarely steeper than this: what decides where the ink says little
-PRIOR = 0.02  # and how much that counts
-STEEPEST = np.radians(50)  # steeper than this, `up` was wrong
-SUNK = 3.0  # what a share of the samples under the paper costs, beside one that is off it ...
-STEEP = 0.35  # ... and by how much a steep plane must cost less before `up` is doubted
-UNDER = 0.010  # a pen is never this far under the paper [m] ...
-DIVE = (
-    0.10  # ... after it went there as fast as a lift goes up [m/s]: where `up` is wrong, lifts do
-)
-DRAWS = 300
-REFITS = 3
+MARKER_WANDER = 0.004  # how far the marker strays from its plane while the pen is down [m]
+LIKELY_SLOPE = 0.3  # papers are rarely steeper than this, which decides where the ink says little
+SLOPE_WEIGHT = 0.02  # and how much that counts
+STEEPEST_PAGE = np.radians(50)  # steeper than this, `up` was wrong
+SUNK_COST = 3.0  # of a share of the samples under the paper, beside one that is off it
+STEEP_COST = 0.35  # a steep plane must cost this much less before `up` is doubted
+UNDER_PAPER = 0.010  # a pen is never this far under the paper ... [m]
+DIVE_SPEED = 0.10  # ... after it went there as fast as a lift goes up, as where `up` is wrong [m/s]
+PLANE_DRAWS = 300
+PLANE_REFITS = 3
 
 
 @dataclass(frozen=True)
 class PageFrame:
-    """Where a page is: its axes as columns (right, up the page, out of the paper), and its origin [m]."""
+    """Where a page is.
+
+    Args:
+        axes: Right, up the page, out of the paper, as columns, shape (3, 3).
+        origin: Some point of it, shape (3,) [m].
+    """
 
     axes: Array
     origin: Array
 
     def of(self, points: Array) -> Array:
-        """Points (T, 3) of the cameras' world, in the page's frame."""
+        """Return points (T, 3) of the cameras' world in the page's frame."""
         return (points - self.origin) @ self.axes
 
 
 def level_axes(up: str = "+y", right: str = "-x") -> Array:
-    """Axes of a level page (3, 3), columns right, up the page, out of the paper.
+    """Return the axes of a level page (3, 3): columns right, up the page, out of the paper.
 
     Args:
         up: The direction out of the paper, one of +x -x +y -y +z -z.
@@ -57,22 +60,25 @@ def level_axes(up: str = "+y", right: str = "-x") -> Array:
         RecordingError: Not such a direction, or both along one axis.
     """
     for name, value in (("up", up), ("right", right)):
-        if not isinstance(value, str) or value not in AXES:
+        if not isinstance(value, str) or value not in DIRECTIONS:
             raise RecordingError(
-                f"{name} is {value!r}, but must be one of {', '.join(map(repr, AXES))}."
+                f"{name} is {value!r}, but must be one of {', '.join(map(repr, DIRECTIONS))}."
             )
     if up[1] == right[1]:
         raise RecordingError(
             f"up is {up!r} and right is {right!r}, but they must lie along two different axes."
         )
-    return np.column_stack([AXES[right], np.cross(AXES[up], AXES[right]), AXES[up]])
+    return np.column_stack(
+        [DIRECTIONS[right], np.cross(DIRECTIONS[up], DIRECTIONS[right]), DIRECTIONS[up]]
+    )
 
 
 def find_page(t: Array, points: Array, up: str = "+y", right: str = "-x") -> PageFrame:
-    """The frame of the page that a pen wrote on; its origin is some point of its plane.
+    """Find the frame of the page that a pen wrote on; its origin is some point of its plane.
 
-    The plane is first the one that most moving samples are near (RANSAC with fixed draws), then the one through the
-    strokes that it gives. Where the ink says little (a single bar), the page is taken for level.
+    The plane is first the one that most moving samples are near (RANSAC with fixed draws), then the
+    one through the strokes that it gives. Where the ink says little (a single bar), the page is
+    taken for level.
 
     Args:
         t: Times, shape (T,) [s].
@@ -81,31 +87,35 @@ def find_page(t: Array, points: Array, up: str = "+y", right: str = "-x") -> Pag
         right: The direction to the right on the page.
 
     Raises:
-        RecordingError: Nothing was written, the directions cannot be, or the ink lies far from level.
+        RecordingError: Nothing was written, the directions cannot be, or the ink lies far from
+            level.
     """
     level = level_axes(up, right)
     flat = points @ level
-    sheets = _Sheets.tried(_moving(t, flat))
-    _check_side(t, _frame(level, *_fit(sheets.nearest(sheets.cost))).of(points)[:, 2], up)
-    sheets.check_up(level, up)
-    plane = _fit(sheets.nearest(sheets.cost + SUNK * sheets.under))
-    for _ in range(REFITS):
-        plane = _fit(flat[_ink(t, _frame(level, *plane).of(points))])
+    planes = _CandidatePlanes.tried(_moving(t, flat))
+    _check_side(t, _frame(level, *_fit(planes.nearest(planes.cost))).of(points)[:, 2], up)
+    planes.check_up(level, up)
+    plane = _fit(planes.nearest(planes.cost + SUNK_COST * planes.under))
+    for _ in range(PLANE_REFITS):
+        plane = _fit(flat[_ink_indices(t, _frame(level, *plane).of(points))])
     return _frame(level, *plane)
 
 
 def _check_side(t: Array, z: Array, up: str) -> None:
     """Raise if the pen dives under the paper, from the paper.
 
-    A wandering marker sinks slowly, and one that sinks fast from the air lands; a lift seen upside down does neither.
+    A wandering marker sinks slowly, and one that sinks fast from the air lands; a lift seen upside
+    down does neither.
     """
     dt = float(np.median(np.diff(t)))
     rise = np.gradient(lowpass_hertz(z, dt, 12.0), t)
     falls = [
-        (a, b) for a, b in find_runs(rise < 0) if rise[a:b][z[a:b] < 0].min(initial=0.0) < -DIVE
+        (a, b)
+        for a, b in find_runs(rise < 0)
+        if rise[a:b][z[a:b] < 0].min(initial=0.0) < -DIVE_SPEED
     ]
-    dives = any(z[a] < UNDER / 2 for a, _ in falls)
-    if dives and np.mean(z < -UNDER) > 0.05 and np.mean(z > UNDER) < 0.01:
+    dives = any(z[a] < UNDER_PAPER / 2 for a, _ in falls)
+    if dives and np.mean(z < -UNDER_PAPER) > 0.05 and np.mean(z > UNDER_PAPER) < 0.01:
         other = {"+": "-", "-": "+"}[up[0]] + up[1]
         raise RecordingError(
             f"With up={up!r} the pen goes {-z.min():.3f} m under the paper; try up={other!r}."
@@ -113,19 +123,19 @@ def _check_side(t: Array, z: Array, up: str) -> None:
 
 
 def _moving(t: Array, flat: Array) -> Array:
-    """The samples that move (K, 3): a rest of seconds must not outvote the ink."""
+    """Return the samples that move (K, 3): a rest of seconds must not outvote the ink."""
     dt = float(np.median(np.diff(t)))
     speed = np.linalg.norm(np.gradient(lowpass_hertz(flat, dt, 10.0), t, axis=0), axis=1)
     return flat[speed >= 0.2 * np.sqrt(np.mean(speed**2))]
 
 
-def _ink(t: Array, points: Array) -> Array:
-    """The samples that belong to strokes, as indices."""
+def _ink_indices(t: Array, points: Array) -> Array:
+    """Return the indices of the samples that belong to strokes."""
     return np.concatenate([np.arange(a, b) for a, b in find_strokes(t, points)])
 
 
 @dataclass(frozen=True)
-class _Sheets:
+class _CandidatePlanes:
     """Planes that the page may lie in.
 
     Args:
@@ -142,8 +152,8 @@ class _Sheets:
 
     @classmethod
     def tried(cls, flat: Array) -> Self:
-        """Level ones, and those through three samples, drawn by lot but always the same."""
-        a, b, c = flat[np.random.default_rng(0).integers(0, len(flat), (3, DRAWS))]
+        """Draw planes: level ones, and those through three samples, by lot but always the same."""
+        a, b, c = flat[np.random.default_rng(0).integers(0, len(flat), (3, PLANE_DRAWS))]
         normals = np.cross(b - a, c - a)
         length = np.linalg.norm(normals, axis=1)
         heights = np.quantile(flat[:, 2], np.linspace(0, 0.6, 20))[:, None] * [0.0, 0.0, 1.0]
@@ -153,45 +163,48 @@ class _Sheets:
         )
         normals *= np.where(normals[:, 2:] < 0, -1.0, 1.0)
         miss = normals @ flat.T - (normals * points).sum(axis=1)[:, None]
-        return cls(flat, normals, miss, np.minimum((miss / WANDER) ** 2, 1).mean(axis=1))
+        return cls(flat, normals, miss, np.minimum((miss / MARKER_WANDER) ** 2, 1).mean(axis=1))
 
     @property
     def under(self) -> Array:
-        """Which share of the samples is far under each plane, where no pen is, shape (P,)."""
-        return (-self.miss > UNDER).mean(axis=1)
+        """The share of the samples far under each plane, where no pen is, shape (P,)."""
+        return (-self.miss > UNDER_PAPER).mean(axis=1)
 
     @property
     def gentle(self) -> np.ndarray:
         """Which planes are no steeper than a desk can be, shape (P,)."""
-        return self.normals[:, 2] > np.cos(STEEPEST)
+        return self.normals[:, 2] > np.cos(STEEPEST_PAGE)
 
     def nearest(self, cost: Array) -> Array:
-        """The samples near the cheapest plane that is not steep without need."""
+        """Return the samples near the cheapest plane that is not steep without need."""
         flatness = self.normals[:, 2]
         slope = np.sqrt(1 - np.minimum(flatness, 1) ** 2) / np.maximum(flatness, 1e-9)
-        best = np.argmin(np.where(self.gentle, cost + PRIOR * (slope / LIKELY_SLOPE) ** 2, np.inf))
-        return self.flat[np.abs(self.miss[best]) < WANDER]
+        best = np.argmin(
+            np.where(self.gentle, cost + SLOPE_WEIGHT * (slope / LIKELY_SLOPE) ** 2, np.inf)
+        )
+        return self.flat[np.abs(self.miss[best]) < MARKER_WANDER]
 
     def check_up(self, level: Array, up: str) -> None:
         """Raise if a steep plane, from whichever side, explains the ink that no gentle one does."""
-        over = (self.miss > UNDER).mean(axis=1)
-        gentle = (self.cost + SUNK * self.under)[self.gentle].min()
-        steep = (self.cost + SUNK * np.minimum(self.under, over))[~self.gentle]
-        if len(steep) and steep.min() < gentle - STEEP:
+        over = (self.miss > UNDER_PAPER).mean(axis=1)
+        gentle = (self.cost + SUNK_COST * self.under)[self.gentle].min()
+        steep = (self.cost + SUNK_COST * np.minimum(self.under, over))[~self.gentle]
+        if len(steep) and steep.min() < gentle - STEEP_COST:
             normal = level @ self.normals[~self.gentle][np.argmin(steep)]
-            tilt = np.degrees(np.arccos(min(1.0, abs(normal @ AXES[up]))))
+            tilt = np.degrees(np.arccos(min(1.0, abs(normal @ DIRECTIONS[up]))))
             axis = "xyz"[int(np.argmax(np.abs(normal)))]
             raise RecordingError(
-                f"The ink lies {tilt:.0f} degrees from level, so up={up!r} cannot be right; try up='+{axis}' or "
+                f"The ink lies {tilt:.0f} degrees from level, so up={up!r} cannot be right; try "
+                f"up='+{axis}' or "
                 f"'-{axis}'."
             )
 
 
 def _fit(flat: Array) -> tuple[Array, float]:
-    """The plane through samples (K, 3) of ink: its slopes (2,), and its height at the origin [m].
+    """Fit a plane to samples (K, 3) of ink: its slopes (2,), and its height at the origin [m].
 
-    Least squares along the two main directions of the ink. A direction in which the ink is hardly wider than the
-    marker wanders says little, and its slope is drawn towards 0.
+    Least squares along the two main directions of the ink. A direction in which the ink is hardly
+    wider than the marker wanders says little, and its slope is drawn towards 0.
     """
     middle = flat.mean(axis=0)
     away = flat - middle
@@ -204,7 +217,7 @@ def _fit(flat: Array) -> tuple[Array, float]:
 
 
 def _frame(level: Array, slopes: Array, height: float) -> PageFrame:
-    """The frame of a plane: right is the level page's right, laid down on the plane."""
+    """Return the frame of a plane: right is the level page's right, laid down on the plane."""
     out = np.array([-slopes[0], -slopes[1], 1.0])
     out /= np.linalg.norm(out)
     right = np.array([1.0, 0.0, 0.0]) - out[0] * out

@@ -1,7 +1,8 @@
-"""The table in a Motive CSV file: its header found, its columns by marker, its cells as numbers, its times in order.
+"""The table in a Motive CSV file: its header, its columns by marker, its cells, its times.
 
-The header is found by its content: the row `Frame, Time`, and above it the rows that say of every column its type
-(`Marker`, `Rigid Body`, ...), its name, and its quantity (`Position`, ...). Rows are counted as in an editor, from 1.
+The header is found by its content: the row `Frame, Time`, and above it the rows that say of every
+column its type (`Marker`, `Rigid Body`, ...), its name, and its quantity (`Position`, ...). Rows
+are counted as in an editor, from 1.
 """
 
 from __future__ import annotations
@@ -20,23 +21,23 @@ from dmp_teach.errors import RecordingError
 from dmp_teach.formats.safe_xml import finite_number
 from dmp_teach.trajectory import Array
 
-MOST_NAMES, LONGEST_NAME = 20, 60  # in a sentence
-LONGEST_STEP = 60.0  # nobody waits longer inside a take [s]
-METRES = {
+MOST_NAMES = 20  # in a sentence
+LONGEST_NAME = 60  # in a sentence [characters]
+LONGEST_ROW_STEP = 60.0  # no take waits longer from row to row [s]
+METRES_BY_NAMES = {
     1.0: ("m", "meter", "meters", "metre", "metres"),
     0.01: ("cm", "centimeter", "centimeters", "centimetre", "centimetres"),
-    0.001: ("mm", "millimeter", "millimeters", "millimetre", "lengths_in_mm"),
+    0.001: ("mm", "millimeter", "millimeters", "millimetre", "millimetres"),
     0.0254: ("in", "inch", "inches"),
     0.3048: ("ft", "foot", "feet"),
 }
-UNITS = {name: metres for metres, names in METRES.items() for name in names}
+LENGTH_UNITS = {name: metres for metres, names in METRES_BY_NAMES.items() for name in names}
 OTHER_COMMA = re.compile(r"[\"\s]*frame[\"\s]*([;\t])[\"\s]*time", re.IGNORECASE)
-FEW_DECIMALS = (
-    3  # times with more of them do not repeat because they were rounded, with fewer they are uneven
-)
-WIDE = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
+# Times with more decimals do not repeat because they were rounded, with fewer they are uneven.
+FEW_DECIMALS = 3
+UTF16_MARKS = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
 Rows = list[list[str]]
-Key = tuple[str, int]  # a marker's name, and which of several of that name
+MarkerKey = tuple[str, int]  # a marker's name, and which of several of that name
 
 
 @dataclass(frozen=True)
@@ -58,12 +59,12 @@ class Table:
     axes: list[str]
     body: list[tuple[int, list[str]]]
     scale: float
-    markers: dict[Key, dict[str, int]]
+    markers: dict[MarkerKey, dict[str, int]]
     bodies: frozenset[str]
 
 
 def read_table(data: bytes, name: str) -> Table:
-    """The table in a file's bytes.
+    """Read the table in a file's bytes.
 
     Raises:
         RecordingError: It is no such CSV, has no markers, or its unit is unknown.
@@ -83,8 +84,8 @@ def read_table(data: bytes, name: str) -> Table:
 
 
 def _rows(data: bytes, name: str) -> Rows:
-    """The file as cells, or a sentence that says why not."""
-    wide = data.startswith(WIDE)  # as Excel saves Unicode
+    """Return the file as cells."""
+    wide = data.startswith(UTF16_MARKS)  # as Excel saves Unicode
     if b"\0" in data and not wide:
         raise RecordingError(f"{name} is not text; export the take from Motive as CSV.")
     try:
@@ -99,7 +100,7 @@ def _rows(data: bytes, name: str) -> Rows:
 
 
 def _head(rows: Rows, name: str) -> int:
-    """The row, from 0, that begins `Frame, Time`."""
+    """Return the row, from 0, that begins `Frame, Time`."""
     for k, row in enumerate(rows):
         cells = [cell.strip().lower() for cell in row[:2]]
         if len(cells) == 2 and cells[0] == "frame" and cells[1].startswith("time"):
@@ -107,15 +108,16 @@ def _head(rows: Rows, name: str) -> int:
         if row and (other := OTHER_COMMA.match(row[0])):
             sign = "semicolons" if other[1] == ";" else "tabs"
             raise RecordingError(
-                f"{name}, row {k + 1}: columns are not separated by commas but by {sign}; export with commas."
+                f"{name}, row {k + 1}: columns are not separated by commas but by {sign}; export "
+                "with commas."
             )
     raise RecordingError(
         f"{name} has no header row that begins 'Frame,Time'; export the take from Motive as CSV."
     )
 
 
-def _said(top: Rows, wanted: str) -> tuple[int, str] | None:
-    """What the first rows say of something, such as `Length Units`, and in which row, from 1."""
+def _header_value(top: Rows, wanted: str) -> tuple[int, str] | None:
+    """Return what the first rows say of something, and in which row, from 1."""
     for k, row in enumerate(top, 1):
         for key, value in pairwise(row):
             if key.strip().lower() == wanted:
@@ -124,36 +126,38 @@ def _said(top: Rows, wanted: str) -> tuple[int, str] | None:
 
 
 def _scale(top: Rows, name: str) -> float:
-    """Metres in a unit of the file; metres where it says nothing."""
-    said = _said(top, "length units")
+    """Return the metres in a unit of the file, which is metres where it says nothing."""
+    said = _header_value(top, "length units")
     if said is None:
         return 1.0
-    if (unit := said[1].lower().rstrip(".")) not in UNITS:
+    if (unit := said[1].lower().rstrip(".")) not in LENGTH_UNITS:
         raise RecordingError(
-            f"{name}, row {said[0]}: 'Length Units' is {said[1][:40]!r}, but must be Meters, Centimeters, Millimeters, "
+            f"{name}, row {said[0]}: 'Length Units' is {said[1][:40]!r}, but must be Meters, "
+            "Centimeters, Millimeters, "
             "Inches or Feet; export again."
         )
-    return UNITS[unit]
+    return LENGTH_UNITS[unit]
 
 
-def _kinds(top: Rows, kind: str) -> int | None:
-    """The row, from 0, that says of some column that it is of this type."""
+def _type_row(top: Rows, kind: str) -> int | None:
+    """Return the row, from 0, that says of some column that it is of this type."""
     return next(
         (k for k, row in enumerate(top) if any(cell.strip().lower() == kind for cell in row)), None
     )
 
 
-def _markers(top: Rows, axes: list[str], name: str) -> dict[Key, dict[str, int]]:
-    """The columns X, Y, Z of every marker; twins of one name are counted."""
-    kinds = _kinds(top, "marker")
+def _markers(top: Rows, axes: list[str], name: str) -> dict[MarkerKey, dict[str, int]]:
+    """Return the columns X, Y, Z of every marker; twins of one name are counted."""
+    kinds = _type_row(top, "marker")
     if kinds is None or kinds + 1 >= len(top):
         raise RecordingError(
-            f"{name} has no marker columns: no row over 'Frame,Time' says 'Marker'. Export with markers switched on."
+            f"{name} has no marker columns: no row over 'Frame,Time' says 'Marker'. Export with "
+            "markers switched on."
         )
     quantities = next(
         (row for row in top[kinds + 1 :] if any(c.strip().lower() == "position" for c in row)), []
     )
-    found: dict[Key, dict[str, int]] = {}
+    found: dict[MarkerKey, dict[str, int]] = {}
     twins: dict[tuple[str, str], int] = {}
     for j, cells in enumerate(zip(top[kinds], top[kinds + 1], quantities, axes, strict=False)):
         kind, label, quantity, axis = (cell.strip() for cell in cells)
@@ -165,15 +169,16 @@ def _markers(top: Rows, axes: list[str], name: str) -> dict[Key, dict[str, int]]
     whole = {key: columns for key, columns in found.items() if len(columns) == 3}
     if not whole:
         raise RecordingError(
-            f"{name}, rows {kinds + 1} to {len(top) + 1}: no marker has the columns X, Y and Z of its Position. Export "
+            f"{name}, rows {kinds + 1} to {len(top) + 1}: no marker has the columns X, Y and Z of "
+            "its Position. Export "
             "the positions of the markers."
         )
     return whole
 
 
 def _bodies(top: Rows) -> frozenset[str]:
-    """The names of the rigid bodies."""
-    kinds = _kinds(top, "rigid body")
+    """Return the names of the rigid bodies."""
+    kinds = _type_row(top, "rigid body")
     if kinds is None or kinds + 1 >= len(top):
         return frozenset()
     named = zip(top[kinds], top[kinds + 1], strict=False)
@@ -182,8 +187,8 @@ def _bodies(top: Rows) -> frozenset[str]:
     ) - {""}
 
 
-def listed(names: Iterable[str]) -> str:
-    """Names in a sentence, each once, not too many and none too long."""
+def list_names(names: Iterable[str]) -> str:
+    """Return names for a sentence, each once, not too many and none too long."""
     shown = list(
         dict.fromkeys(
             name if len(name) <= LONGEST_NAME else f"{name[:LONGEST_NAME]} ..." for name in names
@@ -193,18 +198,21 @@ def listed(names: Iterable[str]) -> str:
 
 
 def check_width(table: Table) -> None:
-    """Raise where a row has more cells than the header: a decimal comma shifts all that follows it."""
+    """Raise where a row has more cells than the header, as after a decimal comma."""
     columns = len(table.axes)
     for k, row in table.body:
         if any(cell.strip() for cell in row[columns:]):
             raise RecordingError(
-                f"{table.name}, row {k}: there are {len(row)} cells, but the header has {columns} columns. "
+                f"{table.name}, row {k}: there are {len(row)} cells, but the header has {columns} "
+                "columns. "
                 "Is there a decimal comma, such as 0,5? Export with points."
             )
 
 
-def number(row: list[str], column: int, place: str, what: str, may_be_empty: bool = False) -> float:
-    """The number in a cell, NaN for an empty one where that may be."""
+def cell_number(
+    row: list[str], column: int, place: str, what: str, may_be_empty: bool = False
+) -> float:
+    """Return the number in a cell, NaN for an empty one where that may be."""
     cell = row[column].strip() if column < len(row) else ""
     if not cell and may_be_empty:
         return np.nan
@@ -225,24 +233,24 @@ def number(row: list[str], column: int, place: str, what: str, may_be_empty: boo
     return value
 
 
-def times(table: Table) -> Array:
-    """The times of the frames (T,) [s], strictly increasing.
+def frame_times(table: Table) -> Array:
+    """Return the times of the frames (T,) [s], strictly increasing.
 
-    Times that were rounded to hundredths, or so much that they repeat, come from the frames' numbers and the rate
-    instead, where that gives the same times, rounded.
+    Times that were rounded to hundredths, or so much that they repeat, come from the frames'
+    numbers and the rate instead, where that gives the same times, rounded.
 
     Raises:
         RecordingError: Time stands still, runs back or leaps.
     """
-    t = np.array([number(row, 1, f"{table.name}, row {k}", "Time") for k, row in table.body])
+    t = np.array([cell_number(row, 1, f"{table.name}, row {k}", "Time") for k, row in table.body])
     stands = bool((np.diff(t) == 0).any())
     decimals = max(len(row[1].strip().partition(".")[2]) for _, row in table.body)
     rounded = stands and 1 <= decimals <= FEW_DECIMALS
     if (rounded or 1 <= decimals < FEW_DECIMALS) and (
-        exact := _counted(table, t, 10.0**-decimals)
+        exact := _times_from_frames(table, t, 10.0**-decimals)
     ) is not None:
         return exact
-    odd = np.flatnonzero((np.diff(t) <= 0) | (np.diff(t) > LONGEST_STEP))
+    odd = np.flatnonzero((np.diff(t) <= 0) | (np.diff(t) > LONGEST_ROW_STEP))
     if not len(odd):
         return t
     k, cure = int(odd[0]) + 1, "Export the take again, or delete the row."
@@ -251,30 +259,31 @@ def times(table: Table) -> Array:
     elif rounded:
         cure = "Export the times with more decimals."
     raise RecordingError(
-        f"{table.name}, row {table.body[k][0]}, column 2 (Time): {t[k]:.6g} s after {t[k - 1]:.6g} s; time must "
-        f"increase from row to row, by at most {LONGEST_STEP:.0f} s. {cure}"
+        f"{table.name}, row {table.body[k][0]}, column 2 (Time): {t[k]:.6g} s after "
+        f"{t[k - 1]:.6g} s; time must "
+        f"increase from row to row, by at most {LONGEST_ROW_STEP:.0f} s. {cure}"
     )
 
 
-def _counted(table: Table, t: Array, ulp: float) -> Array | None:
-    """Times from the frames' numbers and the rate that the header says; None where they are not the times, rounded."""
+def _times_from_frames(table: Table, t: Array, ulp: float) -> Array | None:
+    """Return times from the frames' numbers and the rate; None where those are others, rounded."""
     frames = np.array([finite_number(row[0]) or 0.0 for _, row in table.body])
     if (np.diff(frames) <= 0).any() or (frames != np.round(frames)).any():
         return None
     for wanted in ("export frame rate", "capture frame rate"):
-        said = _said(table.top, wanted)
+        said = _header_value(table.top, wanted)
         rate = finite_number(said[1]) if said else None
         if rate is None or not 1 <= rate <= 10_000:
             continue
         exact = frames / rate
         off = t - exact
-        if np.ptp(off) <= 1.01 * ulp and np.diff(exact).max() <= LONGEST_STEP:
+        if np.ptp(off) <= 1.01 * ulp and np.diff(exact).max() <= LONGEST_ROW_STEP:
             return exact if np.abs(off).max() <= 1.01 * ulp else exact + np.median(off)
     return None
 
 
 def _is_torn(table: Table, k: int) -> bool:
-    """Whether two frames look as if their numbers were torn at a decimal comma."""
+    """Tell whether two frames look as if their numbers were torn at a decimal comma."""
     rows = [row for _, row in table.body[k - 1 : k + 1]]
     digits = all(re.fullmatch(r"\d{2,}", row[2].strip()) for row in rows if len(row) > 2)
     return digits or all(len(row) > len(table.axes) for row in rows)

@@ -154,7 +154,8 @@ def _declarations(text: str) -> Properties:
             said[name.strip().lower()] = value.strip()
             if "!" in value:
                 raise RecordingError(
-                    f"has the style {declaration.strip()[:40]!r}, which is not followed here; {CURE}"
+                    f"has the style {declaration.strip()[:40]!r}, which is not followed here; "
+                    f"{CURE}"
                 )
     return said
 

@@ -28,7 +28,7 @@ from dmp_teach.formats.flat_ink import (
     own_label,
     pseudonym_from,
 )
-from dmp_teach.formats.hand_pace import in_time
+from dmp_teach.formats.hand_pace import at_hand_pace
 from dmp_teach.formats.registry import CaptureOptions, Format, name_file
 from dmp_teach.formats.safe_xml import has_root, local_tag, parse_xml
 from dmp_teach.formats.svg.frames import View, coordinate, root_view, transform_matrix, translation
@@ -78,7 +78,7 @@ def read_svg(data: bytes, _name: str, _: CaptureOptions) -> tuple[Recording, ...
     origin = lengths_in_mm(root.get("data-origin"), 2)
     baseline = lengths_in_mm(root.get("data-baseline"), 1)
     letter = flat_recording(
-        in_time(strokes),
+        at_hand_pace(strokes),
         None,
         None if origin is None else origin * [1, -1],
         character=character,
@@ -159,7 +159,8 @@ class _Drawing:
             raise RecordingError(f"has a clone (use) of {name[:40]!r}, not of a shape; {UNLINK}")
         if self._clones > MOST_CLONES or depth > DEEPEST_CLONE:
             raise RecordingError(
-                f"has more than {MOST_CLONES} clones (use), or clones of clones of themselves; {UNLINK}"
+                f"has more than {MOST_CLONES} clones (use), or clones of clones of themselves; "
+                f"{UNLINK}"
             )
         x, y = (coordinate(use, look.own, axis, self._view) or 0.0 for axis in "xy")
         yield from self.shapes(target, look, matrix @ translation(x, y), depth)
@@ -172,7 +173,7 @@ def _shown_part(switch: Element) -> Iterable[Element]:
 
 
 def _page_corners(matrix: Array, view: View) -> Array | None:
-    """Return the lower left and upper right corner of the page, shape (2, 2) [m]; None if unknown."""
+    """Return the page's lower left and upper right corner (2, 2) [m]; None if unknown."""
     if view.wide is None or view.high is None:
         return None
     corners = [(view.x, view.y, 1.0), (view.x + view.wide, view.y + view.high, 1.0)]

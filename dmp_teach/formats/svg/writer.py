@@ -1,4 +1,4 @@
-"""Write SVG for pen plotters: a path for each stroke, unfilled, in lengths_in_mm."""
+"""Write SVG for pen plotters: a path for each stroke, unfilled, in millimetres."""
 
 from __future__ import annotations
 
@@ -12,11 +12,13 @@ from dmp_teach.ink import Recording
 
 MARGIN = 0.005  # round the ink [m]
 LINE_WIDTH = 0.5  # [mm]
+LINE = f'fill="none" stroke="black" stroke-width="{LINE_WIDTH}"'
+ROUND = 'stroke-linecap="round" stroke-linejoin="round"'
 DRAWING = """\
 <?xml version="1.0" encoding="UTF-8"?>
 <svg xmlns="http://www.w3.org/2000/svg" width="{wide:.3f}mm" height="{high:.3f}mm"
     viewBox="0 0 {wide:.3f} {high:.3f}" data-origin="{left:.4f} {top:.4f}"{about}>
-{title}  <g fill="none" stroke="black" stroke-width="{line_width}" stroke-linecap="round" stroke-linejoin="round">
+{title}  <g {look}>
 {paths}  </g>
 </svg>
 """
@@ -44,7 +46,7 @@ def write_svg(recording: Recording) -> str:
         top=1000 * top,
         about=_attributes(recording),
         title=_title(recording),
-        line_width=LINE_WIDTH,
+        look=f"{LINE} {ROUND}",
         paths="".join(paths),
     )
 
