@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from dmp_teach.dmp.integrators import INTEGRATORS, Spring, least_steps, most_alpha
+from dmp_teach.dmp.kernels import KERNELS
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.dmp.stepper import Stepper
@@ -68,7 +69,10 @@ def closed(path):
             {"transform": "plus"},
             "transform is 'plus', but it must be one of: 'star', 'original', 'similarity'.",
         ),
-        ({"kernel": "box"}, "kernel is 'box', but it must be one of: 'gaussian', 'mollifier'."),
+        (
+            {"kernel": "box"},
+            f"kernel is 'box', but it must be one of: {', '.join(map(repr, KERNELS))}.",
+        ),
         ({"n_kernels": 0}, "n_kernels is 0, but it must be a whole number between 1 and 3000."),
     ],
 )

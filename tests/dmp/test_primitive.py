@@ -73,16 +73,6 @@ def test_what_cannot_be_drawn_is_said_in_a_sentence(p, asked, answer):
         p.rollout(**asked)
 
 
-def test_the_original_refuses_a_movement_that_ends_where_it_began_and_names_the_coordinate():
-    t = np.linspace(0, 1, 100)
-    path = np.column_stack([t, np.sin(2 * np.pi * t) * np.array(t < 1)])
-    with pytest.raises(
-        SettingError, match=r"equal in coordinate 1 \(y\)\. Settings\.star\(\) can\."
-    ):
-        DMP.imitate(Trajectory(t, path), Settings.original())
-    assert np.isfinite(DMP.imitate(Trajectory(t, path)).rollout().position).all()
-
-
 def test_only_a_trajectory_can_be_imitated():
     with pytest.raises(
         TrajectoryError, match=r"learned from a Trajectory\(t, position\), but got an ndarray\."
@@ -92,7 +82,8 @@ def test_only_a_trajectory_can_be_imitated():
 
 def test_more_kernels_than_samples_are_refused_here_too():
     with pytest.raises(
-        SettingError, match=r"n_kernels is 9, but the trajectory has only 8 samples; use at most 8."
+        SettingError,
+        match=r"n_kernels is 9, but the trajectory has only 8 samples; use at most 8\.",
     ):
         DMP.imitate(letter(8), Settings.star(n_kernels=9))
     assert DMP.imitate(letter(8), Settings.star(n_kernels=8)).weights.shape == (8, 2)

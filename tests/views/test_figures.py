@@ -107,7 +107,7 @@ def test_the_curve_of_a_letter_is_the_median_of_its_strokes():
 
 def test_kernels_are_drawn_as_they_are():
     panels = figures.draw_kernel_types(5).axes
-    assert len(panels) == 4
+    assert len(panels) >= 4
     for line, height in zip(
         panels[1].lines,
         Kernels(5, 1.0, KERNELS["gaussian"](0.5)).heights(np.linspace(0, 1, 2001)).T,
