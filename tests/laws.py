@@ -4,6 +4,8 @@
 def for_every(cases):
     """Make one test of a law of one case; it names every case for which the law does not hold."""
 
+    cases = list(cases)
+
     def make_test(law):
         def test():
             failed = {}

@@ -1,11 +1,14 @@
 """How a letter was moved, and how it stands."""
 
+from itertools import product
+
 import numpy as np
 import pytest
 
 from dmp_teach.ink.alphabet import recording_of
 from dmp_teach.scoring.kinematics import measure_movement, slant
 from dmp_teach.trajectory import Trajectory
+from tests.laws import for_every
 
 
 def least_jerk(duration=1.0, rate=120):
@@ -28,8 +31,7 @@ def test_a_stroke_of_least_jerk_is_as_smooth_as_theory_says(duration):
     assert found.peaks == 1
 
 
-@pytest.mark.parametrize("character", list("aDgM8"))
-@pytest.mark.parametrize("rate", [40, 60, 100, 250, 1000])
+@for_every(product("aDgM8", (40, 60, 100, 250, 1000)))
 def test_smoothness_hardly_depends_on_the_sampling_rate(character, rate):
     strokes = recording_of(character).strokes()
     given, other = (

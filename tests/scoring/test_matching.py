@@ -1,5 +1,7 @@
 """Which stroke is which."""
 
+from itertools import product
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -10,6 +12,7 @@ from dmp_teach.formats.read import read_recording
 from dmp_teach.ink.alphabet import alphabets, characters, recording_of
 from dmp_teach.scoring.matching import Orientation, match_strokes
 from dmp_teach.trajectory import Trajectory
+from tests.laws import for_every
 from tests.recordings import RECORDINGS, needs_recordings
 from tests.scoring import faulty
 
@@ -20,6 +23,8 @@ ALIKE = {  # letters that look the same, or nearly, after it
     HEAD: "HINOSXZlosxz08",
     LEFT: "OXox",
 }
+VIEWS = ((True, 0), (False, 2), (True, 2), (False, 1), (False, 3))
+HANDS = (("round", "round"), ("round", "slanted"), ("slanted", "round"))
 LEAN = {"round": 0.0, "slanted": 0.28}  # of the alphabets' own verticals, as a shear
 
 
@@ -41,8 +46,7 @@ def as_pairs(matching):
     return [(pair.strokes, pair.others) for pair in matching.pairs]
 
 
-@pytest.mark.parametrize("alphabet", alphabets())
-@pytest.mark.parametrize("character", list("aBDPRxt45ij"))
+@for_every(product("aBDPRxt45ij", alphabets()))
 def test_a_letter_matches_itself_in_any_order_and_direction(character, alphabet):
     given = strokes(character, alphabet)
     other = [backwards(stroke) for stroke in given][::-1]
@@ -58,8 +62,7 @@ def test_a_letter_matches_itself_in_any_order_and_direction(character, alphabet)
     )  # a dot has no direction
 
 
-@pytest.mark.parametrize("alphabet", alphabets())
-@pytest.mark.parametrize("character", list("BDPR"))
+@for_every(product("BDPR", alphabets()))
 def test_a_letter_in_one_stroke_is_told_as_joined_and_the_other_way_round_as_split(
     character, alphabet
 ):
@@ -72,9 +75,7 @@ def test_a_letter_in_one_stroke_is_told_as_joined_and_the_other_way_round_as_spl
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("alphabet", alphabets())
-@pytest.mark.parametrize("character", list("BDPRxt457"))
-@pytest.mark.parametrize("gone", [0, 1])
+@for_every(product("BDPRxt457", alphabets(), (0, 1)))
 def test_a_stroke_that_was_left_out_is_found(character, alphabet, gone):
     given = strokes(character, alphabet)
     left = [stroke for k, stroke in enumerate(given) if k != gone]
@@ -86,7 +87,7 @@ def test_a_stroke_that_was_left_out_is_found(character, alphabet, gone):
     assert found.missing == ()
 
 
-@pytest.mark.parametrize("character", list("aceglosz0M"))
+@for_every(product("aceglosz0M"))
 def test_a_letter_drawn_twice_has_a_stroke_too_many_and_none_in_two_pieces(character):
     once = strokes(character)
     found = match_strokes([*once, *once], once)
@@ -94,11 +95,9 @@ def test_a_letter_drawn_twice_has_a_stroke_too_many_and_none_in_two_pieces(chara
     assert found.split == ()
 
 
-@pytest.mark.parametrize("character", list("aBDPR24"))
-@pytest.mark.parametrize(
-    ("mirrored", "turn"), [(True, 0), (False, 2), (True, 2), (False, 1), (False, 3)]
-)
-def test_a_mirrored_or_turned_letter_is_seen_as_one(character, mirrored, turn):
+@for_every(product("aBDPR24", VIEWS))
+def test_a_mirrored_or_turned_letter_is_seen_as_one(character, view):
+    mirrored, turn = view
     given = strokes(character)
     spoiled = [
         Trajectory(stroke.t, stroke.position @ Orientation(mirrored, turn).undo())
@@ -133,8 +132,7 @@ def test_no_ordinary_lean_is_read_as_a_mirror_image(letter, shear, width, turn, 
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("character", list("DEBCK3OHIX"))
-@pytest.mark.parametrize("hands", [("round", "round"), ("round", "slanted"), ("slanted", "round")])
+@for_every(product("DEBCK3OHIX", HANDS))
 def test_two_writers_who_lean_apart_write_the_same_letter(character, hands):
     written, model = (strokes(character, hand) for hand in hands)
     for mine, yours in ((-0.2, 0.3), (0.3, -0.2), (-0.25, 0.6), (0.6, -0.25)):
@@ -164,13 +162,13 @@ def test_nearly_every_letter_that_can_be_mirrored_or_turned_is_seen_as_that(view
     assert seen >= 0.9 * len(asked)
 
 
-@pytest.mark.parametrize("character", list("VUOMY08"))
+@for_every(product("VUOMY08"))
 def test_a_letter_that_is_its_own_mirror_image_is_not_called_one(character):
     model = strokes(character)
     assert not match_strokes(faulty.mirrored(model), model).mirrored
 
 
-@pytest.mark.parametrize("character", list("AÀÁÄÅ"))
+@for_every(product("AÀÁÄÅ"))
 def test_an_a_whose_sides_are_one_stroke_is_joined_whatever_its_lean(character):
     slanted, upright = strokes(character, "slanted"), strokes(character, "round")
     found = match_strokes(slanted, upright)

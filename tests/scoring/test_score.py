@@ -1,6 +1,7 @@
 """How near a writing is to its model: the sentence names the fault that is there."""
 
 import re
+from itertools import product
 
 import numpy as np
 import pytest
@@ -14,6 +15,7 @@ from dmp_teach.ink.alphabet import alphabets, characters, signs
 from dmp_teach.scoring.differences import DIFFERENCE_STEPS, FAULT_STEPS
 from dmp_teach.scoring.wording import word_difference
 from dmp_teach.trajectory import Trajectory
+from tests.laws import for_every
 from tests.recordings import RECORDINGS, needs_recordings
 from tests.scoring import faulty
 
@@ -69,30 +71,29 @@ def test_a_growing_fault_grows_in_its_measure_and_is_named(fault, alphabet):
             assert re.search(WORDS[fault], each.sentence), (character, each.sentence)
 
 
+FAULTS_OF_ONE_STROKE = [
+    (faulty.swapped, "order", r"^The second stroke was written before the first\."),
+    (lambda given: faulty.without(given, 1), "missing", r"^The second stroke is missing\."),
+    (lambda given: faulty.without(given, 0), "missing", r"^The first stroke is missing\."),
+    (
+        lambda given: faulty.backwards(given, 1),
+        "reversed",
+        r"^The second stroke starts at the wrong end\.",
+    ),
+    (faulty.with_one_more, "extra", r"^There is one stroke too many\."),
+    (
+        lambda given: faulty.moved(given, 1, (0.2, 0)),
+        "place",
+        r" stroke is too far to the (left|right)\.",
+    ),
+    (lambda given: faulty.moved(given, 1, (0, 0.2)), "place", r" stroke is too (high|low)\."),
+]
+
+
 @pytest.mark.slow
-@HANDS
-@pytest.mark.parametrize("character", list("DBPRxt457"))
-@pytest.mark.parametrize(
-    ("spoil", "name", "words"),
-    [
-        (faulty.swapped, "order", r"^The second stroke was written before the first\."),
-        (lambda given: faulty.without(given, 1), "missing", r"^The second stroke is missing\."),
-        (lambda given: faulty.without(given, 0), "missing", r"^The first stroke is missing\."),
-        (
-            lambda given: faulty.backwards(given, 1),
-            "reversed",
-            r"^The second stroke starts at the wrong end\.",
-        ),
-        (faulty.with_one_more, "extra", r"^There is one stroke too many\."),
-        (
-            lambda given: faulty.moved(given, 1, (0.2, 0)),
-            "place",
-            r" stroke is too far to the (left|right)\.",
-        ),
-        (lambda given: faulty.moved(given, 1, (0, 0.2)), "place", r" stroke is too (high|low)\."),
-    ],
-)
-def test_a_fault_of_one_stroke_is_named(spoil, name, words, character, alphabet):
+@for_every(product(FAULTS_OF_ONE_STROKE, "DBPRxt457", alphabets()[:2]))
+def test_a_fault_of_one_stroke_is_named(fault, character, alphabet):
+    spoil, name, words = fault
     model = strokes(character, alphabet)
     found = score(spoil(model), model)
     assert found.faults[0].name == name, found.sentence
@@ -100,7 +101,7 @@ def test_a_fault_of_one_stroke_is_named(spoil, name, words, character, alphabet)
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("character", list("abdegPRz2457"))
+@for_every(product("abdegPRz2457"))
 def test_a_mirrored_letter_and_one_on_its_head_are_named(character):
     model = strokes(character)
     assert score(faulty.mirrored(model), model).sentence == "It is the mirror image of the model."
@@ -143,8 +144,7 @@ def test_strokes_in_one_are_told_and_the_shape_is_still_the_same():
     assert found.sentence == "It is written in two strokes; the model takes one."
 
 
-@HANDS
-@pytest.mark.parametrize("character", list("aDMxigk07"))
+@for_every(product("aDMxigk07", alphabets()[:2]))
 def test_a_letter_is_the_same_as_itself_wherever_it_was_written(character, alphabet):
     model = strokes(character, alphabet)
     found = score([Trajectory(s.t + 3, s.position - [0.4, 0.1]) for s in model], model)
@@ -169,7 +169,7 @@ PIECES = {
 }
 
 
-@pytest.mark.parametrize("character", PIECES)
+@for_every(product(PIECES))
 def test_a_piece_that_is_missing_is_named_and_makes_no_letter_narrow_or_turned(character):
     number, end, part, words = PIECES[character]
     model = strokes(character)
