@@ -21,15 +21,11 @@ from dmp_teach.ink import draw_svg
 from dmp_teach.letters.compose.piece import Piece
 from dmp_teach.letters.kernel_choice import imitate_strokes
 from dmp_teach.letters.letter_json import letter_parts, letter_to_json
+from dmp_teach.letters.pauses import begin_times
 from dmp_teach.scoring import list_strokes
 from dmp_teach.trajectory import Array, Trajectory, locked
 
-# Between strokes of different letters: a pause [s], and the speed in the air [m/s].
-PAUSE_BETWEEN_STROKES = 0.36
-SPEED_BETWEEN_STROKES = 1.0
-LONGEST_PAUSE = 0.6
-# Between parts of what was one stroke [s].
-SHORTEST_PAUSE = 0.01
+_Points = Mapping[int, ArrayLike] | None
 
 
 def rms_distance(a: Iterable[Trajectory], b: Iterable[Trajectory]) -> float:
@@ -101,7 +97,7 @@ class Letter:
             pieces = tuple(piece.using(transform) for piece in pieces)
         primitives = tuple(
             replace(p.primitive, times=p.primitive.times + (begin - p.primitive.times[0]))
-            for p, begin in zip(pieces, _begin_times(pieces), strict=True)
+            for p, begin in zip(pieces, begin_times(pieces), strict=True)
         )
         goals = {n: piece.led_to for n, piece in enumerate(pieces) if piece.led_to is not None}
         strokes = tuple(p.rollout(goal=goals.get(n)) for n, p in enumerate(primitives))
@@ -222,10 +218,7 @@ class Letter:
         )
 
     def _ends(
-        self,
-        goals: Mapping[int, ArrayLike] | None,
-        starts: Mapping[int, ArrayLike] | None,
-        goal_shifts: Mapping[int, ArrayLike] | None,
+        self, goals: _Points, starts: _Points, goal_shifts: _Points
     ) -> tuple[dict[int, ArrayLike], dict[int, ArrayLike]]:
         """Return starts and goals by the number of the stroke."""
         ends = {**self.led_to, **self._by_stroke("goals", goals)}
@@ -236,18 +229,16 @@ class Letter:
             ends[number] = self._shifted(number, shift)
         return moved, ends
 
-    def _by_stroke(self, name: str, of: Mapping[int, ArrayLike] | None) -> dict[int, ArrayLike]:
-        """Check that the keys are numbers of strokes."""
+    def _by_stroke(self, name: str, of: _Points) -> dict[int, ArrayLike]:
+        """Return points by the number of the stroke, checked."""
         if of is not None and not isinstance(of, Mapping):
             raise LetterError(
                 f"{name} must be a dictionary, stroke number: point [m], but is {kind_of(of)}."
             )
         for number in of or {}:
             if number not in range(len(self.strokes)):
-                have = ", ".join(map(str, range(len(self.strokes))))
-                raise LetterError(
-                    f"{name} names stroke {number!r}, but this letter has stroke {have}."
-                )
+                have = f"this letter has stroke {', '.join(map(str, range(len(self.strokes))))}"
+                raise LetterError(f"{name} names stroke {number!r}, but {have}.")
         return dict(of or {})
 
     def _shifted(self, number: int, shift: ArrayLike) -> Array:
@@ -263,23 +254,6 @@ class Letter:
         if not np.isfinite(step).all():
             raise LetterError(f"{what} finite [m].")
         return goal + step
-
-
-def pause_before(here: Array, there: Array) -> float:
-    """Return how long the pen is in the air from `here` (2,) to `there` (2,) [s]."""
-    flight = float(np.linalg.norm(there - here)) / SPEED_BETWEEN_STROKES
-    return min(PAUSE_BETWEEN_STROKES + flight, LONGEST_PAUSE)
-
-
-def _begin_times(pieces: tuple[Piece, ...]) -> list[float]:
-    """Return when each of them begins [s]."""
-    begins = [float(pieces[0].primitive.times[0])]
-    for before, after in pairwise(pieces):
-        pause = max(after.primitive.times[0] - before.primitive.times[-1], SHORTEST_PAUSE)
-        if not after.follows(before):
-            pause = pause_before(before.at("goal"), after.at("start"))
-        begins.append(begins[-1] + before.primitive.duration + pause)
-    return begins
 
 
 def _strokes_of(recording: Any) -> tuple[Trajectory, ...]:

@@ -10,12 +10,12 @@ from .experiments.error_curves import ErrorCurves as ErrorCurves
 from .experiments.error_curves import sweep_kernel_number as sweep_kernel_number
 from .experiments.error_curves import sweep_kernel_width as sweep_kernel_width
 from .experiments.goal_change import GoalChanges as GoalChanges
-from .experiments.goal_change import GoalPaths as GoalPaths
-from .experiments.goal_change import Traces as Traces
 from .experiments.goal_change import change_goals_1d as change_goals_1d
 from .experiments.goal_change import change_goals_2d as change_goals_2d
-from .experiments.goal_change import draw_goal_change as draw_goal_change
-from .experiments.goal_change import trace_goal_change as trace_goal_change
+from .experiments.goal_drawings import GoalPaths as GoalPaths
+from .experiments.goal_drawings import Traces as Traces
+from .experiments.goal_drawings import draw_goal_change as draw_goal_change
+from .experiments.goal_drawings import trace_goal_change as trace_goal_change
 from .experiments.goal_near_start import change_goals_near_start as change_goals_near_start
 from .experiments.initial_acceleration import (
     measure_initial_acceleration as measure_initial_acceleration,

@@ -10,12 +10,8 @@ from dmp_teach.dmp.settings import Settings
 from dmp_teach.robot.arm import JOINTS
 from dmp_teach.robot.model.kinematics import Model
 from dmp_teach.robot.reach.posture import START_POSTURES
-from dmp_teach.studies.experiments.goal_change import (
-    change_goals_1d,
-    change_goals_2d,
-    draw_goal_change,
-    trace_goal_change,
-)
+from dmp_teach.studies.experiments.goal_change import change_goals_1d, change_goals_2d
+from dmp_teach.studies.experiments.goal_drawings import draw_goal_change, trace_goal_change
 from dmp_teach.studies.experiments.goal_near_start import change_goals_near_start, close_up
 from dmp_teach.studies.experiments.initial_acceleration import measure_initial_acceleration
 from dmp_teach.studies.experiments.joint_demand import (

@@ -14,7 +14,7 @@ from dmp_teach.dmp import KERNELS, Kernels
 from dmp_teach.ink.alphabet import recording_of
 from dmp_teach.studies.experiments.d_to_p import make_p_from_d
 from dmp_teach.studies.experiments.error_curves import sweep_kernel_number, sweep_kernel_width
-from dmp_teach.studies.experiments.goal_change import draw_goal_change, trace_goal_change
+from dmp_teach.studies.experiments.goal_drawings import draw_goal_change, trace_goal_change
 from dmp_teach.studies.experiments.redraw import redraw_at_widths, redraw_letters
 from dmp_teach.studies.experiments.validation import choose_kernels, choose_width
 from dmp_teach.views import figures

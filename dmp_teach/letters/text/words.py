@@ -9,7 +9,7 @@ import numpy as np
 
 from dmp_teach.dmp import Settings
 from dmp_teach.errors import LetterError
-from dmp_teach.letters.letter import pause_before
+from dmp_teach.letters.pauses import pause_before
 from dmp_teach.letters.text.handwriting import Hand
 from dmp_teach.letters.text.spacing import Strokes
 from dmp_teach.trajectory import Array, Trajectory

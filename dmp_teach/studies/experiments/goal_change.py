@@ -14,7 +14,7 @@ from dmp_teach.studies.experiments.variants import rms
 from dmp_teach.studies.inputs import named_strokes
 from dmp_teach.studies.parallel import RunOptions, run
 from dmp_teach.studies.tables import Tabled, TableRows
-from dmp_teach.trajectory import Array, Trajectory, locked
+from dmp_teach.trajectory import Array, Trajectory
 
 AXIS_NAMES = "xyz"
 # A coordinate that is straighter than this share of the stroke's size cannot be turned over.
@@ -29,7 +29,6 @@ class GoalChange:
         stroke: Its name.
         shift: How far the goal moved, by coordinate [m].
         factor: (g' - y0) / (g - y0), by coordinate: what the original form stretches the stroke by.
-        mirrored: Whether a factor is negative: the original form turns that coordinate over.
         turned_over: Whether DMP* as it was drawn runs against the demonstration in some coordinate
             that is not straight: the products of their offsets from the chord sum to less than 0.
         original_turned_over: The same for the original form.
@@ -45,7 +44,6 @@ class GoalChange:
     stroke: str
     shift: tuple[float, ...]
     factor: tuple[float, ...]
-    mirrored: bool
     turned_over: bool
     original_turned_over: bool
     star: float
@@ -54,6 +52,11 @@ class GoalChange:
     original_velocity: float
     star_miss: float
     original_farthest: float
+
+    @property
+    def mirrored(self) -> bool:
+        """Whether the original form turns a coordinate over: its factor is negative."""
+        return min(self.factor) < 0
 
     @property
     def distance(self) -> float:
@@ -105,42 +108,6 @@ class GoalChanges(Tabled):
         )
 
 
-@dataclass(frozen=True, eq=False)
-class Traces:
-    """One coordinate over time, shown and drawn to a goal that moved.
-
-    Args:
-        stroke: Its name.
-        t: From 0, shape (T,) [s].
-        shift: How far the goal moved [m].
-        position: Of "demonstration", "DMP*" and "original", shape (T,) each [m].
-        velocity: The same, shape (T,) each [m/s].
-    """
-
-    stroke: str
-    t: Array
-    shift: float
-    position: dict[str, Array]
-    velocity: dict[str, Array]
-
-
-@dataclass(frozen=True, eq=False)
-class GoalPaths:
-    """One stroke on the page, shown and drawn to a goal that moved.
-
-    Args:
-        stroke: Its name.
-        shift: How far the goal moved, shape (2,) [m].
-        paths: Of "demonstration", "DMP*" and "original", shape (T, 2) each [m].
-        factor: (g' - y0) / (g - y0), shape (2,).
-    """
-
-    stroke: str
-    shift: Array
-    paths: dict[str, Array]
-    factor: Array
-
-
 def change_goals_1d(
     recordings: Any = None,
     shift: float = 0.01,
@@ -157,7 +124,7 @@ def change_goals_1d(
         original: Of the original form; `Settings.original()` unless given.
         **options: As in `RunOptions`; a piece of work is one coordinate.
     """
-    forms = _both(settings, original)
+    forms = both_forms(settings, original)
     pieces = [
         (
             f"{stroke.name} {AXIS_NAMES[axis]}",
@@ -187,62 +154,21 @@ def change_goals_2d(
         original: As in `change_goals_1d`.
         **options: As in `RunOptions`; a piece of work is one stroke.
     """
-    forms = _both(settings, original)
+    forms = both_forms(settings, original)
     shifts = ((shift, 0.0), (-shift, 0.0), (0.0, shift), (0.0, -shift))
     pieces = [(each.name, each.path, shifts, *forms) for each in named_strokes(recordings)]
     return _collected(run(_change_goal, pieces, **options))
 
 
-def trace_goal_change(
-    stroke: Trajectory, axis: int = 0, shift: float = 0.01, name: str = ""
-) -> Traces:
-    """Draw position and velocity of one coordinate whose goal moved, as the paper's figure 6.
-
-    Args:
-        stroke: As it was shown.
-        axis: Which coordinate.
-        shift: How far its goal moves [m].
-        name: What the stroke is called.
-    """
-    one, t = Trajectory(stroke.t, stroke.position[:, axis]), stroke.t - stroke.t[0]
-    drawn, _ = _drawn_to(one, np.array([shift]))
-    position = {label: locked(path[:, 0]) for label, path in drawn.items()}
-    velocity = {label: locked(np.gradient(path, t)) for label, path in position.items()}
-    return Traces(name, locked(t), shift, position, velocity)
-
-
-def draw_goal_change(
-    stroke: Trajectory, shift: Sequence[float] = (0.1, 0.0), name: str = ""
-) -> GoalPaths:
-    """Draw one stroke whose goal moved by both forms, as the paper's figure 7 draws the letter a.
-
-    Args:
-        stroke: As it was shown, 2-D.
-        shift: How far its goal moves [m].
-        name: What the stroke is called.
-    """
-    moved = np.asarray(shift, dtype=float)
-    drawn, learned = _drawn_to(stroke, moved)
-    paths = {label: locked(path) for label, path in drawn.items()}
-    return GoalPaths(name, locked(moved), paths, locked(_factor(learned, moved)))
-
-
-def _drawn_to(stroke: Trajectory, shift: Array) -> tuple[dict[str, Array], DMP]:
-    """Return the demonstration and both forms' rollouts to a moved goal, and the original form."""
-    learned = {
-        label: DMP.imitate(stroke, settings)
-        for label, settings in zip(("DMP*", "original"), _both(None, None), strict=True)
-    }
-    drawn = {label: dmp.rollout(goal=dmp.goal + shift).position for label, dmp in learned.items()}
-    return {"demonstration": stroke.position, **drawn}, learned["original"]
-
-
-def _both(settings: Settings | None, original: Settings | None) -> tuple[Settings, Settings]:
+def both_forms(
+    settings: Settings | None = None, original: Settings | None = None
+) -> tuple[Settings, Settings]:
     """Return the settings of DMP* and of the original form."""
     return as_settings(settings), as_settings(original, Settings.original, "original")
 
 
-def _factor(learned: DMP, shift: Array) -> Array:
+def goal_factor(learned: DMP, shift: Array) -> Array:
+    """Return (g' - y0) / (g - y0), by coordinate."""
     return (learned.goal + shift - learned.start) / (learned.goal - learned.start)
 
 
@@ -276,15 +202,13 @@ def _case(name: str, path: Trajectory, shift: Array, star: DMP, old: DMP) -> Goa
     drawn = [learned.rollout(goal=learned.goal + shift).position for learned in (star, old)]
     apart = [each - path.position for each in drawn]
     speed = [rms(np.gradient(each, path.t, axis=0)) for each in apart]
-    factor = _factor(old, shift)
     bend = _from_chord(path.position)
     bent = np.sqrt((bend**2).mean(axis=0)) > LEAST_BEND * np.ptp(path.position, axis=0).max()
     turned = [bool(((_from_chord(each) * bend).sum(axis=0)[bent] < 0).any()) for each in drawn]
     return GoalChange(
         stroke=name,
         shift=tuple(map(float, shift)),
-        factor=tuple(map(float, factor)),
-        mirrored=bool((factor < 0).any()),
+        factor=tuple(map(float, goal_factor(old, shift))),
         turned_over=turned[0],
         original_turned_over=turned[1],
         star=rms(apart[0]),
