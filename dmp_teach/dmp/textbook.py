@@ -5,6 +5,9 @@ is learned and drawn alone. Where the paper is silent or contradicts itself we d
 `Settings.as_fixed()` does: the phase x falls evenly from 1 to 0, kernel i has its centre at
 (i - 1/2)/N and is 0 farther than theta = width/(2N) from it, and the forcing term is divided by
 what multiplies it. Time is counted in movements, so that T = 1 and dt = 1/M.
+
+    theta = trajectory.position[:, 0].tolist()
+    y = star_dmp(theta, gaussian_kernel(N), N, alpha_z, g)
 """
 
 from __future__ import annotations

@@ -39,6 +39,14 @@ def test_kept_responses_are_what_would_be_drawn_anew(p):
     assert np.allclose(fresh.rollout(goal=goal).position, p.rollout(goal=goal).position, atol=1e-14)
 
 
+def test_old_names_stay_for_one_version(p):
+    with pytest.warns(DeprecationWarning, match="DMP.shown is now called nominal_path"):
+        assert p.shown is p.nominal_path
+    with pytest.warns(DeprecationWarning, match="DMP.showing is now called with_path"):
+        same = p.showing(2 * p.nominal_path)
+    assert np.array_equal(same.nominal_path, 2 * p.nominal_path)
+
+
 def test_a_pen_that_is_already_moving_starts_with_its_speed():
     t = np.linspace(0, 1, 121)
     p = DMP.imitate(Trajectory(t, np.column_stack([0.2 * t, -0.1 * t])))
@@ -80,7 +88,7 @@ def test_only_a_trajectory_can_be_imitated():
         DMP.imitate(np.zeros((10, 2)))
 
 
-def test_more_kernels_than_samples_are_refused_here_too():
+def test_more_kernels_than_samples_are_refused():
     with pytest.raises(
         SettingError,
         match=r"n_kernels is 9, but the trajectory has only 8 samples; use at most 8\.",

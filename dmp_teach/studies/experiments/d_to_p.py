@@ -9,7 +9,7 @@ from typing import Any, Unpack
 
 import numpy as np
 
-from dmp_teach.dmp import Settings, knob_of, named_settings
+from dmp_teach.dmp import Settings, named_settings
 from dmp_teach.errors import SettingError
 from dmp_teach.letters import Letter, cut_at_corners, find_bar_and_bowl
 from dmp_teach.studies.inputs import Written, list_letters, own_recordings
@@ -139,10 +139,8 @@ class MadeLetters(Tabled):
 
 def goal_transforms() -> dict[str, Settings]:
     """Return the transformations that a goal can be changed with, each by its name."""
-    named = {"DMP*": Settings.star(), "original": Settings.original()}
-    if "similarity" in knob_of("transform").choices:
-        named["similarity"] = Settings.star(transform="similarity")
-    return named
+    similarity = Settings.star(transform="similarity")
+    return {"DMP*": Settings.star(), "original": Settings.original(), "similarity": similarity}
 
 
 def make_p_from_d(
