@@ -83,7 +83,8 @@ class Fetch:
             ReachError: The arm cannot get to the ink, or would touch the robot or what the page
                 lies on; says where, by how much, and which page works.
         """
-        placed, solver = lay_out(strokes, page, at, size), get_solver()
+        placed = lay_out(strokes, page, at, size)
+        solver = get_solver()
         try:
             motion, warning = _plan(solver, page, placed, progress or _silent)
         except Unreachable as error:

@@ -101,7 +101,8 @@ def _check_jump(number: int, stroke: Trajectory) -> None:
 
     Then a marker was lost, or two strokes are in one.
     """
-    step, dt = np.linalg.norm(np.diff(stroke.position, axis=0), axis=1), np.diff(stroke.t)
+    step = np.linalg.norm(np.diff(stroke.position, axis=0), axis=1)
+    dt = np.diff(stroke.t)
     if len(step) < 2:
         return
     beside = np.maximum(np.append(step[1:], 0), np.append(0, step[:-1]))

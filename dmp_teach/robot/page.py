@@ -182,13 +182,13 @@ class Page:
             points: On the page, (..., 2), or (..., 3) with a height over the paper [m].
         """
         points = np.asarray(points, dtype=float)
-        R, centre = self.X_world_page[:3, :3], self.X_world_page[:3, 3]
-        return points @ R[:, : points.shape[-1]].T + centre
+        X = self.X_world_page
+        return points @ X[:3, : points.shape[-1]].T + X[:3, 3]
 
     def to_page(self, points: ArrayLike) -> Array:
         """Return points of the world (..., 3) in the page's frame (..., 3) [m]."""
-        R, centre = self.X_world_page[:3, :3], self.X_world_page[:3, 3]
-        return (np.asarray(points, dtype=float) - centre) @ R
+        X = self.X_world_page
+        return (np.asarray(points, dtype=float) - X[:3, 3]) @ X[:3, :3]
 
 
 def _four_by_four(values: ArrayLike) -> Array:

@@ -106,7 +106,8 @@ class PenPath:
         """
         rests = self.rests
         samples = np.arange(rests[-1] + 1.0) if samples is None else samples
-        position, down = np.empty((len(samples), 3)), np.zeros(len(samples), bool)
+        position = np.empty((len(samples), 3))
+        down = np.zeros(len(samples), bool)
         for segment, start in zip(self.segments, rests[:-1], strict=True):
             first = np.searchsorted(samples, start)
             stop = np.searchsorted(samples, start + segment.steps, side="right")

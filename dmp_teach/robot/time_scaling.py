@@ -60,7 +60,8 @@ class TimeScaling:
         wanted = speeds[rows, joints] / (after - before) / (_SPARE * SPEED_SHARE)
         for beside in (np.floor(before), np.ceil(after)):
             np.maximum.at(self._needed, (beside.astype(int), joints), wanted)
-        needed, rests = self._needed.max(axis=1), self._path.rests
+        needed = self._needed.max(axis=1)
+        rests = self._path.rests
         self._late = [compute_lateness(needed[start : stop + 1]) for start, stop in pairwise(rests)]
         parts = [
             start + find_due_samples(late)

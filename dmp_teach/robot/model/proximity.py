@@ -133,7 +133,8 @@ class Proximity:
             for number, (link, other) in enumerate(self._named)
             if not (other == "page" and link.startswith("pen"))
         ]
-        near, configurations = [], self._robot.configurations(q)
+        near = []
+        configurations = self._robot.configurations(q)
         spans = [(np.arange(len(q)), np.array(counts))]
         while spans:
             rows, pairs = spans.pop()
@@ -150,13 +151,11 @@ class Proximity:
 
     def _at(self, configuration: Array, pairs: Iterable[int]) -> Array:
         """Return the distances of some pairs of shapes in one configuration [m]."""
-        geometry, found, pinocchio = self._geometry, self._found, self._pinocchio
-        pinocchio.updateGeometryPlacements(
-            self._robot.model, self._data, geometry, found, configuration
+        measure = self._pinocchio.computeDistance
+        self._pinocchio.updateGeometryPlacements(
+            self._robot.model, self._data, self._geometry, self._found, configuration
         )
-        return np.array(
-            [pinocchio.computeDistance(geometry, found, int(n)).min_distance for n in pairs]
-        )
+        return np.array([measure(self._geometry, self._found, int(n)).min_distance for n in pairs])
 
     def _reach(self) -> Array:
         """Return how far each joint moves a point of each shape at most, by one unit, (G, J).

@@ -71,9 +71,12 @@ class ReducedRobot:
         Returns:
             Torques and forces, shape (T, J) [N m, N].
         """
-        data, configurations = self.model.createData(), self.configurations(q)
+        data = self.model.createData()
+        configurations = self.configurations(q)
         order = [self.model.joints[number].idx_v for number in self.joint_ids]
-        needed, speeds, pushes = np.empty_like(v), np.empty_like(v), np.empty_like(v)
+        needed = np.empty_like(v)
+        speeds = np.empty_like(v)
+        pushes = np.empty_like(v)
         speeds[:, order] = v
         pushes[:, order] = a
         for row, moment in enumerate(configurations):

@@ -143,7 +143,8 @@ def read_origin(element: ET.Element) -> Array:
 def _joint(element: ET.Element) -> Joint:
     """Read a <joint>."""
     parent, child = element.find("parent"), element.find("child")
-    axis, limit = _numbers(element.find("axis"), "xyz", "1 0 0"), element.find("limit")
+    axis = _numbers(element.find("axis"), "xyz", "1 0 0")
+    limit = element.find("limit")
     bounds = {} if limit is None else {key: float(value) for key, value in limit.attrib.items()}
     if element.attrib["type"] in ("revolute", "prismatic"):
         bounds = {"lower": 0.0, "upper": 0.0} | bounds
@@ -161,7 +162,8 @@ def _joint(element: ET.Element) -> Joint:
 def _root_first(links: tuple[str, ...], joints: tuple[Joint, ...]) -> tuple[Joint, ...]:
     """Return the joints, each after the one that carries its parent; otherwise as they were."""
     reached = set(links) - {joint.child for joint in joints}
-    waiting, ordered = list(joints), []
+    waiting = list(joints)
+    ordered = []
     while waiting:
         ready = next((joint for joint in waiting if joint.parent in reached), None)
         if ready is None:
@@ -177,7 +179,8 @@ def _root_first(links: tuple[str, ...], joints: tuple[Joint, ...]) -> tuple[Join
 
 def _visual(link: str, element: ET.Element, folder: Path) -> Visual:
     """Read a <visual> with a mesh beside the URDF."""
-    mesh, color = element.find("geometry/mesh"), element.find("material/color")
+    mesh = element.find("geometry/mesh")
+    color = element.find("material/color")
     if mesh is None:
         raise JointError(
             f"A visual of {link!r} is not a mesh; the shells of our robots are all meshes."

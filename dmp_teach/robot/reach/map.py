@@ -103,7 +103,8 @@ def reach_map(
         PageError: Values that are no numbers, or a page that cannot be.
         MissingPartError: PlaCo is not on this platform.
     """
-    distances, tilts = _axis("x", x, _DISTANCES), _axis("tilt", tilt, _TILTS)
+    distances = _axis("x", x, _DISTANCES)
+    tilts = _axis("tilt", tilt, _TILTS)
     low, high = (page.X_world_page[2, 3] for page in (Page.table(), Page.board()))
     heights = low + (high - low) * np.clip(tilts / (np.pi / 2), 0, 1)
     rows = tuple(
@@ -141,7 +142,8 @@ def reach_around(
         raise PageError(
             f"page is {page!r}, but must be a Page, such as Page.table() or Page.board()."
         )
-    distances, sides = _axis("x", x, _DISTANCES), _axis("y", y, _SIDES)
+    distances = _axis("x", x, _DISTANCES)
+    sides = _axis("y", y, _SIDES)
     ahead, left, _ = page.X_world_page[:3, 3]
     rows = tuple(
         tuple(page.moved((far - ahead, side - left, 0.0)) for far in distances) for side in sides

@@ -59,7 +59,8 @@ _FOREARM = (
 # How near the fingers and the pen come is seen when the motion is planned.
 _FINGERS_AND_PEN = ("l_gripper", "r_gripper", "pen")
 # Where no page can lie: the base's cylinder and the torso's box [m].
-_BASE_RADIUS, _BASE_HEIGHT = 0.29, 0.38
+_BASE_RADIUS = 0.29
+_BASE_HEIGHT = 0.38
 _TORSO = np.array([0.36, 0.36, 0.95])
 _TORSO_MIDDLE = np.array([-0.09, 0.0, 0.775])
 
@@ -192,7 +193,8 @@ def _effort_between(solver: Solver, moved: Array, turned: Array) -> float:
 
 def list_rim_places(low: Array, high: Array) -> dict[str, Array]:
     """Return eight places around a part of a page, each beside the next, (3,) [m]."""
-    (left, bottom), (right, top) = low, high
+    left, bottom = low
+    right, top = high
     x, y = (low + high) / 2
     return {
         "upper left corner": np.array([left, top, 0]),
@@ -240,7 +242,9 @@ def _effort_at(solver: Solver, page: Page, q: Array, J: Array) -> float:
         q: Joints where the pen has been, shape (N, J) [rad, m].
         J: The `Solver.jacobian` there, shape (N, 6, J).
     """
-    q, J, R = q[:, 1:], J[:, :, 1:], page.X_world_page[:3, :3]
+    q = q[:, 1:]
+    J = J[:, :, 1:]
+    R = page.X_world_page[:3, :3]
     stopped = np.minimum(q - solver.lower[1:], solver.upper[1:] - q) < _STOP
     turns = np.concatenate([J[:, :3], R[:, :2].T @ J[:, 3:]], axis=1)
     ways = np.linalg.pinv(turns, rcond=1e-9)[:, :, :3] @ R[:, :2]

@@ -64,7 +64,8 @@ def suggest_page(solver: Solver, page: Page, area: Area) -> Suggestion:
                 best = _best_place(other, part)
                 if _reached_with_ease(solver, best, part):
                     found = _nearest(solver, other, best, part)
-                    R, moved = found.X_world_page[:3, :3], _distance(found, page)
+                    R = found.X_world_page[:3, :3]
+                    moved = _distance(found, page)
                     same = sheet is page and np.allclose(R, page.X_world_page[:3, :3], atol=1e-5)
                     return Suggestion(found, True, moved if same else np.nan)
     usual = getattr(Page, page.kind)
@@ -120,7 +121,8 @@ def _turned(page: Page) -> Iterator[Page]:
         (0.0, turn, 0.0),
         (0.0, 0.0, 0.0),
     ]
-    usual, centre = getattr(Page, page.kind), page.X_world_page[:3, 3]
+    usual = getattr(Page, page.kind)
+    centre = page.X_world_page[:3, 3]
     for tilt, turn, yaw in dict.fromkeys(ways):
         yield usual(*centre, page.width, page.height, tilt=tilt, turn=turn, yaw=yaw)
 
@@ -149,13 +151,16 @@ def _nearest(solver: Solver, page: Page, best: Page, area: Area) -> Page:
 
 def _shorten(solver: Solver, page: Page, move: Array, area: Area) -> Page:
     """Return the page moved by only as much of a move as is needed, found by halving."""
-    best, works, fails = page.moved(move), 1.0, 0.0
+    best = page.moved(move)
+    works = 1.0
+    fails = 0.0
     while (works - fails) * np.linalg.norm(move) > _STEP:
         part = (works + fails) / 2
         centre = page.X_world_page[:3, 3]
         tried = page.moved(np.where(move == 0, 0, np.round(centre + part * move, 2) - centre))
         if _reached_with_ease(solver, tried, area):
-            best, works = tried, part
+            best = tried
+            works = part
         else:
             fails = part
     return best

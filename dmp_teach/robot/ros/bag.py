@@ -131,8 +131,10 @@ def _write(store: Any, path: Path, goal: Any, pen_path: Any) -> None:
 
 def _goal(store: Any, points: Schedule) -> Any:
     """Return the goal, its tolerances empty: the controller refuses any that are given."""
-    kinds, none = store.types, np.empty(0)
-    point, now = kinds["trajectory_msgs/msg/JointTrajectoryPoint"], _time(store, 0.0)
+    kinds = store.types
+    none = np.empty(0)
+    point = kinds["trajectory_msgs/msg/JointTrajectoryPoint"]
+    now = _time(store, 0.0)
     trajectory = kinds["trajectory_msgs/msg/JointTrajectory"](
         header=_header(store, 0.0),
         joint_names=list(JOINTS),
@@ -153,8 +155,10 @@ def _goal(store: Any, points: Schedule) -> Any:
 def _pen_path(store: Any, motion: Motion, points: Schedule) -> Any:
     """Return the way of the nib while it writes, in the robot's frame, on the goal's clock."""
     kinds = store.types
-    pose, posed = kinds["geometry_msgs/msg/Pose"], kinds["geometry_msgs/msg/PoseStamped"]
-    place, turned = kinds["geometry_msgs/msg/Point"], kinds["geometry_msgs/msg/Quaternion"]
+    pose = kinds["geometry_msgs/msg/Pose"]
+    posed = kinds["geometry_msgs/msg/PoseStamped"]
+    place = kinds["geometry_msgs/msg/Point"]
+    turned = kinds["geometry_msgs/msg/Quaternion"]
     turns = Rotation.from_matrix(
         Model.load().frame("pen_tip", motion.q, motion.joint_names)[:, :3, :3]
     ).as_quat()

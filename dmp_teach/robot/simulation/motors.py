@@ -34,7 +34,8 @@ class IdealMotors:
 
     def __init__(self, world: World, motion: Motion) -> None:
         dt = motion.duration / (len(motion.t) - 1)
-        self._world, self._targets = world, motion.q.tolist()
+        self._world = world
+        self._targets = motion.q.tolist()
         self._speeds = (np.diff(motion.q, axis=0) / dt).tolist()
         count = len(world.arm)
         self._fixed = {
@@ -70,7 +71,8 @@ class RealMotors:
 
     def __init__(self, world: World, motion: Motion, rng: np.random.Generator) -> None:
         dt = motion.duration / (len(motion.t) - 1)
-        self._world, self._q = world, motion.q
+        self._world = world
+        self._q = motion.q
         self._v = np.gradient(motion.q, dt, axis=0)
         self._needed = world.dynamics(motion.q, self._v, np.gradient(self._v, dt, axis=0))
         self._inertia = [world.inertia(q) for q in motion.q[::_EVERY]]
@@ -80,7 +82,8 @@ class RealMotors:
 
     def push(self, row: int, q: list[float], v: list[float]) -> Array:
         """Set out from sample `row` - 1 to sample `row`; return the efforts (J,) [N m, N]."""
-        world, now = self._world, row - 1
+        world = self._world
+        now = row - 1
         wrong = self._q[now] - q[: len(world.arm)] - self._off
         pull = _BANDWIDTH**2 * wrong + 2 * _BANDWIDTH * (self._v[now] - v)
         effort = self._needed[now] + self._inertia[now // _EVERY] @ pull

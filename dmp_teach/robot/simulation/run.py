@@ -259,7 +259,8 @@ def _describe_tired_joint(run: Run) -> str:
     if share.max(initial=0.0) < _SPARE or run.greatest_force > BREAKING_FORCE:
         return ""
     worst = int(np.argmax(share))
-    name, limit = run.planned.joint_names[worst], run.limits[worst]
+    name = run.planned.joint_names[worst]
+    limit = run.limits[worst]
     most = np.abs(run.effort[:, worst]).max()
     unit = "N" if name == "torso_lift_joint" else "N m"
     does = "needs up to" if most > 1.001 * limit else "gives all of"

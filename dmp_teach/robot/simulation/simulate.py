@@ -71,13 +71,11 @@ def simulate(
     _check_known("pen", pen, tuple(PENS))
     _check_size("page_height_error", page_height_error, _FARTHEST, "m", "millimetres")
     _check_size("page_tilt", page_tilt, _STEEPEST, "rad", "degrees")
-    if not isinstance(seed, int | np.integer) or isinstance(seed, bool) or seed < 0:
-        raise SettingError(f"seed is {seed!r}, but must be a whole number, 0 or more.")
+    _check_seed(seed)
     height = page_height_error + (RIGID_PRESS if pen == "rigid" else 0.0)
     page = _displace(motion.page, height, page_tilt)
     recorder = _Recorder(motion, pen)
-    failure: Exception | None = None
-    stopped = False
+    failure: BaseException | None = None
     with open_world() as (bullet, number):
         try:
             world = World(bullet, number, motion, page, pen)
@@ -86,16 +84,12 @@ def simulate(
                 IdealMotors(world, motion) if motors == "ideal" else RealMotors(world, motion, rng)
             )
             recorder.record(world, moved, progress or (lambda step, fraction: None))
-        except KeyboardInterrupt:
+        except (KeyboardInterrupt, Exception) as error:
             if recorder.rows < 2:
                 raise
-            stopped = True
-        except Exception as error:
-            if recorder.rows < 2:
-                raise
-            failure, stopped = error, True
-    run = recorder.run(page, pen, motors, stopped)
-    if failure is not None:
+            failure = error
+    run = recorder.run(page, pen, motors, stopped=failure is not None)
+    if failure is not None and not isinstance(failure, KeyboardInterrupt):
         # Some errors take no more attributes.
         with contextlib.suppress(AttributeError):
             setattr(failure, "run", run)  # noqa: B010 (no type of error has it)
@@ -107,13 +101,15 @@ class _Recorder:
     """What was measured at every step; an interruption leaves all steps before it."""
 
     def __init__(self, motion: Motion, pen: str) -> None:
-        self.motion, self.model = motion, _model(pen)
+        self.motion = motion
+        self.model = _model(pen)
         self.names = (*motion.joint_names, *([SLIDE_JOINT] if pen == "sprung" else []))
         self.limits = np.array([self.model.joint(name).effort for name in motion.joint_names])
         length, joints = motion.q.shape
         self.q = np.zeros((length, len(self.names)))
         self.q[0, :joints] = motion.q[0]
-        self.effort, self.force = np.zeros((length, joints)), np.zeros(length)
+        self.effort = np.zeros((length, joints))
+        self.force = np.zeros(length)
         self.rows = 1
 
     def record(
@@ -135,7 +131,8 @@ class _Recorder:
 
     def run(self, page: Page, pen: str, motors: str, stopped: bool) -> Run:
         """Return the run, as far as it went."""
-        plan, rows = self.motion, slice(self.rows)
+        plan = self.motion
+        rows = slice(self.rows)
         X = self.model.frame("pen_tip", self.q[rows], self.names)
         # The place of the ball nearest to the paper.
         nib = page.to_page(X[:, :3, 3] - NIB_RADIUS * X[:, :3, 2]) - (0.0, 0.0, NIB_RADIUS)
@@ -205,6 +202,12 @@ def _check(motion: Motion) -> None:
             f"The motion must have at least {LEAST_RATE} samples a second, evenly spaced; "
             "Fetch().write(strokes, page) gives 240."
         )
+
+
+def _check_seed(seed: int) -> None:
+    """Raise for what cannot start a random generator."""
+    if not isinstance(seed, int | np.integer) or isinstance(seed, bool) or seed < 0:
+        raise SettingError(f"seed is {seed!r}, but must be a whole number, 0 or more.")
 
 
 def _check_known(name: str, value: str, known: tuple[str, ...]) -> None:

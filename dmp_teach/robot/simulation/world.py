@@ -67,7 +67,8 @@ class World:
     def __init__(
         self, bullet: ModuleType, number: int, motion: Motion, page: Page, pen: str
     ) -> None:
-        self.bullet, self._number = bullet, number
+        self.bullet = bullet
+        self._number = number
         self.call("setGravity", 0, 0, -_GRAVITY)
         self.call("setTimeStep", motion.duration / (len(motion.t) - 1))
         self.call("setPhysicsEngineParameter", deterministicOverlappingPairs=1)
@@ -167,7 +168,8 @@ class World:
             # motor has (5 N m s/rad, 2.27 rad/s, 7.36 N m).
             self.call("changeDynamics", self.robot, number, jointDamping=0.0)
         for fact in self._facts:
-            number, position = fact[0], REST.get(fact[1].decode(), 0.0)
+            number = fact[0]
+            position = REST.get(fact[1].decode(), 0.0)
             if fact[2] == self.bullet.JOINT_FIXED or number in self.arm:
                 continue
             control = {
