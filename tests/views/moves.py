@@ -6,23 +6,24 @@ from dataclasses import replace
 
 import numpy as np
 
+from dmp_teach.robot.arm import JOINTS
 from dmp_teach.robot.model.kinematics import Model
 from dmp_teach.robot.motion import Motion
 from dmp_teach.robot.page import Page
+from dmp_teach.robot.reach.posture import START_POSTURES
 from dmp_teach.robot.simulation.run import Run
 from dmp_teach.robot.simulation.world import PENS, SLIDE_JOINT
 from dmp_teach.trajectory import Trajectory
-from dmp_teach.views.scene.stage import WAITING_JOINTS
 
 
 def sway(seconds=2.4, rate=240, size=0.06, page=None):
     """Every joint on a sine of its own; the pen is down for two thirds of the time."""
     count = round(seconds * rate) + 1
     t = np.arange(count) / rate
-    rest = np.array(list(WAITING_JOINTS.values())) - (0.1, 0, 0, 0, 0, 0, 0, 0)
+    rest = START_POSTURES[0] - (0.1, 0, 0, 0, 0, 0, 0, 0)
     speeds = 2 * np.pi * np.linspace(0.4, 1.1, len(rest))
     q = rest + size * np.sin(np.outer(t, speeds)) * (0.2, 1, 1, 1, 1, 1, 1, 1)
-    tip = Model.load().frame("pen_tip", q, tuple(WAITING_JOINTS))[:, :3, 3]
+    tip = Model.load().frame("pen_tip", q, JOINTS)[:, :3, 3]
     if page is None:
         middle = (tip.min(axis=0) + tip.max(axis=0)) / 2
         page = Page.table(*middle, width=0.4, height=0.4)
@@ -34,7 +35,7 @@ def sway(seconds=2.4, rate=240, size=0.06, page=None):
     return Motion(
         t,
         q,
-        tuple(WAITING_JOINTS),
+        JOINTS,
         tip,
         tip,
         down,

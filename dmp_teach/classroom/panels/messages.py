@@ -67,13 +67,9 @@ def describe_fit(error: float, n_kernels: int, kernel_width: float) -> Message:
 
 
 def describe_moved_goal(moved: float, miss: float, error: float, stroke: int | None) -> Message:
-    """Return the message for a moved goal: how far the pen stops from it.
+    """Return the message for a goal that was moved [m], and from which the pen stops at a miss [m].
 
-    Args:
-        moved: How far the goal is from where it was demonstrated [m].
-        miss: How far the pen stops from the moved goal [m].
-        error: The fit with all goals as demonstrated [m].
-        stroke: Which stroke, or None where the letter has only one.
+    The error is that of the unmoved letter [m]; a letter with one stroke does not name it.
     """
     which = "goal" if stroke is None else f"goal of stroke {stroke + 1}"
     text = f"You moved the {which} by {format_centimetres(moved)}. "
@@ -144,10 +140,7 @@ def describe_dot(character: str) -> Message:
 def describe_attempt(now: Score, before: Score | None, is_coarse: bool = False) -> Message:
     """Return the message for an attempt: how far it is, in what most, and whether it is nearer.
 
-    Args:
-        now: The attempt's score.
-        before: That of the attempt before.
-        is_coarse: Whether the pad caught too few points to tell how the pen was moved.
+    Where the pad caught coarse points, nothing is said of how the pen was moved.
     """
     said = _name_fault(now, is_coarse)
     if before is None:
@@ -186,11 +179,7 @@ def rate_attempt(score: Score, size: float) -> str:
 
     It is the word of the row that differs the most, but no word says that an attempt is nearer
     than its number does: a letter of twice the size is far from the robot's, though nothing but
-    its size differs.
-
-    Args:
-        score: The attempt's score.
-        size: How large the robot's letter is [m].
+    its size [m] differs.
     """
     by_distance = sum(score.distance <= part * size for part in _WORD_SHARES)
     level = min(by_distance, *(part.level for part in score.parts))

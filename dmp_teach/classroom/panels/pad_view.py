@@ -16,11 +16,7 @@ def describe_pad(
 ) -> dict[str, object]:
     """Return the traits of a pad that follow from what is on its sheet.
 
-    Args:
-        attempts: What was written; the last of them is on the sheet.
-        model: The robot's letter, or None.
-        character: Its name, "" for any letter.
-        is_done: Whether a letter with fewer strokes than the robot's is complete.
+    `is_done` says that a letter with fewer strokes than the robot's is complete.
     """
     now = attempts.now
     ink = now.ink if now else ()

@@ -22,14 +22,7 @@ class SavedAttempts:
     def save(self, attempts: Attempts, writer: str | None) -> Path:
         """Write the newest attempt as JSON to where the notebook runs, once, under a pseudonym.
 
-        Args:
-            attempts: What was written.
-            writer: Whose it is; None takes the recording's own, or the first pseudonym that is
-                free.
-
-        Raises:
-            RecordingError: Nothing is written yet.
-            PathError: The folder cannot be written.
+        Without a writer it takes the recording's own, or the first pseudonym that is free.
         """
         recording = attempts.newest.recording
         folder = Path.cwd()

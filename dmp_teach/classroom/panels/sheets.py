@@ -57,9 +57,7 @@ def fit_goal_sheet(strokes: Sequence[Trajectory]) -> list[float]:
 def place_on_sheet(recording: Recording, sheet: list[float]) -> Recording:
     """Return a recording moved to the middle of a sheet and onto its line, y = 0.
 
-    Args:
-        recording: Its ink may be anywhere; without a baseline it stands on its lowest point.
-        sheet: Left, bottom, right, top [m].
+    Without a baseline it stands on its lowest point.
     """
     points = _stack_points(recording.strokes())
     low = points.min(axis=0)

@@ -48,18 +48,7 @@ class PaperFigure(Figure):
 def new_figure(
     rows: int, columns: int, width: float, height: float, **options: Any
 ) -> tuple[PaperFigure, np.ndarray]:
-    """Make a figure with panels.
-
-    Args:
-        rows: Of panels.
-        columns: Of panels.
-        width: Of the whole figure [inch].
-        height: Of the whole figure [inch].
-        options: What `Figure.subplots` takes, such as `sharex=True`.
-
-    Returns:
-        The figure, and its panels, shape (rows, columns).
-    """
+    """Make a figure [inch] with panels, shape (rows, columns); options go to `subplots`."""
     figure = PaperFigure(figsize=(width, height), layout="constrained", facecolor="white")
     return figure, figure.subplots(rows, columns, squeeze=False, **options)
 

@@ -27,17 +27,7 @@ _PEN_DOWN_HEIGHT = -0.25
 
 
 def draw_force_strip(run: Run, time: float, width: int, height: int) -> NDArray[np.uint8]:
-    """Draw the strip.
-
-    Args:
-        run: What happened.
-        time: The moment at which the picture was taken [s].
-        width: Of the strip [pixels].
-        height: Of the strip [pixels].
-
-    Returns:
-        Red, green and blue, shape (height, width, 3).
-    """
+    """Draw the strip of a run at a time [s]: red, green and blue, shape (height, width, 3)."""
     # Only this picture needs matplotlib.
     from matplotlib.backends.backend_agg import FigureCanvasAgg  # noqa: PLC0415
     from matplotlib.figure import Figure  # noqa: PLC0415

@@ -26,16 +26,8 @@ def find_key_rows(
     """Return the rows of a motion's keys: 15 a second, and more where the arm is too quick.
 
     Between two keys every joint moves evenly, which is what three.js does with the quaternions of
-    a joint that turns about a fixed axis. A stretch that leaves the motion by more than the
-    tolerance is cut in half.
-
-    Args:
-        model: The robot.
-        motion: What it does.
-        tolerance: Largest distance of any probe from its place [m].
-
-    Returns:
-        Row numbers, increasing, the first and the last always among them, shape (K,).
+    a joint that turns about a fixed axis. A stretch on which a probe leaves its place by more than
+    the tolerance [m] is cut in half. The first and the last row are always keys.
     """
     truth = _place_probes(model, motion, motion.q)
     rows = _halve_to_tolerance(model, motion, truth, tolerance)

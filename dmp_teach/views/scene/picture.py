@@ -29,20 +29,7 @@ _FAINT_OPACITY = 0.12
 
 
 def render_png(stage: Stage, time: float | None, camera: str, width: int, height: int) -> bytes:
-    """Return the scene at a moment as the bytes of a PNG file.
-
-    Args:
-        stage: What is to be seen.
-        time: The moment [s]; None for the end.
-        camera: "whole robot", "over the shoulder" or "page from above".
-        width: Of the picture [pixels].
-        height: Of the picture [pixels].
-
-    Raises:
-        SettingError: A time outside of the motion, a camera that there is not, a size that cannot
-            be drawn.
-        MissingPartError: pybullet is not installed.
-    """
+    """Return the scene as the bytes of a PNG file; arguments and errors as `SceneView.png`."""
     time = stage.duration if time is None else time
     if not 0 <= time <= stage.duration:
         raise SettingError(

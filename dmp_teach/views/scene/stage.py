@@ -8,25 +8,13 @@ from functools import cached_property, lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from dmp_teach.robot import PENS, Model, Motion, Page, Run, Visual
+from dmp_teach.robot import JOINTS, PENS, START_POSTURES, Model, Motion, Page, Run, Visual
 from dmp_teach.trajectory import Array, Trajectory
 from dmp_teach.views.scene.cameras import Camera, fit_cameras
 from dmp_teach.views.scene.keyframes import find_key_rows
 from dmp_teach.views.scene.pen_force import describe_force, find_ink_width, find_shade
 from dmp_teach.views.scene.ribbon import MAX_DOTS, Ribbon, build_ribbon, find_inked_strokes
 from dmp_teach.views.scene.shapes import ColoredMesh, build_surroundings
-
-WAITING_JOINTS = {
-    "torso_lift_joint": 0.386,
-    "shoulder_pan_joint": -0.11,
-    "shoulder_lift_joint": -0.45,
-    "upperarm_roll_joint": -0.37,
-    "elbow_flex_joint": 1.53,
-    "forearm_roll_joint": -1.39,
-    "wrist_flex_joint": -0.88,
-    "wrist_roll_joint": 0.82,
-}
-"""How the robot waits for something to write [rad, m]."""
 
 INK_WIDTH = 0.0022
 INK_HEIGHT = 0.0006
@@ -83,13 +71,13 @@ class Stage:
     @property
     def joint_names(self) -> tuple[str, ...]:
         """Names of the columns of `keys`."""
-        return tuple(WAITING_JOINTS) if self.motion is None else self.motion.joint_names
+        return JOINTS if self.motion is None else self.motion.joint_names
 
     @cached_property
     def keys(self) -> tuple[Array, Array]:
         """Times from 0 (K,) [s], and joint positions at them (K, J) [rad, m]."""
         if self.motion is None:
-            return np.zeros(1), np.array([list(WAITING_JOINTS.values())])
+            return np.zeros(1), START_POSTURES[:1]
         rows = find_key_rows(self.model, self.motion)
         return self.motion.t[rows] - self.motion.t[0], self.motion.q[rows]
 

@@ -25,13 +25,7 @@ def find_link_paths() -> dict[str, str]:
 
 
 def build_joint_track(joint: Joint, times: Array, positions: Array) -> Track:
-    """Return how one joint moves its link.
-
-    Args:
-        joint: A joint that turns or slides.
-        times: Of the keys, shape (K,) [s].
-        positions: At the keys, shape (K,) [rad or m].
-    """
+    """Return how a joint moves its link: positions (K,) [rad or m] at the keys' times (K,) [s]."""
     poses = joint.pose(positions)
     if joint.type == "prismatic":
         return Track("position", "vector3", times, poses[:, :3, 3])
