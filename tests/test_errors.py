@@ -54,7 +54,7 @@ TAKE_SETTINGS = {
     rms_error: (STROKE,),
 }
 # What other rooms call with settings that are checked already.
-INSIDE = {"Choice.of", "Hand.of", "has_ends", "kernels_of", "note_gaps"}
+INSIDE = {"Hand.of", "NamedChoice.of", "both_forms", "has_ends", "kernels_of", "note_gaps"}
 
 
 def takes_settings(thing):
