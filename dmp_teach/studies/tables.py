@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import html
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import fields
 from textwrap import wrap
 from typing import Any, ClassVar
@@ -14,11 +14,15 @@ from dmp_teach.trajectory import locked
 
 # One mapping for each row, all with the same keys; units stand in the keys.
 TableRows = tuple[Mapping[str, Any], ...]
+# Of a table with a row for each of `items`: the key, and the value of an item.
+Columns = Mapping[str, Callable[[Any], Any]]
 
 
 class Tabled:
     """A dataclass of locked arrays that is shown as a table of its `rows()`."""
 
+    COLUMNS: ClassVar[Columns] = {}
+    items: tuple[Any, ...]
     COLUMN_WIDTHS: ClassVar[Mapping[str, int]] = {}
     STYLES: ClassVar[Mapping[str, str]] = {}
 
@@ -30,7 +34,7 @@ class Tabled:
 
     def rows(self) -> TableRows:
         """Return one mapping for each row."""
-        raise NotImplementedError
+        return tuple({k: value(item) for k, value in self.COLUMNS.items()} for item in self.items)
 
     def table(self) -> str:
         """Return the rows as a table in plain text."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -113,7 +113,6 @@ class _Sheet:
     text: str
     room: tuple[float, float]
     given_pitch: float | None
-    steps: dict[tuple[str, str], float] = field(default_factory=dict)
 
     @cached_property
     def widths(self) -> dict[str, float]:
@@ -142,13 +141,6 @@ class _Sheet:
             return 0
         return 1 + int((room + 1e-9) // max(self.pitch(x_height), 1e-9))
 
-    def _step(self, before: str, after: str) -> float:
-        """Return how far right of this word the next begins, in x-heights."""
-        if (before, after) not in self.steps:
-            step = word_spacing(self.kept[before], self.kept[after], self.unit, self.lean)
-            self.steps[before, after] = step / self.unit
-        return self.steps[before, after]
-
     def rows(self, x_height: float) -> list[list[tuple[float, str]]] | None:
         """Return the words of each line with their places [m], or None where they do not fit."""
         if max(self.widths.values()) * x_height > self.room[0] + 1e-9:
@@ -160,7 +152,8 @@ class _Sheet:
                 place = 0.0
                 if found[-1]:
                     before, last = found[-1][-1]
-                    place = before + self._step(last, each) * x_height
+                    step = word_spacing(self.kept[last], self.kept[each], self.unit, self.lean)
+                    place = before + step / self.unit * x_height
                     if place + self.widths[each] * x_height > self.room[0] + 1e-9:
                         found.append([])
                         place = 0.0

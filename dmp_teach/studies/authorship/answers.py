@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
 from dmp_teach.errors import SettingError
-from dmp_teach.studies.tables import Tabled, TableRows
+from dmp_teach.studies.tables import Columns, Tabled
 from dmp_teach.trajectory import Array
 
 PERMUTATIONS = 999
@@ -112,21 +113,16 @@ class Attributions(Tabled):
         names = ", ".join(each.question for each in self.items)
         raise SettingError(f"{question!r} was not asked; asked was: {names}.")
 
-    def rows(self) -> TableRows:
-        """Return one row for each question."""
-        return tuple(
-            {
-                "question": each.question,
-                "right": each.right[0],
-                "of": each.right[1],
-                "rate [%]": 100 * each.rate,
-                "from [%]": 100 * each.interval[0],
-                "to [%]": 100 * each.interval[1],
-                "a guess [%]": 100 * each.chance,
-                "by luck": each.luck,
-            }
-            for each in self.items
-        )
+    COLUMNS: ClassVar[Columns] = {
+        "question": lambda each: each.question,
+        "right": lambda each: each.right[0],
+        "of": lambda each: each.right[1],
+        "rate [%]": lambda each: 100 * each.rate,
+        "from [%]": lambda each: 100 * each.interval[0],
+        "to [%]": lambda each: 100 * each.interval[1],
+        "a guess [%]": lambda each: 100 * each.chance,
+        "by luck": lambda each: each.luck,
+    }
 
 
 def permutation_luck(

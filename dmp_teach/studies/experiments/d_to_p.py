@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from typing import Any, Unpack
+from typing import Any, ClassVar, Unpack
 
 import numpy as np
 
@@ -14,7 +14,7 @@ from dmp_teach.errors import SettingError
 from dmp_teach.letters import Letter, cut_at_corners, find_bar_and_bowl
 from dmp_teach.studies.inputs import Written, list_letters, own_recordings
 from dmp_teach.studies.parallel import RunOptions, run
-from dmp_teach.studies.tables import Tabled, TableRows
+from dmp_teach.studies.tables import Columns, Tabled
 from dmp_teach.trajectory import Array, Trajectory
 
 # What makes a P, in parts of the bar: the bowl ends near the middle of the bar, leaves a leg free
@@ -122,19 +122,14 @@ class MadeLetters(Tabled):
         """The transformations."""
         return tuple(dict.fromkeys(item.made_with for item in self.items))
 
-    def rows(self) -> TableRows:
-        """Return one row for each P."""
-        return tuple(
-            {
-                "from": item.source.name,
-                "made with": item.made_with,
-                "a P": item.recognisable,
-                "overshoot [mm]": 1e3 * item.overshoot,
-                "shear [mm]": 1e3 * item.shear,
-                "shear [% of bar]": 100 * item.shear / item.height,
-            }
-            for item in self.items
-        )
+    COLUMNS: ClassVar[Columns] = {
+        "from": lambda item: item.source.name,
+        "made with": lambda item: item.made_with,
+        "a P": lambda item: item.recognisable,
+        "overshoot [mm]": lambda item: 1e3 * item.overshoot,
+        "shear [mm]": lambda item: 1e3 * item.shear,
+        "shear [% of bar]": lambda item: 100 * item.shear / item.height,
+    }
 
 
 def goal_transforms() -> dict[str, Settings]:

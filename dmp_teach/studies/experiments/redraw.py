@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from typing import Any, Unpack
+from typing import Any, ClassVar, Unpack
 
 import numpy as np
 
@@ -14,7 +14,7 @@ from dmp_teach.errors import SettingError
 from dmp_teach.letters import rms_distance
 from dmp_teach.studies.inputs import Written, list_letters
 from dmp_teach.studies.parallel import RunOptions, run
-from dmp_teach.studies.tables import Tabled, TableRows
+from dmp_teach.studies.tables import Columns, Tabled
 from dmp_teach.trajectory import Trajectory
 
 FIGURE_4_WIDTHS = (1.0, 10.0, np.inf, 2 / 3)
@@ -55,19 +55,14 @@ class Redrawings(Tabled):
 
     items: tuple[Redrawn, ...]
 
-    def rows(self) -> TableRows:
-        """Return errors in mm and in per cent of the letter's size."""
-        return tuple(
-            {
-                "letter": item.letter.name,
-                "drawn with": item.settings,
-                "size [mm]": 1e3 * item.letter.size,
-                "rms [mm]": 1e3 * item.error,
-                "largest [mm]": 1e3 * item.largest,
-                "rms [% of size]": 100 * item.error / item.letter.size,
-            }
-            for item in self.items
-        )
+    COLUMNS: ClassVar[Columns] = {
+        "letter": lambda item: item.letter.name,
+        "drawn with": lambda item: item.settings,
+        "size [mm]": lambda item: 1e3 * item.letter.size,
+        "rms [mm]": lambda item: 1e3 * item.error,
+        "largest [mm]": lambda item: 1e3 * item.largest,
+        "rms [% of size]": lambda item: 100 * item.error / item.letter.size,
+    }
 
 
 def redraw_letters(

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any, ClassVar
 
 from dmp_teach.errors import SettingError
-from dmp_teach.studies.tables import Tabled, TableRows
+from dmp_teach.studies.tables import Columns, Tabled
 from dmp_teach.studies.verdicts.evidence import Evidence, evidence_of
 
 HOLDS, FAILS, DEPENDS = "HOLDS", "DOES NOT HOLD", "DEPENDS ON"
@@ -44,6 +44,12 @@ class Claims(Tabled):
 
     items: tuple[Claim, ...]
 
+    COLUMNS: ClassVar[Columns] = {
+        "claim": lambda each: f"{each.name}: {each.claim}",
+        "verdict": lambda each: each.verdict,
+        "on what": lambda each: each.depends_on,
+        "figure": lambda each: each.figure,
+    }
     COLUMN_WIDTHS: ClassVar[Mapping[str, int]] = {"claim": 34, "on what": 44, "figure": 58}
     STYLES: ClassVar[Mapping[str, str]] = {
         HOLDS: "font-weight:bold;color:#00664A",
@@ -70,18 +76,6 @@ class Claims(Tabled):
                 return each
         raise SettingError(
             f"There is no claim {key!r}; there are: {', '.join(each.name for each in self.items)}."
-        )
-
-    def rows(self) -> TableRows:
-        """Return what is shown of each row."""
-        return tuple(
-            {
-                "claim": f"{each.name}: {each.claim}",
-                "verdict": each.verdict,
-                "on what": each.depends_on,
-                "figure": each.figure,
-            }
-            for each in self.items
         )
 
     def __repr__(self) -> str:
