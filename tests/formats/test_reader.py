@@ -402,7 +402,7 @@ def test_a_missing_file_a_folder_and_a_binary_file_are_refused(tmp_path, monkeyp
     (tmp_path / "a.csv").write_bytes(b"\x89PNG\0\0\1")
     with pytest.raises(RecordingError, match=r"a\.csv is not text"):
         read_recording(tmp_path / "a.csv")
-    monkeypatch.setattr("dmp_teach.files.reading.LARGEST", 5)
+    monkeypatch.setattr("dmp_teach.files.reading.LARGEST_FILE", 5)
     with pytest.raises(RecordingError, match=r"a\.csv has .* MB"):
         read_recording(tmp_path / "a.csv")
     assert issubclass(RecordingError, ValueError)
