@@ -9,11 +9,7 @@ import numpy as np
 import traitlets
 
 from dmp_teach.classroom.panels import messages
-from dmp_teach.classroom.panels.robot_panel import (
-    RobotPanel,
-    list_letter_choices,
-    pack_points,
-)
+from dmp_teach.classroom.panels.robot_panel import RobotPanel, list_letter_choices, pack_points
 from dmp_teach.classroom.panels.sheets import fit_goal_sheet
 from dmp_teach.dmp import Settings, knob_of
 from dmp_teach.errors import SettingWarning

@@ -13,11 +13,7 @@ from numpy.typing import ArrayLike
 from dmp_teach.classroom.panels.attempts import Attempt, Attempts
 from dmp_teach.classroom.panels.messages import add_article, describe_stroke
 from dmp_teach.classroom.panels.pad_view import describe_pad
-from dmp_teach.classroom.panels.robot_panel import (
-    RobotPanel,
-    list_letter_choices,
-    pack_points,
-)
+from dmp_teach.classroom.panels.robot_panel import RobotPanel, list_letter_choices, pack_points
 from dmp_teach.classroom.panels.saved_attempts import SavedAttempts
 from dmp_teach.classroom.panels.sheets import (
     check_character,

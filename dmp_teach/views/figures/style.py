@@ -9,12 +9,7 @@ from matplotlib.layout_engine import ConstrainedLayoutEngine
 
 from dmp_teach.letters import Letter, Style
 from dmp_teach.trajectory import Array
-from dmp_teach.views.figures.figure_style import (
-    new_figure,
-    plot_path,
-    set_same_view,
-    style_paper,
-)
+from dmp_teach.views.figures.figure_style import new_figure, plot_path, set_same_view, style_paper
 from dmp_teach.views.palette import MUTED_COLOR, PERSON_COLOR, ROBOT_COLOR, TEXT_COLOR
 
 LETTERS_PER_ROW = 5

@@ -18,7 +18,7 @@ import umsgpack
 from meshcat.animation import Animation, AnimationClip
 
 from dmp_teach.trajectory import Array
-from dmp_teach.views.scene.packing import PackedMesh, Track, pack_commands
+from dmp_teach.views.scene.packing import KeyframeTrack, PackedMesh, pack_commands
 from dmp_teach.views.scene.pen_force import FORCE_SHADES, shade_rgb
 from dmp_teach.views.scene.ribbon import Ribbon
 from dmp_teach.views.scene.shapes import ColoredMesh, build_floor, place_lamp
@@ -185,7 +185,7 @@ def _put_mesh(node: meshcat.Visualizer, mesh: _Mesh, material: meshcat.geometry.
     node.set_object(piece)
 
 
-def _build_clip(track: Track) -> AnimationClip:
+def _build_clip(track: KeyframeTrack) -> AnimationClip:
     """Return a clip of one track, its times in seconds."""
     return AnimationClip(tracks={track.name: track}, fps=1)
 

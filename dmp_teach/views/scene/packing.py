@@ -55,11 +55,7 @@ class PackedMesh:
     """
 
     def __init__(
-        self,
-        vertices: Array,
-        normals: Array | None,
-        faces: Faces,
-        colors: Array | None = None,
+        self, vertices: Array, normals: Array | None, faces: Faces, colors: Array | None = None
     ) -> None:
         coarse = INK_RESOLUTION if normals is None else 0.0
         middle = (vertices.min(axis=0) + vertices.max(axis=0)) / 2 if len(vertices) else np.zeros(3)
@@ -87,7 +83,7 @@ class PackedMesh:
         }
 
 
-class Track:
+class KeyframeTrack:
     """One property over time, as two arrays where meshcat writes a table of keys.
 
     Args:

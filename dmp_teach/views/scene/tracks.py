@@ -9,7 +9,7 @@ from scipy.spatial.transform import Rotation
 
 from dmp_teach.robot import Joint
 from dmp_teach.trajectory import Array
-from dmp_teach.views.scene.packing import Track
+from dmp_teach.views.scene.packing import KeyframeTrack
 from dmp_teach.views.scene.ribbon import Ribbon
 from dmp_teach.views.scene.stage import load_robot_model
 
@@ -24,18 +24,18 @@ def find_link_paths() -> dict[str, str]:
     return paths
 
 
-def build_joint_track(joint: Joint, times: Array, positions: Array) -> Track:
+def build_joint_track(joint: Joint, times: Array, positions: Array) -> KeyframeTrack:
     """Return how a joint moves its link: positions (K,) [rad or m] at the keys' times (K,) [s]."""
     poses = joint.pose(positions)
     if joint.type == "prismatic":
-        return Track("position", "vector3", times, poses[:, :3, 3])
+        return KeyframeTrack("position", "vector3", times, poses[:, :3, 3])
     turns = Rotation.from_matrix(poses[:, :3, :3]).as_quat()
     # Steps of 1/65536 are 0.03 mm at the end of the arm, and compress well.
-    return Track("quaternion", "quaternion", times, np.rint(turns * 65536) / 65536)
+    return KeyframeTrack("quaternion", "quaternion", times, np.rint(turns * 65536) / 65536)
 
 
-def build_ink_track(ink: Ribbon) -> Track:
+def build_ink_track(ink: Ribbon) -> KeyframeTrack:
     """Return how many corners of triangles are drawn: up to the dot that the pen has reached."""
     times = np.unique(np.append(0.0, ink.t))
     counts = np.array([3 * ink.triangles(t) for t in times])
-    return Track("drawRange[count]", "number", times, counts, stepped=True)
+    return KeyframeTrack("drawRange[count]", "number", times, counts, stepped=True)
