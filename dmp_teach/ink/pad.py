@@ -1,7 +1,7 @@
 """Make recordings of the events of a pad: a mouse, a finger or a stylus.
 
-A pad tells where its pointer is about 60 times a second, unevenly, sometimes twice at one time, and
-not at all while the pointer rests; it knows nothing of the pen in the air. So each stroke is
+A pad reports its pointer about 60 times a second, unevenly, sometimes twice at one time, and not
+at all while the pointer rests; it does not see the pen in the air. So each stroke is
 cleaned and sampled evenly, and gets a lift before it. The curve goes through every point that was
 caught and nowhere beyond them: nothing is smoothed.
 """
@@ -23,7 +23,7 @@ from dmp_teach.trajectory import Array, Trajectory
 
 # Samples of a stroke, as even as those of motion capture [Hz].
 PAD_SAMPLE_RATE = 120.0
-# A pad tells where its pointer is about so often [s].
+# The usual time between two events of a pad [s].
 PAD_FRAME = 1 / 60
 # A pointer that is silent for longer stood still, and moved within the last frame [s].
 LONGEST_MOVING_SILENCE = 0.15
@@ -84,7 +84,7 @@ class PadStroke:
 
     @property
     def is_coarse(self) -> bool:
-        """Whether too few points were caught to tell how fast the pen went on its way."""
+        """Whether too few points were caught to know the pen's speed."""
         return not self.is_dot and self.points < LEAST_POINT_RATE * self.path.duration
 
 
@@ -93,7 +93,7 @@ def pad_stroke(points: ArrayLike, pressed: bool = False) -> PadStroke:
 
     Args:
         points: A row for each event: time [s], right and up [m], pressure 0 to 1; shape (K, 4).
-        pressed: Whether the pad can tell how hard the pen is pressed.
+        pressed: Whether the pad measures the pressure of the pen.
 
     Raises:
         RecordingError: No points, too many, values that are not finite or not on a pad, a clock
@@ -124,7 +124,7 @@ def pad_recording(strokes: Sequence[PadStroke], **about: Unpack[About]) -> Recor
     """Make a recording of strokes in the order in which they came, on a clock that begins at 0.
 
     The time between two strokes is kept where a hand could have been in the air for so long, and
-    bounded where a clock has jumped or somebody thought for a while.
+    bounded where a clock has jumped or the writer paused.
 
     Args:
         strokes: As the pad caught them.
@@ -133,12 +133,13 @@ def pad_recording(strokes: Sequence[PadStroke], **about: Unpack[About]) -> Recor
     Raises:
         RecordingError: There is no stroke.
     """
-    placed, before, clock = [], None, 0.0
-    for stroke in strokes:
-        if before is not None:
-            clock += float(np.clip(stroke.path.t[0] - before.path.t[-1], *PAD_LIFT_DURATION))
+    placed: list[Trajectory] = []
+    for k, stroke in enumerate(strokes):
+        clock = 0.0
+        if k:
+            lift = stroke.path.t[0] - strokes[k - 1].path.t[-1]
+            clock = float(placed[-1].t[-1] + np.clip(lift, *PAD_LIFT_DURATION))
         placed.append(Trajectory(clock + stroke.path.t - stroke.path.t[0], stroke.path.position))
-        before, clock = stroke, float(placed[-1].t[-1])
     pressures = [stroke.pressure for stroke in strokes if stroke.pressure is not None]
     return add_lifts(placed, pressures if len(pressures) == len(placed) else None, **about)
 

@@ -48,8 +48,8 @@ class Recording:
         baseline: The y of the line that the letter stands on [m], or None where unknown.
         given_strokes: Where the source knows its strokes: pairs (start, end), a stroke being the
             samples `start:end` (end not included). None: strokes are found from the height.
-        pressure: How hard the pen was pressed, as a share of the hardest press that the device can
-            tell, shape (T,), 0 in the air and at most 1; or None where unknown.
+        pressure: How hard the pen was pressed, as a share of the hardest press that the device
+            measures, shape (T,), 0 in the air and at most 1; or None where unknown.
 
     Raises:
         RecordingError: Shapes that do not match, values that are not finite, times that do not

@@ -13,7 +13,7 @@ from dmp_teach.trajectory import Array, locked, path_length
 
 # Another alignment than as given is taken only if it is nearer by this much [radii of the line].
 CLEARLY_NEARER = 0.15
-# Of so many pieces every order and direction is tried.
+# Up to this number of pieces every order and direction is tried.
 MOST_PERMUTED_PIECES = 3
 # A line whose ends are nearer than this part of its length is a loop.
 LOOP_GAP = 0.1

@@ -25,7 +25,7 @@ DIFFERENCE_STEPS = {
     "open": 0.05,
     # Waves as high as the line of a pen is wide, see `kinematics.shake`.
     "shaky": 0.0025,
-    # A seventh: letters in one word differ by as much, and nobody minds.
+    # A seventh: letters in one word differ by as much.
     "size": math.log(1.15),
     "width": math.log(1.15),
     # Degrees: less than one minute on the face of a clock, and one minute.

@@ -232,7 +232,7 @@ def _gap(line: Line, trim: Trim, size: float, scale: float) -> float:
 def _follow_closest_points(
     problem: _Problem, linear: Array, scale: float, rounds: int
 ) -> _Solution:
-    """Return the fit from a linear part (2, 2) on, after so many rounds of closest points."""
+    """Return the fit after rounds of closest points that begin with a linear part (2, 2)."""
     inks = [(mine.points, yours.points) for mine, yours in problem.inks]
     shifts = np.array([a.mean(axis=0) - linear @ b.mean(axis=0) for a, b in inks])
     unit = scale * rms_radius(centre(np.concatenate([yours for _, yours in inks]))) or 1.0

@@ -23,7 +23,7 @@ MOST_MOVEMENT_SAMPLES = 360_000
 FEWEST_MOVEMENT_SAMPLES = 5
 # Between points on which a line is seen to be shaky [parts of the letter's size] ...
 SHAKE_SPACING = 0.01
-# ... of which so many make a piece that a hand draws in one sweep.
+# ... of which this number makes a piece that a hand draws in one sweep.
 SWEEP_POINTS = 35
 
 
@@ -121,7 +121,7 @@ def shake(lines: Sequence[Array]) -> float:
 
 
 def slant(strokes: Sequence[Trajectory]) -> float:
-    """Measure how far a letter leans to the right of upright, as its steep parts tell [degrees].
+    """Measure how far a letter leans to the right of upright by its steep parts [degrees].
 
     The mean direction of the ink that is steeper than 45 degrees, up and down being one, each
     piece weighed by the square of its rise (after Bozinovic and Srihari 1989, who average

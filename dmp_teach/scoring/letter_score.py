@@ -1,7 +1,7 @@
 """Score how near a writing is to its model: in measures, in three rows for the pad, in a sentence.
 
-The score is ours. It tells what differs and is no medical or school test; nobody has shown that it
-makes handwriting better.
+The score is ours. It says what differs and is no medical or school test; it has not been shown to
+make handwriting better.
 """
 
 from __future__ import annotations
@@ -16,7 +16,13 @@ from dmp_teach.scoring.differences import MOVEMENT_FAULTS, Fault, find_faults
 from dmp_teach.scoring.fit import fit_model
 from dmp_teach.scoring.kinematics import Movement, measure_movement
 from dmp_teach.scoring.matching import Matching, match_strokes
-from dmp_teach.scoring.resampling import POINTS_TO_FIT, resample, size_of, squared_distances
+from dmp_teach.scoring.resampling import (
+    POINTS_TO_FIT,
+    Resampled,
+    resample,
+    size_of,
+    squared_distances,
+)
 from dmp_teach.trajectory import Array
 
 LEVEL_WORDS = ("far", "nearer", "close", "the same")
@@ -96,8 +102,8 @@ class Score:
 def score(written: LetterLike, model: LetterLike) -> Score:
     """Compare a writing with its model.
 
-    Strokes are matched by shape first: their order, direction and number are told, and count
-    against nothing else.
+    Strokes are matched by shape first: their order, direction and number are faults of their own
+    and change no other measure.
 
     Args:
         written: A `Recording`, a `Letter` (what it writes) or strokes.
@@ -113,20 +119,14 @@ def score(written: LetterLike, model: LetterLike) -> Score:
     movement, model_movement = measure_movement(mine), measure_movement(yours)
     faults = find_faults(matching, fit, movement, model_movement, yours)
     leading = leading_fault(faults)
-    paired = ink.is_of([k for pair in matching.pairs for k in pair.strokes])
-    model_paired = model_ink.is_of([k for pair in matching.pairs for k in pair.others])
-    middle, model_middle = (
-        ink.points[paired].mean(axis=0),
-        model_ink.points[model_paired].mean(axis=0),
-    )
-    far = squared_distances(ink.points - middle, model_ink.points - model_middle)
+    distance, shift = _lay_together(matching, ink, model_ink)
     return Score(
         sentence="It looks the same as the model." if leading is None else leading.sentence,
         parts=tuple(_part(name, faults) for name in FAULTS_BY_ROW),
         faults=faults,
         matching=matching,
-        distance=float(np.sqrt((far.min(axis=0).mean() + far.min(axis=1).mean()) / 2)),
-        shift=model_middle - middle,
+        distance=distance,
+        shift=shift,
         shape=fit.shape,
         place=float(np.linalg.norm(fit.places, axis=1).max()),
         size=fit.size,
@@ -146,6 +146,17 @@ def leading_fault(faults: Sequence[Fault]) -> Fault | None:
             if (fault.name not in MOVEMENT_FAULTS) is is_seen and fault.steps > least:
                 return fault
     return None
+
+
+def _lay_together(matching: Matching, ink: Resampled, model_ink: Resampled) -> tuple[float, Array]:
+    """Return the rms distance of two inks laid together by their paired strokes, and the shift."""
+    paired = ink.is_of([k for pair in matching.pairs for k in pair.strokes])
+    model_paired = model_ink.is_of([k for pair in matching.pairs for k in pair.others])
+    middle = ink.points[paired].mean(axis=0)
+    model_middle = model_ink.points[model_paired].mean(axis=0)
+    far = squared_distances(ink.points - middle, model_ink.points - model_middle)
+    rms = float(np.sqrt((far.min(axis=0).mean() + far.min(axis=1).mean()) / 2))
+    return rms, model_middle - middle
 
 
 def _part(name: str, faults: Sequence[Fault]) -> Part:

@@ -7,7 +7,7 @@ from numpy.typing import ArrayLike
 
 from dmp_teach.trajectory import Array
 
-# How firmly ink that tells nothing of width or lean, such as an l, is taken for unchanged.
+# How firmly ink without a width or lean of its own, such as an l, is taken for unchanged.
 MAP_RIDGE = 0.005
 
 

@@ -37,7 +37,7 @@ NEAR_UPRIGHT = 0.15
 LARGEST_VIEWED_SHARE = 0.6
 # ... and is nearer by this much [radii], and twice as much with all strokes backwards.
 LEAST_VIEW_GAIN = 0.1
-# Of at most so many strokes any may be missing.
+# Up to this number of strokes any may be missing.
 MOST_STROKES_LEFT_OUT = 6
 
 
@@ -221,7 +221,7 @@ def _overlays(ink: Resampled, other: Resampled) -> Iterator[tuple[Resampled, Res
 
 
 def _with_fewer(ink: Resampled, number: int) -> Iterator[Resampled]:
-    """Yield the letter without any so many of its strokes; never as a dot alone."""
+    """Yield the letter without a number of its strokes, whichever; never as a dot alone."""
     for left_out in combinations(range(len(ink.lengths)), number) if number > 0 else ():
         if np.delete(ink.lengths, left_out).any():
             yield ink.without(left_out)

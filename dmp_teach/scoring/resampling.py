@@ -79,7 +79,7 @@ class Resampled:
 def resample(strokes: Sequence[Trajectory], count: int) -> Resampled:
     """Resample strokes with `count` points, shared out by length and at least 3 for each stroke.
 
-    A letter of so many strokes that this takes more than `count` points has more.
+    A letter of very many strokes has more than `count` points.
     """
     lengths = np.array([path_length(stroke.position) for stroke in strokes])
     shares = np.round(count * lengths / lengths.sum()).astype(int)

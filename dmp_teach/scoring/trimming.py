@@ -22,7 +22,7 @@ CHANGE_PENALTY = 0.0003
 TRIED_PARTS = np.arange(1, 11) / 20
 # ... and then steps beside the best of them.
 FINER_STEPS = np.array([-1, -0.5, 0.5, 1]) / 40
-# So many trims are fitted in full.
+# The number of trims that are fitted in full.
 MOST_FITTED_TRIMS = 4
 
 Line = tuple[Array, Array]

@@ -23,7 +23,7 @@ RATIOS_IN_WORDS = {
     3: "three times as",
     4: "four times as",
 }
-# Up to so many steps a difference is "a little".
+# Up to this number of steps a difference is "a little".
 MOST_STEPS_OF_LITTLE = 2.5
 
 Position = tuple[float, float]

@@ -30,7 +30,7 @@ from dmp_teach.trajectory import Array
 LANDED_HEIGHT = 0.005
 # ... or at most this much higher, where the hand has turned meanwhile [m] ...
 LANDED_HEIGHT_OF_STAND = 0.015
-# ... and stands there for so long [s].
+# ... and stands there for this long [s].
 LANDED_STAND = 0.08
 # A foot is walked up again while the pen is less than this above it [m].
 FOOT_HEIGHT = 0.0007

@@ -19,9 +19,9 @@ STOP_SPEED = 0.028
 FALTER_SHARE = 0.6
 # A small move belongs to its stroke if it and the rest between are faster than this of the pace.
 JOINED_PACE = 0.08
-# So much of a rest beside a lift is kept [s].
+# The part of a rest beside a lift that is kept [s].
 KEPT_REST = 0.02
-# So near the edge of the recording a filter cannot tell a move from a rest [s].
+# This near the edge of the recording a filter blurs moves and rests [s].
 FILTER_EDGE = 0.05
 # A span begins and ends no higher than this over its own middle [m] ...
 WRITING_HEIGHT = 0.006
@@ -34,7 +34,7 @@ LANDING_PAUSE = 0.15
 # Writing is faster than this share of the letter's pace.
 WRITING_PACE = 0.15
 # A pen that is down this long between two lifts, and hardly moves, made a dot [s] ...
-DOT_DURATION = (0.05, 1.5)
+TAP_DURATION = (0.05, 1.5)
 # ... unless it then touches this near to there, and lower by this much: it hovered [m].
 HOVER_DISTANCE = 0.008
 HOVER_HEIGHT = 0.002
@@ -68,7 +68,7 @@ def trim_to_writing(motion: PenMotion, spans: list[Span]) -> list[Span]:
 
 def _is_dot(motion: PenMotion, tap: Span, later: list[Span]) -> bool:
     """Return whether a pen that hardly moved between two lifts made a dot, and did not hover."""
-    shortest, longest = DOT_DURATION
+    shortest, longest = TAP_DURATION
     if not shortest < (tap[1] - tap[0]) * motion.dt < longest:
         return False
     if not later or later[0][1] - later[0][0] < 2:
