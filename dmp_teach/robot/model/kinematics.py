@@ -40,11 +40,7 @@ class Model:
 
     @classmethod
     def load(cls, path: str | Path = ASSETS / "fetch.urdf") -> Model:
-        """Read a URDF: the Fetch with a fixed pen unless another one is named.
-
-        Raises:
-            JointError: A joint whose parent is never reached from the root.
-        """
+        """Read a URDF: the Fetch with a fixed pen unless another one is named."""
         return cls(Path(path), *read_robot(Path(path)))
 
     @property

@@ -84,15 +84,11 @@ class Visual:
 
 
 def read_robot(path: Path) -> tuple[str, tuple[str, ...], tuple[Joint, ...]]:
-    """Read the robot's name, links and joints, each after the one that carries its parent.
-
-    Raises:
-        JointError: A joint whose parent is never reached from the root.
-    """
+    """Read the robot's name, links and joints, in the order of the file."""
     root = ET.parse(path).getroot()
     links = tuple(link.attrib["name"] for link in root.iter("link"))
     joints = tuple(_joint(element) for element in root.findall("joint"))
-    return root.attrib.get("name", path.stem), links, _root_first(links, joints)
+    return root.attrib.get("name", path.stem), links, joints
 
 
 def read_visuals(path: Path) -> Iterator[Visual]:
@@ -157,24 +153,6 @@ def _joint(element: ET.Element) -> Joint:
         axis=axis / (np.linalg.norm(axis) or 1.0),
         **bounds,
     )
-
-
-def _root_first(links: tuple[str, ...], joints: tuple[Joint, ...]) -> tuple[Joint, ...]:
-    """Return the joints, each after the one that carries its parent; otherwise as they were."""
-    reached = set(links) - {joint.child for joint in joints}
-    waiting = list(joints)
-    ordered = []
-    while waiting:
-        ready = next((joint for joint in waiting if joint.parent in reached), None)
-        if ready is None:
-            raise JointError(
-                f"Joint {waiting[0].name!r} hangs on {waiting[0].parent!r}, which the root never "
-                "reaches."
-            )
-        waiting.remove(ready)
-        ordered.append(ready)
-        reached.add(ready.child)
-    return tuple(ordered)
 
 
 def _visual(link: str, element: ET.Element, folder: Path) -> Visual:
