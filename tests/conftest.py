@@ -41,15 +41,17 @@ def pytest_ignore_collect(collection_path, config):
     return True if is_quick(config) and collection_path.name in NOT_QUICK else None
 
 
-@pytest.hookimpl(tryfirst=True)
+def pytest_itemcollected(item):
+    """Mark as quick what is not marked as slow or thorough; group for several processes."""
+    if not item.get_closest_marker("slow") and not item.get_closest_marker("thorough"):
+        item.add_marker("quick")
+    if hasattr(item.config, "workerinput"):
+        item.add_marker(pytest.mark.xdist_group(group_of(item.path)))
+
+
 def pytest_collection_modifyitems(config, items):
-    """Mark as quick what is not marked as slow or thorough; on several cores, group by files."""
-    for item in items:
-        if not item.get_closest_marker("slow") and not item.get_closest_marker("thorough"):
-            item.add_marker("quick")
+    """Let several processes begin with what takes longest."""
     if hasattr(config, "workerinput"):
-        for item in items:
-            item.add_marker(pytest.mark.xdist_group(group_of(item.path)))
         items.sort(key=lambda item: item.path.parent.name not in LONGEST_FIRST)
 
 
