@@ -45,9 +45,8 @@ NO_NETWORK = (
     "Network is unreachable",
 )
 LINTERS = [["ruff", "check", "."], ["ruff", "format", "--check", "."]]
-# Processes on all cores, at most eight, for each may need 1 GB; the slowest groups first.
-PARALLEL = ["-n", "logical", "--maxprocesses", "8", "--dist", "loadgroup"]
-PARALLEL += ["--no-loadscope-reorder"]
+# Processes on all cores, at most eight, for each may need 1 GB; the slowest files first.
+PARALLEL = ["-n", "logical", "--maxprocesses", "8", "--dist", "loadfile", "--no-loadscope-reorder"]
 
 
 def main(arguments=None):

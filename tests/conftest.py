@@ -42,11 +42,9 @@ def pytest_ignore_collect(collection_path, config):
 
 
 def pytest_itemcollected(item):
-    """Mark as quick what is not marked as slow or thorough; group for several processes."""
+    """Mark as quick what is not marked as slow or thorough."""
     if not item.get_closest_marker("slow") and not item.get_closest_marker("thorough"):
         item.add_marker("quick")
-    if hasattr(item.config, "workerinput"):
-        item.add_marker(pytest.mark.xdist_group(group_of(item.path)))
 
 
 def pytest_collection_modifyitems(config, items):
@@ -55,9 +53,17 @@ def pytest_collection_modifyitems(config, items):
         items.sort(key=lambda item: item.path.parent.name not in LONGEST_FIRST)
 
 
-def group_of(path):
-    """What one process runs: a file, and all of the browser, so that one JupyterLab serves it."""
-    return "browser" if path.parent.name == "browser" else str(path)
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config, log):
+    """Give a process whole files, and one all of the browser, so that one JupyterLab serves it."""
+    from xdist.scheduler import LoadFileScheduling  # noqa: PLC0415 (only where xdist is loaded)
+
+    class ByFile(LoadFileScheduling):
+        def _split_scope(self, nodeid):
+            browser = nodeid.startswith("tests/browser/")
+            return "tests/browser" if browser else super()._split_scope(nodeid)
+
+    return ByFile(config, log)
 
 
 def hold_to_it(report):

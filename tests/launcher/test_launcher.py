@@ -22,7 +22,7 @@ from dmp_teach.launcher import lab
 
 ROOT = Path(__file__).parents[2]
 LINTERS = ["ruff check .", "ruff format --check ."]
-ALL = "pytest -n logical --maxprocesses 8 --dist loadgroup --no-loadscope-reorder"
+ALL = "pytest -n logical --maxprocesses 8 --dist loadfile --no-loadscope-reorder"
 
 
 @pytest.fixture(autouse=True)
