@@ -104,7 +104,7 @@ def attribute_made_letters(
             writers in it.
         variations: How often starts and goals are moved, by a tenth of the stroke's size (normal,
             in each direction).
-        **options: As in `RunOptions`; a piece of work is one take by one writer.
+        **options: `executor` and `progress` (`RunOptions`); a piece is one take by one writer.
 
     Raises:
         LetterError: A letter that is not flat, or all in one place.

@@ -42,7 +42,7 @@ def attribute_among_real(recordings: Any = None, **options: Unpack[RunOptions]) 
     Args:
         recordings: Recordings, files or strokes; our own alphabets where nothing can be asked of
             what was given.
-        **options: As in `RunOptions`; a piece of work is one character.
+        **options: `executor` and `progress` (`RunOptions`); a piece of work is one character.
 
     Raises:
         LetterError: A letter that is not flat, or all in one place.

@@ -45,7 +45,7 @@ def classify_writers(recordings: Any = None, **options: Unpack[RunOptions]) -> A
 
     Args:
         recordings: Recordings, files or strokes; None takes our own alphabets.
-        **options: As in `RunOptions`; a piece of work is one letter with all its takes.
+        **options: `executor` and `progress` (`RunOptions`); a piece is one letter with its takes.
 
     Raises:
         LetterError: A letter that is not flat, or all in one place.

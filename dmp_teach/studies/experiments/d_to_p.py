@@ -150,7 +150,7 @@ def make_p_from_d(
     Args:
         recordings: Recordings, files or strokes; our own D where none has a bar and a bowl.
         settings: How, by name; `goal_transforms()` unless given.
-        **options: As in `RunOptions`; a piece of work is one D.
+        **options: `executor` and `progress` (`RunOptions`); a piece of work is one D.
     """
     named = named_settings(settings, goal_transforms())
     cut = [_cut_apart(letter) for letter in list_letters(recordings)]

@@ -103,7 +103,7 @@ def sweep_kernel_width(
         recordings: Recordings, files or strokes; None takes our own alphabets.
         widths: Kernel widths [1/N].
         variants: Name: `Variant`; `WIDTH_VARIANTS` unless given.
-        **options: As in `RunOptions`; a piece of work is one stroke.
+        **options: `executor` and `progress` (`RunOptions`); a piece of work is one stroke.
     """
 
     def settings(variant: Variant, path: Trajectory, width: float) -> Settings | None:
@@ -129,7 +129,7 @@ def sweep_kernel_number(
             on the longest stroke to half the samples, with 0.1 (the paper's Num/10) and 0.2 among
             them. Never fewer than 5 kernels.
         variants: Name: `Variant`; `NUMBER_VARIANTS` unless given.
-        **options: As in `RunOptions`; a piece of work is one stroke.
+        **options: `executor` and `progress` (`RunOptions`); a piece of work is one stroke.
     """
 
     def settings(variant: Variant, path: Trajectory, share: float) -> Settings:

@@ -122,7 +122,7 @@ def change_goals_1d(
         shift: How far the goal moves [m]; the paper's is 0.01 m.
         settings: Of DMP*; `Settings.star()` unless given.
         original: Of the original form; `Settings.original()` unless given.
-        **options: As in `RunOptions`; a piece of work is one coordinate.
+        **options: `executor` and `progress` (`RunOptions`); a piece of work is one coordinate.
     """
     forms = both_forms(settings, original)
     pieces = [
@@ -152,7 +152,7 @@ def change_goals_2d(
         shift: How far the goal moves [m]; the paper's is 0.1 m.
         settings: As in `change_goals_1d`.
         original: As in `change_goals_1d`.
-        **options: As in `RunOptions`; a piece of work is one stroke.
+        **options: `executor` and `progress` (`RunOptions`); a piece of work is one stroke.
     """
     forms = both_forms(settings, original)
     shifts = ((shift, 0.0), (-shift, 0.0), (0.0, shift), (0.0, -shift))

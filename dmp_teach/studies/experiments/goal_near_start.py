@@ -84,7 +84,7 @@ def change_goals_near_start(
         ways: How near the goal is to the start in that coordinate [m].
         settings: Of DMP*; `Settings.star()` unless given.
         original: Of the original form; `Settings.original()` unless given.
-        **options: As in `RunOptions`; a piece of work is one stroke.
+        **options: `executor` and `progress` (`RunOptions`); a piece of work is one stroke.
     """
     forms = (as_settings(original, Settings.original, "original"), as_settings(settings))
     pieces = [(stroke.path, tuple(ways), shift, *forms) for stroke in named_strokes(recordings)]

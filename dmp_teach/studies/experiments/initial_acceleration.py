@@ -59,7 +59,7 @@ def measure_initial_acceleration(
         recordings: Recordings, files or strokes; None takes our own alphabets.
         shift: How far the goal moves, along the first coordinate [m].
         settings: Of DMP*; `Settings.star()` unless given. Feed-forward is tried both ways.
-        **options: As in `RunOptions`; a piece of work is one stroke.
+        **options: `executor` and `progress` (`RunOptions`); a piece of work is one stroke.
     """
     strokes, form = named_strokes(recordings), as_settings(settings)
     found = np.array(run(_first, [(stroke, shift, form) for stroke in strokes], **options))

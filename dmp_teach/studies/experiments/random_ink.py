@@ -64,7 +64,7 @@ def learn_random_ink(
         rates: Turns of the pen in a second [Hz].
         pieces: How many of each kind and rate.
         seed: Of the random numbers; the same seed gives the same ink.
-        **options: As in `RunOptions`; a piece of work is one kind at one rate.
+        **options: `executor` and `progress` (`RunOptions`); a piece is one kind at one rate.
     """
     form = as_settings(settings)
     work = [(kind, float(rate), pieces, seed, form) for kind in INK_KINDS for rate in rates]

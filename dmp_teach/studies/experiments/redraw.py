@@ -77,7 +77,7 @@ def redraw_letters(
         recordings: Recordings, files or strokes; None takes our own alphabets.
         letters: Which letters to draw; where none of them was recorded, all that were.
         settings: How, one or several by name; `Settings.star()` unless given.
-        **options: As in `RunOptions`; a piece of work is one letter.
+        **options: `executor` and `progress` (`RunOptions`); a piece of work is one letter.
     """
     own = settings if isinstance(settings, Mapping) else {"DMP*": as_settings(settings)}
     named = named_settings(own, {})
@@ -102,7 +102,7 @@ def redraw_at_widths(
         widths: Kernel widths [1/N].
         settings: All but the width; DMP* with Gaussians of sigma 4/N and N = 12 a second unless
             given.
-        **options: As in `RunOptions`; a piece of work is one letter with all widths.
+        **options: `executor` and `progress` (`RunOptions`); a piece is one letter, all widths.
     """
     base = as_settings(settings, lambda: Settings.star(kernel_sigma=4.0, sharpen=False))
     named = {width_name(width): replace(base, kernel_width=float(width)) for width in widths}

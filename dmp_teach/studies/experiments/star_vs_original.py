@@ -66,7 +66,7 @@ def compare_with_original(
         recordings: Recordings, files or strokes; None takes our own alphabets.
         settings: Of DMP*; `Settings.star()` unless given.
         original: Of the original form; `Settings.original()` unless given.
-        **options: As in `RunOptions`; a piece of work is one stroke. Times are taken here.
+        **options: `executor` and `progress` (`RunOptions`); a piece is one stroke, timed here.
     """
     star = Variant(as_settings(settings))
     variants = (star, Variant(as_settings(original, Settings.original, "original")))

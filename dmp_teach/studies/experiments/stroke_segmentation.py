@@ -98,7 +98,7 @@ def compare_segmentation(recordings: Any = None, **options: Unpack[RunOptions]) 
     Args:
         recordings: Recordings or files (strokes have no height and are left out); None takes our
             own alphabets.
-        **options: As in `RunOptions`; a piece of work is one recording.
+        **options: `executor` and `progress` (`RunOptions`); a piece of work is one recording.
     """
     given = [each for each in list_recordings(recordings) if isinstance(each, Recording)]
     found = run(_compare, given, **options)

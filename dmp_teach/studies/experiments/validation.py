@@ -99,7 +99,7 @@ def choose_kernels(
         candidates: Numbers of kernels; None: 24 of them, from 2 to half of the samples that are
             shown, with Num/10 and 12 a second among them.
         tolerance: An error below which more kernels gain nothing [m]; 0 for validation alone.
-        **options: As in `RunOptions`; a piece of work is one candidate.
+        **options: `executor` and `progress` (`RunOptions`); a piece of work is one candidate.
 
     Raises:
         TrajectoryError: Several strokes, or fewer than 6 samples.
@@ -127,7 +127,7 @@ def choose_width(
         trajectory: As in `choose_kernels`.
         settings: All but the width; `Settings.star()` unless given.
         candidates: Kernel widths [1/N].
-        **options: As in `RunOptions`; a piece of work is one candidate.
+        **options: `executor` and `progress` (`RunOptions`); a piece of work is one candidate.
 
     Raises:
         TrajectoryError: As in `choose_kernels`.
