@@ -25,7 +25,7 @@ def read_recording(
 ) -> Recording:
     """Read one letter from a file.
 
-    Motion capture (Motive CSV), digital ink (InkML), the field's reference sets (Character
+    Motion capture (Motive CSV), digital ink (InkML, UNIPEN), the field's reference sets (Character
     Trajectories and LASA, `.mat`), drawings (SVG), and JSON of ours: what is in the file decides,
     not its name. The recording stands in the frame of its page: x to the right, y up the page, z
     out of it, the origin at the lower left corner of the ink (a file of ours says where it is). A

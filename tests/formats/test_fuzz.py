@@ -295,6 +295,10 @@ POISON = {
     + "\n,,,Position,Position,"
     "Position\nFrame,Time,,X,Y,Z\n1,0,0,1,1,1",
     "cells": "Frame,Time\n" + "," * 2_000_000,
+    "segments": ".COORD X Y\n"
+    + ".PEN_DOWN\n1 1\n" * 50_000
+    + ".SEGMENT CHARACTER 0-49999 OK\n" * 50_000,
+    "points": ".COORD X Y\n.PEN_DOWN\n" + "1 1 " * 3_000_000,
     "rows": "\n" * 2_000_000 + "x",
 }
 
