@@ -242,13 +242,13 @@ def test_notebooks_are_committed_clean(path):
 @pytest.mark.parametrize("path", MODULES, ids=name_of)
 def test_small_is_a_feature(path):
     text = path.read_text(encoding="utf-8")
-    assert len(text.splitlines()) <= 360  # to be 300 again
+    assert len(text.splitlines()) <= 300
     for node in ast.walk(ast.parse(text)):
         if isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef):
             words = node.body[0] if ast.get_docstring(node, clean=False) is not None else None
             length = node.end_lineno - node.lineno + 1
             length -= words.end_lineno - words.lineno + 1 if words else 0
-            assert length <= 50, f"{node.name} has {length} lines"  # to be 45 again
+            assert length <= 45, f"{node.name} has {length} lines"
 
 
 @pytest.mark.parametrize("path", MODULES, ids=name_of)
