@@ -5,6 +5,7 @@ import json
 import re
 import subprocess
 import sys
+from collections import defaultdict
 from graphlib import TopologicalSorter
 from importlib import import_module
 from importlib.metadata import packages_distributions
@@ -249,6 +250,32 @@ def test_small_is_a_feature(path):
             length = node.end_lineno - node.lineno + 1
             length -= words.end_lineno - words.lineno + 1 if words else 0
             assert length <= 45, f"{node.name} has {length} lines"
+
+
+def names_defined(path):
+    """Yield the public names that a module defines: functions, classes and constants."""
+    for node in ast.parse(path.read_text(encoding="utf-8")).body:
+        if isinstance(node, ast.FunctionDef | ast.ClassDef):
+            yield node.name
+        elif isinstance(node, ast.Assign | ast.AnnAssign):
+            targets = node.targets if isinstance(node, ast.Assign) else [node.target]
+            yield from (
+                each.id
+                for target in targets
+                for each in ast.walk(target)
+                if isinstance(each, ast.Name)
+            )
+
+
+def test_a_name_has_one_meaning():
+    homes = defaultdict(set)
+    for path in MODULES:
+        for name in names_defined(path):
+            if not name.startswith("_"):
+                homes[name].add(name_of(path))
+    twice = {name: sorted(places) for name, places in homes.items() if len(places) > 1}
+    # Every format offers itself by this name, and a hub may still name the old path.
+    assert set(twice) <= {"FORMAT", "without_ink"}, twice
 
 
 @pytest.mark.parametrize("path", MODULES, ids=name_of)

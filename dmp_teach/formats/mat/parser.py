@@ -27,7 +27,7 @@ MATRIX, COMPRESSED = 14, 15
 CELL, STRUCT, OBJECT, TEXT = 1, 2, 3, 4
 NUMERIC = range(6, 16)
 HDF5 = b"\x89HDF\r\n\x1a\n"
-CURE = "Save it in MATLAB with save(..., '-v7')."
+MAT_CURE = "Save it in MATLAB with save(..., '-v7')."
 
 
 def parse_mat(data: bytes) -> dict[str, Any]:
@@ -41,11 +41,11 @@ def parse_mat(data: bytes) -> dict[str, Any]:
             be.
     """
     if data[:8] == HDF5 or data[512:520] == HDF5 or data[:10] == b"MATLAB 7.3":
-        raise RecordingError(f"is a MATLAB file of version 7.3, which is not read. {CURE}")
+        raise RecordingError(f"is a MATLAB file of version 7.3, which is not read. {MAT_CURE}")
     orders: dict[bytes, Literal["<", ">"]] = {b"IM": "<", b"MI": ">"}
     order = orders.get(data[126:128])
     if order is None or data[:6] != b"MATLAB":
-        raise RecordingError(f"is not a MATLAB file of version 5 to 7. {CURE}")
+        raise RecordingError(f"is not a MATLAB file of version 5 to 7. {MAT_CURE}")
     variables: dict[str, Any] = {}
     file = _MatFile(order)
     for kind, content in file.elements(data[128:]):
@@ -194,5 +194,5 @@ def _require(holds: bool, fault: str) -> None:
     """Raise a RecordingError unless the file is sound."""
     if not holds:
         raise RecordingError(
-            f"cannot be read as a MATLAB file: {fault}. Copy or download it again. {CURE}"
+            f"cannot be read as a MATLAB file: {fault}. Copy or download it again. {MAT_CURE}"
         )

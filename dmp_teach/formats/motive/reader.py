@@ -10,7 +10,7 @@ import numpy as np
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.formats.motive.page_plane import find_page, level_axes
-from dmp_teach.formats.motive.refusals import FEWEST_FRAMES, Writing, check_size, check_writing
+from dmp_teach.formats.motive.refusals import FEWEST_FRAMES, Writing, check_take_size, check_writing
 from dmp_teach.formats.motive.take import Take, read_take
 from dmp_teach.formats.registry import CaptureOptions, Format
 from dmp_teach.ink import Recording
@@ -34,7 +34,7 @@ def read_motive(data: bytes, name: str, options: CaptureOptions) -> tuple[Record
     level_axes(options.up, options.right)
     take = _cut_to_seen(read_take(data, name, options.marker))
     filled = _fill_gaps(take)
-    check_size(take, filled)
+    check_take_size(take, filled)
     try:
         position = find_page(take.t, filled, options.up, options.right).of(filled)
         strokes, (start, end) = _cut_to_writing(take.t, position)

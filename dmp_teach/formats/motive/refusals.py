@@ -48,7 +48,7 @@ class Writing:
     up: str
 
 
-def check_size(take: Take, filled: Array) -> None:
+def check_take_size(take: Take, filled: Array) -> None:
     """Raise where the whole way (T, 3) of the marker is far larger or smaller than a hand's."""
     size = float(np.ptp(filled, axis=0).max())
     if SMALLEST_TAKE < size < LARGEST_INK:

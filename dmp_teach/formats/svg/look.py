@@ -25,7 +25,7 @@ BRACE = re.compile(r"[{}]")
 NESTED = re.compile(r"\{[^{}]*\{")
 COMMENT = re.compile(r"/\*.*?(?:\*/|\Z)", re.DOTALL)
 LONGEST_ATTRIBUTE = 4000  # of a style or of classes
-CURE = "give its elements these styles themselves, or delete what is hidden."
+STYLE_CURE = "give its elements these styles themselves, or delete what is hidden."
 Properties = dict[str, str]
 
 
@@ -100,7 +100,7 @@ class Styles:
         """Read a sheet without comments."""
         if NESTED.search(text) and _hides(_declarations(BRACE.sub(";", text))):
             raise RecordingError(
-                f"has style rules inside others, which are not followed here; {CURE}"
+                f"has style rules inside others, which are not followed here; {STYLE_CURE}"
             )
         for block in text.replace("<!--", " ").replace("-->", " ").split("}"):
             before, _, inside = block.partition("{")
@@ -115,7 +115,7 @@ class Styles:
             self._rules[selector] = (len(self._rules), before | declared)
         elif _hides(declared) and not (USER_ACTION.search(selector) or selector.startswith("@")):
             raise RecordingError(
-                f"has the style rule {selector[:40]!r}, which is not followed here; {CURE}"
+                f"has the style rule {selector[:40]!r}, which is not followed here; {STYLE_CURE}"
             )
 
     def _rules_of(self, element: Element) -> list[Properties]:
@@ -155,7 +155,7 @@ def _declarations(text: str) -> Properties:
             if "!" in value:
                 raise RecordingError(
                     f"has the style {declaration.strip()[:40]!r}, which is not followed here; "
-                    f"{CURE}"
+                    f"{STYLE_CURE}"
                 )
     return said
 

@@ -25,7 +25,7 @@ from dmp_teach.letters.compose.geometry import (
 from dmp_teach.letters.compose.places import (
     check_end,
     is_number_within,
-    list_names,
+    join_choices,
     point_at,
     sample_at,
 )
@@ -201,7 +201,7 @@ class Piece:
             LetterError: Another transformation, or a stroke learned with the original form.
         """
         if transform not in PIECE_TRANSFORMS:
-            names = list_names(PIECE_TRANSFORMS)
+            names = join_choices(PIECE_TRANSFORMS)
             raise LetterError(f"transform is {transform!r}, but strokes are led by {names}.")
         self._refuse_original("led by another transformation")
         settings = replace(self.primitive.settings, transform=transform)

@@ -25,7 +25,7 @@ def point_at(path: Array, place: float | str) -> Array:
     if isinstance(part, str) or not is_number_within(part, 0, 1):
         raise LetterError(
             f"There is no place {place!r} on a stroke; give a part from 0 to 1, or "
-            f"{list_names(STROKE_PLACES)}."
+            f"{join_choices(STROKE_PLACES)}."
         )
     arc = arc_lengths(path)
     return np.array([np.interp(part * arc[-1], arc, axis) for axis in path.T])
@@ -49,7 +49,7 @@ def sample_at(path: Array, place: str) -> int:
 def check_end(name: str) -> None:
     """Raise a LetterError for what is no end of a stroke."""
     if name not in STROKE_ENDS:
-        ends = list_names(STROKE_ENDS)
+        ends = join_choices(STROKE_ENDS)
         raise LetterError(f"A stroke has no end {name!r}; it can be led by {ends}.")
 
 
@@ -59,6 +59,6 @@ def is_number_within(value: Any, low: float, high: float) -> bool:
     return is_number and low <= value <= high
 
 
-def list_names(names: tuple[str, ...]) -> str:
+def join_choices(names: tuple[str, ...]) -> str:
     """Return names in quotation marks, with "or" before the last."""
     return ", ".join(f"{name!r}" for name in names[:-1]) + f" or {names[-1]!r}"

@@ -24,7 +24,7 @@ TIP_TOLERANCE = 0.0003
 PEN_TILT_TOLERANCE = np.radians(1.0)
 """The pen must stand this upright on the paper [rad]."""
 
-WRITING_SPEED = 0.6
+SWIFT_WRITING = 0.6
 """As fast as a hand writes [m/s]."""
 
 # Torso, shoulder pan and lift, upper arm's roll, elbow, forearm's roll, wrist flex and roll
@@ -38,7 +38,7 @@ START_POSTURES = locked(np.array([_TABLE, _TABLE * _MIRROR, _BOARD, _BOARD * _MI
 STRAINED_EFFORT = 2.5
 """A posture that asks more than this of a joint's speed limit is nearly stretched out."""
 
-# Of a joint's limit, at WRITING_SPEED in the worst place: good enough to stop looking.
+# Of a joint's limit, at SWIFT_WRITING in the worst place: good enough to stop looking.
 _COMFORTABLE = 1.6
 # This near to its stop a joint is at it [rad], and then the effort is at least so much.
 _STOP = 0.02
@@ -71,7 +71,7 @@ class ArmPosture:
 
     Args:
         q: Joint positions there, shape (J,) [rad, m]; the torso stays as it is here.
-        effort: The greatest speed of a joint as a part of its limit where a pen at `WRITING_SPEED`
+        effort: The greatest speed of a joint as a part of its limit where a pen at `SWIFT_WRITING`
             asks most of it; inf where the arm cannot write.
         trouble: Why the arm cannot write here; empty where it can.
         collides: Whether that is because it touches the robot or what the page lies on.
@@ -187,7 +187,7 @@ def _effort_between(solver: Solver, moved: Array, turned: Array) -> float:
     it all the way back to its posture.
     """
     far = np.linalg.norm(moved)
-    speeds = WRITING_SPEED * np.abs(turned[1:]) / solver.fastest[1:]
+    speeds = SWIFT_WRITING * np.abs(turned[1:]) / solver.fastest[1:]
     return float(speeds.max() / far) if far > 1e-3 else 0.0
 
 
@@ -230,7 +230,7 @@ def _trouble(solver: Solver, page: Page, spot: Array) -> tuple[str, bool] | None
 
 
 def _effort_at(solver: Solver, page: Page, q: Array, J: Array) -> float:
-    """Return what a pen at `WRITING_SPEED` asks of the joints, as a part of their speed limits.
+    """Return what a pen at `SWIFT_WRITING` asks of the joints, as a part of their speed limits.
 
     The joints' speeds are J^+ v, where J (5, J) holds the tip's velocity and the tilting of the
     pen; the torso stays. A joint that comes up against its stop leaves the others a jolt: such a
@@ -248,5 +248,5 @@ def _effort_at(solver: Solver, page: Page, q: Array, J: Array) -> float:
     stopped = np.minimum(q - solver.lower[1:], solver.upper[1:] - q) < _STOP
     turns = np.concatenate([J[:, :3], R[:, :2].T @ J[:, 3:]], axis=1)
     ways = np.linalg.pinv(turns, rcond=1e-9)[:, :, :3] @ R[:, :2]
-    effort = float((WRITING_SPEED * np.linalg.norm(ways, axis=2) / solver.fastest[1:]).max())
+    effort = float((SWIFT_WRITING * np.linalg.norm(ways, axis=2) / solver.fastest[1:]).max())
     return max(_JAMMED, effort) if stopped.any() else effort

@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 from dmp_teach.errors import RecordingError, kind_of
 from dmp_teach.ink import Recording, characters, recording_of
 from dmp_teach.trajectory import Array, arc_lengths
-from dmp_teach.views.figures.figure_style import Look, new_figure
+from dmp_teach.views.figures.figure_style import DrawStyle, new_figure
 from dmp_teach.views.palette import GRID_COLOR, MUTED_COLOR, STROKE_COLORS, TEXT_COLOR
 
 # Half of a to z.
@@ -106,7 +106,7 @@ def _plot_letter(panel: Axes, strokes: list[Array], numbers: bool) -> None:
     """Plot strokes, (T, 2) each [inch]; what is written first lies below."""
     ink = np.concatenate(strokes)
     taken = ink[:: max(1, len(ink) // 300)]
-    round_ends: Look = {"solid_capstyle": "round", "solid_joinstyle": "round"}
+    round_ends: DrawStyle = {"solid_capstyle": "round", "solid_joinstyle": "round"}
     for number, (path, color) in enumerate(zip(strokes, cycle(STROKE_COLORS), strict=False), 1):
         hue = color if numbers else TEXT_COLOR
         panel.plot(*path.T, color=hue, linewidth=2.2, zorder=number, **round_ends)
@@ -114,7 +114,7 @@ def _plot_letter(panel: Axes, strokes: list[Array], numbers: bool) -> None:
             place = _find_number_place(path, taken)
             taken = np.vstack([taken, place])
             panel.plot(*path[0], marker="o", markersize=4.2, color=color, zorder=29)
-            look: Look = {"fontsize": 8, "weight": "bold", "ha": "center", "va": "center"}
+            look: DrawStyle = {"fontsize": 8, "weight": "bold", "ha": "center", "va": "center"}
             panel.text(place[0], place[1], str(number), color=color, **look)
             _plot_arrows(panel, path, color)
 

@@ -9,7 +9,7 @@ from matplotlib.figure import Figure
 
 from dmp_teach.errors import SettingError
 from dmp_teach.studies import Answers, Attributions
-from dmp_teach.views.figures.figure_style import Look, add_legend_below, new_figure, style_axes
+from dmp_teach.views.figures.figure_style import DrawStyle, add_legend_below, new_figure, style_axes
 from dmp_teach.views.palette import (
     COMPARED_COLOR,
     GRID_COLOR,
@@ -103,7 +103,7 @@ def _plot_bars(panel: Axes, places: np.ndarray, questions: list[Answers]) -> Non
     panel.barh(places, rates, 0.62, color=[_find_color(each) for each in questions], alpha=0.85)
     label = "95 % interval, a writer counting as one answer"
     panel.hlines(places, *intervals.T, color=TEXT_COLOR, linewidth=1.4, label=label)
-    dashes: Look = {"linestyle": (0, (2, 1.5)), "linewidth": 1.6}
+    dashes: DrawStyle = {"linestyle": (0, (2, 1.5)), "linewidth": 1.6}
     ends = (places - 0.42, places + 0.42)
     panel.vlines(chances, *ends, color=TEXT_COLOR, label="a guess", **dashes)
 

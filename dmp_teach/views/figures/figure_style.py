@@ -31,7 +31,7 @@ RING_MARKER = {"marker": "o", "markersize": 9, "markerfacecolor": "none"}
 FIGURE_DPI = 144
 
 # Any: the values of matplotlib's keywords.
-Look = dict[str, Any]
+DrawStyle = dict[str, Any]
 
 
 class PaperFigure(Figure):
@@ -103,11 +103,11 @@ def add_legend_below(figure: Figure, panel: Axes, columns: int = 6) -> None:
     )
 
 
-def cycle_looks() -> Iterator[Look]:
+def cycle_looks() -> Iterator[DrawStyle]:
     """Yield colour, line and marker for any number of curves, each unlike the one before."""
     looks = zip(cycle(STROKE_COLORS), cycle(CURVE_LINES), cycle(CURVE_MARKERS), strict=False)
     for color, line, marker in looks:
-        look: Look = {"color": color, "linestyle": line, "marker": marker}
+        look: DrawStyle = {"color": color, "linestyle": line, "marker": marker}
         yield look | {"markersize": 4.5, "linewidth": 1.6}
 
 

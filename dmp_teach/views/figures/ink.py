@@ -10,7 +10,7 @@ from dmp_teach.studies import GoalPaths, MadeLetter, MadeLetters, Redrawings, Re
 from dmp_teach.trajectory import Array, arc_lengths
 from dmp_teach.views.figures.figure_style import (
     RING_MARKER,
-    Look,
+    DrawStyle,
     add_legend_below,
     label_millimetres,
     new_figure,
@@ -26,19 +26,19 @@ from dmp_teach.views.palette import (
     TEXT_COLOR,
 )
 
-DEMO_LOOK: Look = {
+DEMO_LOOK: DrawStyle = {
     "color": PERSON_COLOR,
     "linestyle": "",
     "marker": ".",
     "markersize": 4.5,
     "zorder": 3,
 }
-FORM_LOOKS: dict[str, Look] = {
+FORM_LOOKS: dict[str, DrawStyle] = {
     "DMP*": {"color": ROBOT_COLOR, "linestyle": "-"},
     "original": {"color": COMPARED_COLOR, "linestyle": "-."},
 }
-BAR_LOOK: Look = {"color": ROBOT_COLOR, "linestyle": "-"}
-BOWL_LOOK: Look = {"color": "#E69F00", "linestyle": (0, (6, 1.2))}
+BAR_LOOK: DrawStyle = {"color": ROBOT_COLOR, "linestyle": "-"}
+BOWL_LOOK: DrawStyle = {"color": "#E69F00", "linestyle": (0, (6, 1.2))}
 # Ink that gets farther away than this many sizes of the letter is cut.
 MAX_DISTANCE_IN_SIZES = 3.5
 
@@ -202,7 +202,7 @@ def _mark_leaving(panel: Axes, path: Array, shown: Array) -> None:
     if _leaves(path, shown):
         away = np.linalg.norm(path - shown.mean(axis=0), axis=1).max()
         length = f"{away / 1e3:.2g} m" if away >= 1e3 else f"{away:.0f} mm"
-        look: Look = {"transform": panel.transAxes, "ha": "right", "color": MUTED_COLOR}
+        look: DrawStyle = {"transform": panel.transAxes, "ha": "right", "color": MUTED_COLOR}
         panel.text(0.97, 0.03, f"leaves the page: {length}", **look)
 
 

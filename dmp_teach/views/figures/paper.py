@@ -12,7 +12,7 @@ from dmp_teach.dmp import KERNELS, Kernels
 from dmp_teach.studies import Choice, ErrorCurves, Traces
 from dmp_teach.trajectory import Array
 from dmp_teach.views.figures.figure_style import (
-    Look,
+    DrawStyle,
     add_legend,
     cycle_looks,
     new_figure,
@@ -33,7 +33,7 @@ from dmp_teach.views.palette import (
 # An infinite width ("no ends") stands here on an axis of widths that ends at 40.
 INFINITE_WIDTH_PLACE = 80.0
 WIDTH_TICKS = [0.2, 0.666667, 1, 2, 4, 10, 20, 40]
-TRACE_LOOKS: dict[str, Look] = {
+TRACE_LOOKS: dict[str, DrawStyle] = {
     "demonstration": {"color": PERSON_COLOR, "linestyle": (0, (5, 2)), "linewidth": 2.2},
     "DMP*": {"color": ROBOT_COLOR, "linestyle": "-", "linewidth": 1.8},
     "original": {"color": COMPARED_COLOR, "linestyle": "-.", "linewidth": 1.8},
@@ -81,7 +81,7 @@ def draw_error_over_width(curves: ErrorCurves, variant: str | None = None) -> Fi
     panel.axvspan(1, 4, color=SHADE_COLOR, linewidth=0, zorder=0)
     ends = {INFINITE_WIDTH_PLACE: "no ends"} if np.isinf(curves.x).any() else {}
     set_log_ticks(panel.xaxis, [*WIDTH_TICKS, *ends], {0.666667: "⅔", **ends})
-    look: Look = {"transform": panel.get_xaxis_transform(), "va": "top", "color": MUTED_COLOR}
+    look: DrawStyle = {"transform": panel.get_xaxis_transform(), "va": "top", "color": MUTED_COLOR}
     panel.text(2, 0.985, "1/N to 4/N", ha="center", **look)
     return figure
 
@@ -96,7 +96,7 @@ def draw_error_over_number(curves: ErrorCurves, variant: str | None = None) -> F
     """
     figure, panel = _draw_errors(curves, variant, curves.x, "kernels per sample, N / Num")
     panel.axvline(0.1, color=TEXT_COLOR, linewidth=1, linestyle=(0, (2, 2)))
-    look: Look = {"transform": panel.get_xaxis_transform(), "va": "top", "color": TEXT_COLOR}
+    look: DrawStyle = {"transform": panel.get_xaxis_transform(), "va": "top", "color": TEXT_COLOR}
     panel.text(0.104, 0.985, "N = Num/10", fontsize=9, **look)
     ticks = (0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5)
     low = curves.x[0] * 0.9
@@ -186,9 +186,9 @@ def _find_medians(curves: ErrorCurves, variant: str | None) -> dict[str, Array]:
 
 def _plot_rules_of_thumb(panel: Axes, choice: Choice) -> None:
     """Plot the numbers of kernels that the two rules of thumb give."""
-    tenth: Look = {"linestyle": ":", "label": f"Num/10: {choice.tenth}"}
+    tenth: DrawStyle = {"linestyle": ":", "label": f"Num/10: {choice.tenth}"}
     panel.axvline(choice.tenth, color=STROKE_COLORS[1], **tenth)
-    twelve: Look = {"linestyle": "-.", "label": f"12 a second: {choice.twelve_a_second}"}
+    twelve: DrawStyle = {"linestyle": "-.", "label": f"12 a second: {choice.twelve_a_second}"}
     panel.axvline(choice.twelve_a_second, color=STROKE_COLORS[2], **twelve)
 
 

@@ -10,11 +10,11 @@ from scipy.spatial import ConvexHull
 from dmp_teach.errors import ViewError
 from dmp_teach.robot import TIP_TOLERANCE, Model, Page, ReachMap
 from dmp_teach.trajectory import Array
-from dmp_teach.views.figures.figure_style import Look, add_legend_below, new_figure, style_axes
+from dmp_teach.views.figures.figure_style import DrawStyle, add_legend_below, new_figure, style_axes
 from dmp_teach.views.palette import MUTED_COLOR, SHADE_COLOR, STROKE_COLORS, TEXT_COLOR
 
 # Each a form of its own, so that they stay apart in grey.
-REACH_LOOKS: dict[str, Look] = {
+REACH_LOOKS: dict[str, DrawStyle] = {
     "reached": {"marker": "o", "markersize": 6.5, "color": STROKE_COLORS[0]},
     "reached, but a joint must hurry": {
         "marker": "s",
@@ -66,7 +66,7 @@ def _plot_from_above(panel: Axes, reach: ReachMap) -> None:
     panel.set_aspect("equal", adjustable="box")
     for links in DRAWN_PARTS:
         outline = _find_outline(links)
-        look: Look = {"facecolor": SHADE_COLOR, "edgecolor": MUTED_COLOR, "linewidth": 1.1}
+        look: DrawStyle = {"facecolor": SHADE_COLOR, "edgecolor": MUTED_COLOR, "linewidth": 1.1}
         panel.fill(-outline[:, 1], outline[:, 0], **look)
     x, y = Model.load().frame("shoulder_pan_link", np.empty((1, 0)), ())[0, :2, 3]
     look = {"marker": "o", "markersize": 8, "markerfacecolor": "white", "zorder": 4}
@@ -95,7 +95,7 @@ def _plot_by_tilt(panel: Axes, reach: ReachMap) -> None:
     _plot_marks(panel, reach, *np.meshgrid(reach.x, degrees))
     panel.set_yticks(degrees if len(degrees) <= 12 else np.arange(0, 91, 10))
     for lean in degrees:
-        look: Look = {"marker": (2, 2, lean - 90), "markersize": 17, "markeredgewidth": 1.6}
+        look: DrawStyle = {"marker": (2, 2, lean - 90), "markersize": 17, "markeredgewidth": 1.6}
         panel.plot(reach.x.max() + 0.08, lean, color=TEXT_COLOR, **look)
 
 
@@ -112,7 +112,7 @@ def _name_place(
     panel: Axes, name: str, place: tuple[float, float], at: tuple[float, float]
 ) -> None:
     """Write a name beside a thing, with a thin line to it."""
-    look: Look = {
+    look: DrawStyle = {
         "arrowprops": {"arrowstyle": "-", "color": MUTED_COLOR, "linewidth": 0.8},
         "bbox": {"facecolor": "white", "edgecolor": "none", "pad": 1.5},
     }
