@@ -9,7 +9,7 @@ from functools import cache, wraps
 from importlib import import_module
 from pathlib import Path
 
-from dmp_teach.errors import RecordingError
+from dmp_teach.errors import RecordingError, TrajectoryError
 from dmp_teach.ink import Recording
 
 
@@ -70,7 +70,7 @@ def name_file(read: Reader) -> Reader:
     def named(data: bytes, name: str, options: CaptureOptions) -> Sequence[Recording]:
         try:
             return read(data, name, options)
-        except RecordingError as error:
+        except (RecordingError, TrajectoryError) as error:
             raise RecordingError(f"{name}: {error}") from None
 
     return named

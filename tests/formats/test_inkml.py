@@ -384,6 +384,10 @@ BROKEN = {
         inkml("<trace>1 2 3 4, 20 30 3e10 4</trace>"),
         "stroke 0 takes 3e.07 s; is the unit of channel T right",
     ),
+    "steps that vanish on one clock": (
+        inkml("<trace>1 2 3 4, 20 30 9 4</trace><trace>1 2 0 4, 9 9 1e-20 4</trace>"),
+        r"t\[1\] is .* s and does not come after",
+    ),
     "a dot alone": (inkml("<trace>1 2 3 4</trace>"), "the ink is 0 m large, but must be"),
     "a mile": (
         inkml("<trace>1 2 3 4, 1e6 3 5 4</trace>"),
