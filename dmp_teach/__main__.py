@@ -193,6 +193,8 @@ def install(python):
     finally:
         if process.poll() is None and sys.exc_info()[0]:
             process.terminate()
+        if process.stdout:
+            process.stdout.close()
     if process.wait() != 0:
         noise = (" + ", "  ", "Collecting", "Ignoring", "Requirement already", "WARNING: Retrying")
         shown = [

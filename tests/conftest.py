@@ -5,6 +5,9 @@ import os
 import hypothesis
 import pytest
 
+# So that a failing law says which letters fail.
+pytest.register_assert_rewrite("tests.laws")
+
 STRICT = os.environ.get("CI", "").lower() == "true"
 FEW = 5
 NOT_QUICK = {"benchmarks", "browser", "classroom", "launcher"}

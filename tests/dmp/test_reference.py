@@ -37,19 +37,14 @@ PRESETS = [Settings.star, Settings.joint, Settings.plus, Settings.original]
 MORE = [swinging, smooth]
 
 
-def kernel(p):
-    """The kernels of a primitive, for the textbook's sums."""
+def kernel(p, left):
+    """The kernels of a primitive at `left` = 1 - t/T, for the textbook's sums."""
     N, phase, width = p.settings.n_kernels, p.settings.phase, p.settings.kernel_width
     if phase == "linear" and p.settings.kernel == "gaussian":
         return textbook.gaussian_kernel(N, p.settings.kernel_sigma, width)
     decay = p.settings.phase_decay
 
     def psi(x, i):
-        left = 1 + np.log(x) / decay if phase == "exponential" else x
-        if phase == "sigmoid":
-            m = p.settings.phase_middle
-            k = decay / (1 - m)
-            left = 1 - m - np.log((1 + np.exp(-k * m)) / x - 1) / k
         off = min(N * left, np.nextafter(N, 0)) - i - 0.5
         if not -width / 2 <= off < width / 2:
             return 0.0
@@ -81,7 +76,7 @@ def acceleration(p, state, left, goal):
         fed = alpha * k * x * (1 - part) - k**2 * x * (1 - part) * (1 - 2 * part)
     original = p.settings.transform == "original"
     law = textbook.original_acceleration if original else textbook.star_acceleration
-    psi, found = kernel(p), []
+    psi, found = kernel(p, left), []
     for d, (y, dy) in enumerate(zip(*state, strict=True)):
         f = textbook.forcing_term(
             x, p.weights[:, d], psi, None if p.biases is None else p.biases[:, d]

@@ -325,7 +325,9 @@ for k in range(int(sys.argv[2])):
         said = f"{len(read_recordings(f'{sys.argv[1]}/{k}.txt'))} letters"
     except RecordingError as error:
         said = repr(str(error)[:300])
-    room = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    # Not ru_maxrss, which begins with what the program that started this one had.
+    status = dict(line.split(":", 1) for line in open("/proc/self/status"))
+    room = status["VmHWM"].split()[0]
     print(k, f"{time.process_time() - begun:.2f}", room, said, sep="\\t", flush=True)
 """
 

@@ -15,7 +15,11 @@ from dmp_teach.files import join_modules
 HERE = Path(__file__).parent
 PACKAGE = HERE.parents[1] / "dmp_teach"
 SCRIPTS = sorted(PACKAGE.rglob("*.js"))
-ENTRIES = [path for path in SCRIPTS if path.name in ("explore.js", "pad.js", "scene.js", "page.js")]
+ENTRIES = [
+    path
+    for path in SCRIPTS
+    if "export default" in path.read_text(encoding="utf-8") or path.name == "page.js"
+]
 MODULES = {
     "entry.js": 'import { number as seen } from "./in/first.js";\n'
     'import {\n  second,\n} from "./in/second.js";\n\n'

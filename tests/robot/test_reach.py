@@ -247,6 +247,7 @@ def test_two_sheets_in_one_place_are_two_pages():
     assert Fetch().write(LETTER, Page.table()).notes == ()
 
 
+@pytest.mark.filterwarnings("ignore:the arm is nearly stretched out")
 @law(
     examples=8,
     turn=st.tuples(*[st.floats(-3.1, 3.1)] * 3),
