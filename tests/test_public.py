@@ -73,3 +73,9 @@ teach.Letter.lern
     assert 'used.py:6: error: Module has no attribute "Leter"' in said
     assert 'used.py:7: error: "type[Letter]" has no attribute "lern"' in said
     assert said.count("used.py:") == said.count("used.py:5") + 2
+
+
+@pytest.mark.parametrize("place", PLACES)
+def test_a_name_that_is_not_there_is_answered_with_those_that_are(place):
+    with pytest.raises(AttributeError, match=rf"dmp_{place} has no 'nope'; it has: .*\w+, \w+"):
+        _ = PLACES[place].nope

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection
+from collections.abc import Collection, Hashable
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -45,7 +45,7 @@ class Knob:
             SettingError: It is out of range, or no such choice.
         """
         if self.options:
-            if value in self.options:
+            if isinstance(value, Hashable) and value in self.options:
                 return value
             names = ", ".join(map(repr, self.options))
             raise SettingError(f"{self.name} is {value!r}, but it must be one of: {names}.")

@@ -43,6 +43,11 @@ def read_unipen(data: bytes, _name: str, _: CaptureOptions) -> tuple[Recording, 
     Raises:
         RecordingError: No ink in it, a point or a segment that cannot be, or far too many lines.
     """
+    if not has_unipen_keyword(data):
+        raise RecordingError(
+            "has none of UNIPEN's keywords, such as .PEN_DOWN, so it is no UNIPEN file, whatever "
+            "its name says. Save or export the ink as InkML, SVG or CSV."
+        )
     if len(data) > LARGEST_UNIPEN:
         raise RecordingError(
             f"has {len(data) / 1e6:.0f} MB, but UNIPEN has at most {LARGEST_UNIPEN / 1e6:.0f}; "

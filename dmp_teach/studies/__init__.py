@@ -37,8 +37,11 @@ _RENAMED = {
 
 def __getattr__(name: str) -> Any:
     """Load a name from its module, and warn where it has a new one."""
-    if name not in _RENAMED:
+    if name in __all__:
         return _load(name)
+    if name not in _RENAMED:
+        names = ", ".join(sorted(__all__))
+        raise AttributeError(f"dmp_teach.studies has no {name!r}; it has: {names}.")
     new = _RENAMED[name]
     warnings.warn(
         f"dmp_teach.studies.{name} is now called dmp_teach.studies.{new}.",

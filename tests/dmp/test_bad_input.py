@@ -73,6 +73,11 @@ def closed(path):
             {"kernel": "box"},
             f"kernel is 'box', but it must be one of: {', '.join(map(repr, KERNELS))}.",
         ),
+        (
+            {"phase": ["linear"]},
+            "phase is ['linear'], but it must be one of: 'linear', 'exponential', 'sigmoid'.",
+        ),
+        ({"fit": {}}, "fit is {}, but it must be one of: 'lwr', 'bias', 'joint'."),
         ({"n_kernels": 0}, "n_kernels is 0, but it must be a whole number between 1 and 3000."),
     ],
 )

@@ -33,8 +33,11 @@ _RENAMED = {
 
 def __getattr__(name: str) -> object:
     """Load a figure when it is first used; warn of an old name."""
-    if name not in _RENAMED:
+    if name in __all__:
         return _load(name)
+    if name not in _RENAMED:
+        names = ", ".join(sorted(__all__))
+        raise AttributeError(f"dmp_teach.figures has no {name!r}; it has: {names}.")
     new = _RENAMED[name]
     warnings.warn(
         f"dmp_teach.figures.{name} is now called dmp_teach.figures.{new}.",
