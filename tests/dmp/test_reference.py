@@ -45,9 +45,11 @@ def kernel(p, left):
     decay = p.settings.phase_decay
 
     def psi(x, i):
-        off = min(N * left, np.nextafter(N, 0)) - i - 0.5
-        if not -width / 2 <= off < width / 2:
+        # Ends are compared as the primitive compares them: rounding decides on an edge.
+        u, middle = min(N * left, np.nextafter(N, 0)), i + 0.5
+        if not middle - width / 2 <= u < middle + width / 2:
             return 0.0
+        off = u - middle
         if p.settings.kernel == "mollifier":
             return np.exp(-1 / (1 - (2 * off / width) ** 2))
         if phase == "exponential":
