@@ -25,6 +25,7 @@ LAUNCHER = {"__init__.py", "__main__.py", "classroom/saving.py"}
 
 ORDER = [
     "errors",
+    "old_names",
     "trajectory",
     "filtering",
     "files",

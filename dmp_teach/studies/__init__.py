@@ -3,10 +3,9 @@
 The names in `__init__.pyi` are loaded when they are first used.
 """
 
-import warnings
-from typing import Any
-
 import lazy_loader
+
+from dmp_teach.old_names import serve_names
 
 _load, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
 
@@ -34,18 +33,4 @@ _RENAMED = {
     "told_apart": "classify_writers",
 }
 
-
-def __getattr__(name: str) -> Any:
-    """Load a name from its module, and warn where it has a new one."""
-    if name in __all__:
-        return _load(name)
-    if name not in _RENAMED:
-        names = ", ".join(sorted(__all__))
-        raise AttributeError(f"dmp_teach.studies has no {name!r}; it has: {names}.")
-    new = _RENAMED[name]
-    warnings.warn(
-        f"dmp_teach.studies.{name} is now called dmp_teach.studies.{new}.",
-        DeprecationWarning,
-        stacklevel=2,
-    )
-    return _load(new)
+__getattr__ = serve_names("dmp_teach.studies", _load, __all__, _RENAMED)

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import warnings
-
 import lazy_loader
+
+from dmp_teach.old_names import serve_names
 
 _load, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
 
@@ -30,18 +30,4 @@ _RENAMED = {
     "written_text": "draw_text",
 }
 
-
-def __getattr__(name: str) -> object:
-    """Load a figure when it is first used; warn of an old name."""
-    if name in __all__:
-        return _load(name)
-    if name not in _RENAMED:
-        names = ", ".join(sorted(__all__))
-        raise AttributeError(f"dmp_teach.figures has no {name!r}; it has: {names}.")
-    new = _RENAMED[name]
-    warnings.warn(
-        f"dmp_teach.figures.{name} is now called dmp_teach.figures.{new}.",
-        DeprecationWarning,
-        stacklevel=2,
-    )
-    return _load(new)
+__getattr__ = serve_names("dmp_teach.figures", _load, __all__, _RENAMED)
