@@ -12,6 +12,7 @@ __version__ = "0.1.0"
 _NAMES = {
     "errors": "TeachError SettingError SettingWarning TrajectoryError RecordingError LetterError "
     "PageError ReachError ReachWarning JointError MissingPartError SetupError ViewError PathError",
+    "texts": "set_language",
     "trajectory": "Trajectory",
     "ink": "Recording recording_of",
     "formats": "read_recording read_recordings write_recording",

@@ -50,6 +50,7 @@ from dmp_teach.studies import claims as claims
 from dmp_teach.studies import progress_bar as progress_bar
 from dmp_teach.studies import sweep_kernel_number as sweep_kernel_number
 from dmp_teach.studies import sweep_kernel_width as sweep_kernel_width
+from dmp_teach.texts import set_language as set_language
 from dmp_teach.trajectory import Trajectory as Trajectory
 from dmp_teach.views import figures as figures
 from dmp_teach.views import view as view

@@ -26,6 +26,7 @@ LAUNCHER = {"__init__.py", "__main__.py", "classroom/saving.py"}
 ORDER = [
     "errors",
     "old_names",
+    "texts",
     "trajectory",
     "filtering",
     "files",
@@ -41,6 +42,7 @@ FACES = [room for room in ORDER if (PACKAGE / room / "__init__.pyi").exists()]
 EVERYWHERE = {"numpy", "scipy", "dmp_teach", "lazy_loader", "tqdm"}
 ROOMS = {  # where a library from elsewhere may be imported
     "csv": ["formats/"],
+    "babel": ["texts/catalogue.py"],
     "pandas": ["formats/"],
     "svgelements": ["formats/"],
     "defusedxml": ["formats/"],

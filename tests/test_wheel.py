@@ -93,7 +93,7 @@ def test_the_launcher_of_an_installed_copy_says_that_it_wants_a_clone(installed,
 
 def test_every_file_that_is_read_is_in_the_wheel(wheel):
     inside = set(zipfile.ZipFile(wheel).namelist())
-    kinds = {".py", ".pyi", ".js", ".css", ".typed"}
+    kinds = {".py", ".pyi", ".js", ".css", ".typed", ".po", ".pot"}
     package = [path for path in (ROOT / "dmp_teach").rglob("*") if path.suffix in kinds]
     assets = [*(ROOT / "assets").glob("*.urdf"), *(ROOT / "assets" / "meshes").iterdir()]
     assets += (ROOT / "assets" / "alphabets").rglob("*.json")

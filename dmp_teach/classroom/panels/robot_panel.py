@@ -18,6 +18,7 @@ from dmp_teach.errors import ReachWarning, RecordingError, TeachError
 from dmp_teach.formats import known_formats, read_recording
 from dmp_teach.ink import Recording, characters
 from dmp_teach.robot import Motion, Page
+from dmp_teach.texts import javascript_texts
 from dmp_teach.trajectory import Trajectory
 from dmp_teach.views import SceneView
 
@@ -71,8 +72,8 @@ class RobotPanel(anywidget.AnyWidget):
 
     The other traits are set here: `robot` (the strokes, packed), `work` (idle, working or cannot),
     `older` (whether the robot has written another letter than is seen), `scene` (its view),
-    `files` (the formats that `load` reads), and `own_id` and `resting`, by which a panel keeps its
-    state out of saved notebooks.
+    `files` (the formats that `load` reads), `texts` (the script's, in the language that is spoken),
+    and `own_id` and `resting`, by which a panel keeps its state out of saved notebooks.
     """
 
     choices: traitlets.List[list[str]] = traitlets.List().tag(sync=True)
@@ -90,6 +91,7 @@ class RobotPanel(anywidget.AnyWidget):
     files = traitlets.Dict(read_only=True).tag(sync=True)
     own_id = traitlets.Unicode().tag(sync=True)
     resting = traitlets.Unicode(RESTING_SCRIPT).tag(sync=True)
+    texts = traitlets.Dict(read_only=True).tag(sync=True)
 
     # Any: values of traits.
     def __init__(self, page: Page | None = None, **traits: Any):
@@ -116,6 +118,11 @@ class RobotPanel(anywidget.AnyWidget):
             "names": f"{', '.join(names[:-1])} or {names[-1]}",
             "limit": MAX_FILE_BYTES,
         }
+
+    @traitlets.default("texts")
+    def _find_texts(self) -> dict[str, object]:
+        """Return the scripts' texts in the language that is spoken now."""
+        return javascript_texts()
 
     def load(self, recording: Recording | str | Path) -> None:
         """Show a recording of one's own.

@@ -1,18 +1,16 @@
 // The view: the picture, what is written so far, and the controls under it.
 
 import { hear, keepKeys, make, save } from "../dom.js";
+import { useTexts } from "../texts.js";
 import { choices } from "./choices.js";
 import { ForceStrip } from "./force.js";
-import { Picture } from "./scene_3d.js";
+import { noPicture, Picture } from "./scene_3d.js";
 import { SmallPage } from "./small_page.js";
 import { TimeBar } from "./time_bar.js";
 import { letHandsTurn } from "./turning.js";
 
 /** @typedef {import("../dom.js").Model} Model */
 
-const NO_PICTURE =
-  "This browser cannot draw in three dimensions here. " +
-  "The small page shows the letter; .png(path) makes a picture.";
 const EPSILON = 1e-6;
 
 class View {
@@ -200,7 +198,7 @@ class View {
       this.show(this.time);
     } catch (error) {
       console.warn(error);
-      this.says.textContent = NO_PICTURE;
+      this.says.textContent = noPicture();
       this.says.hidden = false;
       this.root.classList.add("dts-flat");
       this.root.dataset.dtState = "flat";
@@ -293,6 +291,7 @@ const theme = () => (document.body.dataset.jpThemeLight === "false" ? "dark" : "
 
 /** @param {import("../dom.js").Widget} widget */
 export function render({ model, el }) {
+  useTexts(model.get("texts"));
   const view = new View(model, el);
   return () => view.leave();
 }

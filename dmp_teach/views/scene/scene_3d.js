@@ -1,5 +1,6 @@
 // The picture in three dimensions: meshcat's viewer without its server, its clock and its panel.
 
+import { t } from "../texts.js";
 import { commandsOf, gunzip, loadMeshcat } from "./meshcat.js";
 
 /**
@@ -24,6 +25,13 @@ const SKY = {
 
 /** z up, as the robot counts, to y up, as three.js does. */
 const yUp = (/** @type {number[]} */ [x, y, z]) => [x, z, -y];
+
+/** What is said where a browser cannot show a picture. */
+export const noPicture = () =>
+  t(
+    "This browser cannot draw in three dimensions here. " +
+      "The small page shows the letter; .png(path) makes a picture.",
+  );
 
 export class Picture {
   /** @param {HTMLElement} box its parent gets meshcat's panel for a moment */

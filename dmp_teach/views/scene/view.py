@@ -11,6 +11,7 @@ import traitlets
 from dmp_teach.errors import ViewError, kind_of
 from dmp_teach.files import join_modules, join_styles, write_whole
 from dmp_teach.robot import Motion, Run
+from dmp_teach.texts import javascript_texts
 from dmp_teach.views.scene.cameras import CAMERA_NAMES
 from dmp_teach.views.scene.commands import pack_robot, pack_viewer, record_stage
 from dmp_teach.views.scene.packing import pack_commands
@@ -59,6 +60,7 @@ class SceneView(anywidget.AnyWidget):
     speed = traitlets.Float(1.0).tag(sync=True)
     camera = traitlets.Enum(CAMERA_NAMES, default_value="over the shoulder").tag(sync=True)
     compact = traitlets.Bool(False).tag(sync=True)
+    texts = traitlets.Dict(read_only=True).tag(sync=True)
 
     # Any: the values of the other traits.
     def __init__(self, motion: Motion | Run | None = None, **traits: Any) -> None:
@@ -66,6 +68,11 @@ class SceneView(anywidget.AnyWidget):
         shown = _find_traits(motion)
         super().__init__(viewer=pack_viewer(), robot=pack_robot(), motion_id="0", **shown, **traits)
         self._motion = motion
+
+    @traitlets.default("texts")
+    def _find_texts(self) -> dict[str, object]:
+        """Return the script's texts in the language that is spoken now."""
+        return javascript_texts()
 
     @property
     def motion(self) -> Motion | Run | None:
@@ -109,7 +116,8 @@ class SceneView(anywidget.AnyWidget):
             PathError: A path that cannot be written; what was there before stays.
         """
         parts = {name: getattr(self, name) for name in ("viewer", "robot", "run", "planned_run")}
-        state = {name: getattr(self, name) for name in ("facts", "planned_facts", "camera", "seen")}
+        names = ("facts", "planned_facts", "camera", "seen", "texts")
+        state = {name: getattr(self, name) for name in names}
         state |= {"time": 0.0, "playing": True, "speed": 1.0, "compact": False, "motion_id": "0"}
         script = join_modules(_HERE / "page.js")
         text = render_page("A robot writes a letter", self._css, script, state, parts)
