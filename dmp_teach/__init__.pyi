@@ -39,7 +39,7 @@ from dmp_teach.robot import Run as Run
 from dmp_teach.robot import reach_around as reach_around
 from dmp_teach.robot import reach_map as reach_map
 from dmp_teach.robot import simulate as simulate
-from dmp_teach.robot import write_rosbag as write_rosbag
+from dmp_teach.ros import write_rosbag as write_rosbag
 from dmp_teach.scoring import Score as Score
 from dmp_teach.scoring import letter_distance as letter_distance
 from dmp_teach.scoring import score as score

@@ -37,7 +37,7 @@ ORDER = [
     "dmp",
     "letters",
 ]
-ORDER += ["robot", "studies", "views", "classroom", "launcher"]
+ORDER += ["robot", "ros", "studies", "views", "classroom", "launcher"]
 FACES = [room for room in ORDER if (PACKAGE / room / "__init__.pyi").exists()]
 EVERYWHERE = {"numpy", "scipy", "dmp_teach", "lazy_loader", "tqdm"}
 ROOMS = {  # where a library from elsewhere may be imported
@@ -50,7 +50,7 @@ ROOMS = {  # where a library from elsewhere may be imported
     "pinocchio": ["robot/arm.py", "robot/model/"],
     "coal": ["robot/model/"],
     "pybullet": ["robot/simulation/bullet.py"],
-    "rosbags": ["robot/ros/"],
+    "rosbags": ["ros/"],
     "meshcat": ["views/scene/commands.py"],
     "umsgpack": ["views/"],
     "PIL": ["views/"],

@@ -2,6 +2,7 @@ from .arm import JOINTS as JOINTS
 from .fetch import Fetch as Fetch
 from .model.kinematics import Joint as Joint
 from .model.kinematics import Model as Model
+from .model.proximity import Proximity as Proximity
 from .model.urdf import Visual as Visual
 from .motion import Motion as Motion
 from .page import Page as Page
@@ -10,7 +11,6 @@ from .reach.map import reach_around as reach_around
 from .reach.map import reach_map as reach_map
 from .reach.posture import START_POSTURES as START_POSTURES
 from .reach.posture import TIP_TOLERANCE as TIP_TOLERANCE
-from .ros.bag import write_rosbag as write_rosbag
 from .simulation.bullet import Mesh as Mesh
 from .simulation.bullet import render_meshes as render_meshes
 from .simulation.run import FORCE_BAND as FORCE_BAND

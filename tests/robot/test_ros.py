@@ -19,11 +19,11 @@ from dmp_teach.robot.arm import JOINTS, SAFETY_SHELL
 from dmp_teach.robot.fetch import Fetch
 from dmp_teach.robot.model.proximity import Proximity
 from dmp_teach.robot.page import Page
-from dmp_teach.robot.ros import bag as ros
-from dmp_teach.robot.ros.bag import GOAL_TOPIC, PATH_TOPIC, write_rosbag
-from dmp_teach.robot.ros.schedule import APPROACH_PACE, LEAD, make_schedule
-from dmp_teach.robot.ros.untuck import TUCKED
 from dmp_teach.robot.time_scaling import SPEED_SHARE
+from dmp_teach.ros import bag as ros
+from dmp_teach.ros.bag import GOAL_TOPIC, PATH_TOPIC, write_rosbag
+from dmp_teach.ros.schedule import APPROACH_PACE, LEAD, make_schedule
+from dmp_teach.ros.untuck import TUCKED
 from tests.conftest import STRICT
 from tests.robot.ink import LETTER
 from tests.robot.ros_world import HAS_ROS, play_on_a_real_roscore

@@ -28,10 +28,8 @@ from scipy.spatial.transform import Rotation
 
 from dmp_teach.errors import MissingPartError
 from dmp_teach.files import write_whole
-from dmp_teach.robot.arm import JOINTS
-from dmp_teach.robot.model.kinematics import Model
-from dmp_teach.robot.motion import Motion
-from dmp_teach.robot.ros.schedule import Schedule, make_schedule
+from dmp_teach.robot import JOINTS, Model, Motion
+from dmp_teach.ros.schedule import Schedule, make_schedule
 
 GOAL_TOPIC = "/arm_with_torso_controller/follow_joint_trajectory/goal"
 PATH_TOPIC = "/dmp_teach/pen_path"

@@ -13,9 +13,7 @@ import numpy as np
 from scipy.sparse.csgraph import dijkstra
 
 from dmp_teach.errors import ReachError
-from dmp_teach.robot.model.kinematics import Model
-from dmp_teach.robot.model.proximity import Proximity
-from dmp_teach.robot.motion import Motion
+from dmp_teach.robot import Model, Motion, Proximity
 from dmp_teach.trajectory import Array, locked
 
 TUCKED = locked([0.05, 1.32, 1.40, -0.20, 1.72, 0.0, 1.66, 0.0])

@@ -10,10 +10,8 @@ from numpy.typing import ArrayLike
 from scipy.interpolate import CubicSpline
 
 from dmp_teach.errors import JointError, SettingError, TrajectoryError
-from dmp_teach.robot.arm import JOINTS
-from dmp_teach.robot.model.kinematics import Joint, Model
-from dmp_teach.robot.motion import Motion
-from dmp_teach.robot.ros.untuck import TUCKED, find_way
+from dmp_teach.robot import JOINTS, Joint, Model, Motion
+from dmp_teach.ros.untuck import TUCKED, find_way
 from dmp_teach.trajectory import Array, Trajectory, locked
 
 LEAD = 6.0

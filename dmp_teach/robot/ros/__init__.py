@@ -1,1 +1,0 @@
-"""The motion for a real Fetch, as a ROS 1 bag."""

@@ -1,0 +1,1 @@
+from .bag import write_rosbag as write_rosbag
