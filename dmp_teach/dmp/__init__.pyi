@@ -6,6 +6,7 @@ from .checks import named_settings as named_settings
 from .kernels import KERNELS as KERNELS
 from .kernels import Kernels as Kernels
 from .primitive import DMP as DMP
+from .responses import Responses as Responses
 from .settings import KERNELS_PER_SECOND as KERNELS_PER_SECOND
 from .settings import Settings as Settings
 from .settings import knob_of as knob_of

@@ -165,7 +165,7 @@ class DMP:
         if dt is None:
             path = self._path(goal - start, self.steps)
             times = self.times if duration is None else self.times[0] + T * self._clock()
-            return Trajectory(times, start + self._at_sample_times(path))
+            return Trajectory(times, start + self.at_sample_times(path))
         steps = count_steps(T, check_duration("dt", dt))
         even = np.linspace(0, 1, steps + 1)
         path = self._path(goal - start, max(steps, self.steps))
@@ -228,7 +228,7 @@ class DMP:
         gain = Equation(self.settings, self.steps).goal_gain()
         gain = np.broadcast_to(gain, self.nominal_path.shape)
         # Each coordinate in one piece of memory halves a product with one number for each.
-        return np.asfortranarray(self._at_sample_times(gain))
+        return np.asfortranarray(self.at_sample_times(gain))
 
     @cached_property
     def _path_to_zero(self) -> Array:
@@ -238,9 +238,9 @@ class DMP:
     @cached_property
     def _demonstrated(self) -> Array:
         """The path to the demonstrated goal at the demonstration's sample times, shape (T, D)."""
-        return self._at_sample_times(self.start + self.nominal_path)
+        return self.at_sample_times(self.start + self.nominal_path)
 
-    def _at_sample_times(self, path: Array) -> Array:
+    def at_sample_times(self, path: Array) -> Array:
         """Return `path` (M + 1, D) at the demonstration's sample times, shape (T, D)."""
         stride = self.steps // (len(self.times) - 1)
         # Uneven times are learned in at least 4 steps a sample: 1 needs no look at the clock.

@@ -14,7 +14,7 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from dmp_teach.dmp import DMP, Settings, chain
+from dmp_teach.dmp import DMP, Responses, Settings, chain
 from dmp_teach.errors import LetterError, kind_of
 from dmp_teach.files import write_whole
 from dmp_teach.ink import draw_svg
@@ -191,6 +191,11 @@ class Letter:
     def error(self) -> float:
         """The rms distance of the letter as learned from the demonstration, at equal times [m]."""
         return rms_distance(self.strokes, self.write())
+
+    @property
+    def responses(self) -> tuple[Responses, ...]:
+        """How each stroke answers to its goal and to its weights."""
+        return tuple(map(Responses, self.primitives))
 
     def __repr__(self) -> str:
         strokes = f"{len(self.strokes)} stroke{'s' * (len(self.strokes) > 1)}"
