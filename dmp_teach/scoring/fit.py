@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from dmp_teach.scoring.linear_map import centre, fit_linear_map, size_ratio
 from dmp_teach.scoring.matching import Matching
+from dmp_teach.scoring.overlay import ways_to_nearest
 from dmp_teach.scoring.resampling import Resampled, features, rms_radius, squared_distances
 from dmp_teach.scoring.trimming import (
     CHANGE_PENALTY,
@@ -247,27 +248,12 @@ def _follow_closest_points(
             scale,
         )
         shifts = np.array([a.mean(axis=0) - linear @ b.mean(axis=0) for a, b in pairs])
-    far = [
-        _distances_both_ways(a, b @ linear.T + shift)
-        for (a, b), shift in zip(inks, shifts, strict=True)
-    ]
+    far = []
+    for (mine, yours), shift in zip(problem.inks, shifts, strict=True):
+        fitted = replace(yours, points=yours.points @ linear.T + shift)
+        there, back = ways_to_nearest(mine, fitted)
+        far.append(((there**2).sum(axis=1), (back**2).sum(axis=1)))
     return _Solution(problem, linear, shifts, far, scale)
-
-
-def _distances_both_ways(mine: Array, yours: Array) -> tuple[Array, Array]:
-    """Return squared distances of points (P, 2) from the line through (Q, 2), and the reverse."""
-    apart = squared_distances(mine, yours)
-    there = _distances_to_line(mine, yours, apart.argmin(axis=1))
-    return there, _distances_to_line(yours, mine, apart.argmin(axis=0))
-
-
-def _distances_to_line(points: Array, line: Array, vertex: NDArray[np.intp]) -> Array:
-    """Return squared distances of points (P, 2) from a line (Q, 2), given the nearest vertices."""
-    pieces = np.clip(vertex + np.array([[-1], [0]]), 0, len(line) - 2)
-    begin, along = line[pieces], line[pieces + 1] - line[pieces]
-    away, long = points - begin, (along**2).sum(axis=2)
-    at = np.clip((away * along).sum(axis=2) / np.maximum(long, 1e-30), 0, 1)
-    return ((away - at[..., None] * along) ** 2).sum(axis=2).min(axis=0)
 
 
 def _closest_points(

@@ -7,7 +7,7 @@ make handwriting better.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -16,13 +16,8 @@ from dmp_teach.scoring.differences import MOVEMENT_FAULTS, Fault, find_faults
 from dmp_teach.scoring.fit import fit_model
 from dmp_teach.scoring.kinematics import Movement, measure_movement
 from dmp_teach.scoring.matching import Matching, match_strokes
-from dmp_teach.scoring.resampling import (
-    POINTS_TO_FIT,
-    Resampled,
-    resample,
-    size_of,
-    squared_distances,
-)
+from dmp_teach.scoring.overlay import lay_on, rms_apart
+from dmp_teach.scoring.resampling import POINTS_TO_FIT, Resampled, resample, size_of
 from dmp_teach.trajectory import Array
 
 LEVEL_WORDS = ("far", "nearer", "close", "the same")
@@ -150,13 +145,10 @@ def leading_fault(faults: Sequence[Fault]) -> Fault | None:
 
 def _lay_together(matching: Matching, ink: Resampled, model_ink: Resampled) -> tuple[float, Array]:
     """Return the rms distance of two inks laid together by their paired strokes, and the shift."""
-    paired = ink.is_of([k for pair in matching.pairs for k in pair.strokes])
-    model_paired = model_ink.is_of([k for pair in matching.pairs for k in pair.others])
-    middle = ink.points[paired].mean(axis=0)
-    model_middle = model_ink.points[model_paired].mean(axis=0)
-    far = squared_distances(ink.points - middle, model_ink.points - model_middle)
-    rms = float(np.sqrt((far.min(axis=0).mean() + far.min(axis=1).mean()) / 2))
-    return rms, model_middle - middle
+    paired = ink.only(ink.is_of([k for pair in matching.pairs for k in pair.strokes]))
+    others = [k for pair in matching.pairs for k in pair.others]
+    shift = lay_on(paired, model_ink.only(model_ink.is_of(others)))
+    return rms_apart(replace(ink, points=ink.points + shift), model_ink), shift
 
 
 def _part(name: str, faults: Sequence[Fault]) -> Part:

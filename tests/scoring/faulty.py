@@ -145,3 +145,12 @@ def in_one(strokes):
     """Two strokes without a lift: the second from its end, where the first one is."""
     position = np.concatenate([strokes[0].position, strokes[1].position[::-1]])
     return [Trajectory(np.arange(len(position)) / 120, position)]
+
+
+def gone_over(strokes, number, part):
+    """One stroke gone back over from its end, by a part of its points."""
+    stroke, found = strokes[number], list(strokes)
+    back = stroke.position[::-1][: int(part * len(stroke))]
+    position = np.concatenate([stroke.position, back])
+    found[number] = Trajectory(np.arange(len(position)) / 120, position)
+    return found
