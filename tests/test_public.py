@@ -67,12 +67,18 @@ letter = teach.Letter.learn(teach.recording_of("a"))
 reveal_type(letter)
 teach.Leter
 teach.Letter.lern
+teach.Settings.star(kernel_width="wide", widht=2.0)
+teach.Letter.learn(3)
+teach.Letter.learn(letter.strokes)
 """
     said = check_types(code, tmp_path)
     assert 'Revealed type is "dmp_teach.letters.letter.Letter"' in said
     assert 'used.py:6: error: Module has no attribute "Leter"' in said
     assert 'used.py:7: error: "type[Letter]" has no attribute "lern"' in said
-    assert said.count("used.py:") == said.count("used.py:5") + 2
+    assert 'used.py:8: error: Argument "kernel_width" to "star" of "Settings"' in said
+    assert 'used.py:8: error: Unexpected keyword argument "widht"' in said
+    assert 'used.py:9: error: Argument 1 to "learn" of "Letter"' in said
+    assert "used.py:10" not in said
 
 
 @pytest.mark.parametrize("place", PLACES)

@@ -5,14 +5,14 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, fields
 from functools import cache
-from typing import Any, Self
+from typing import Self, Unpack
 
 from dmp_teach.dmp.fit import FITS
 from dmp_teach.dmp.integrators import DERIVATIVES, INTEGRATORS, most_alpha
 from dmp_teach.dmp.kernels import KERNELS, PLACEMENTS
 from dmp_teach.dmp.knob import Knob, knob
 from dmp_teach.dmp.phases import PHASES
-from dmp_teach.dmp.presets import preset
+from dmp_teach.dmp.presets import PRESETS, SettingChanges
 from dmp_teach.dmp.transformations import TRANSFORMATIONS
 from dmp_teach.errors import SettingError
 
@@ -27,8 +27,8 @@ YES_NO = (True, False)
 class Settings:
     """How a primitive is built: a preset, and changes of it, `Settings.star(kernel_width=2.0)`.
 
-    What every preset sets stands in one table, `dmp_teach.dmp.presets.TABLE`. The settings that
-    explain themselves least:
+    How each preset differs from `star` stands in `dmp_teach.dmp.presets.PRESETS`. The settings
+    that explain themselves least:
 
     - `n_kernels` None takes 12 for each second, or one for each `samples_per_kernel` samples where
       that is given.
@@ -153,47 +153,52 @@ class Settings:
             )
 
     @classmethod
-    def star(cls, **changes: Any) -> Self:
+    def star(cls, **changes: Unpack[SettingChanges]) -> Self:
         """Return DMP*, the paper's choice: linear phase, touching boxes, LWR."""
         return cls._preset("star", changes)
 
     @classmethod
-    def original(cls, **changes: Any) -> Self:
+    def original(cls, **changes: Unpack[SettingChanges]) -> Self:
         """Return Ijspeert 2002, the paper's equations 1 to 5: full Gaussians, f times (g - y0)."""
         return cls._preset("original", changes)
 
     @classmethod
-    def joint(cls, **changes: Any) -> Self:
+    def joint(cls, **changes: Unpack[SettingChanges]) -> Self:
         """Return DMP* with full Gaussians, their weights fitted together by ridge regression."""
         return cls._preset("joint", changes)
 
     @classmethod
-    def plus(cls, **changes: Any) -> Self:
+    def plus(cls, **changes: Unpack[SettingChanges]) -> Self:
         """Return DMP* with the local biases of DMP+ (Wang 2016): each kernel learns a line."""
         return cls._preset("plus", changes)
 
     @classmethod
-    def as_printed(cls, **changes: Any) -> Self:
+    def as_printed(cls, **changes: Unpack[SettingChanges]) -> Self:
         """Return the paper to the letter, its contradictions kept: every formula as it stands."""
         return cls._preset("as_printed", changes)
 
     @classmethod
-    def as_coded(cls, **changes: Any) -> Self:
+    def as_coded(cls, **changes: Unpack[SettingChanges]) -> Self:
         """Return the authors' own program: theta = 1/N, centres i/N, an underdamped spring."""
         return cls._preset("as_coded", changes)
 
     @classmethod
-    def as_fixed(cls, **changes: Any) -> Self:
+    def as_fixed(cls, **changes: Unpack[SettingChanges]) -> Self:
         """Return the paper with its contradictions mended and nothing added."""
         return cls._preset("as_fixed", changes)
 
-    # Any: what a setting may be, its knob knows.
     @classmethod
-    def _preset(cls, name: str, changes: dict[str, Any]) -> Self:
+    @cache
+    def _usual(cls, name: str) -> Self:
+        """Return a preset as it is: settings never change, so that one serves everybody."""
+        return cls(**PRESETS[name])
+
+    @classmethod
+    def _preset(cls, name: str, changes: SettingChanges) -> Self:
         """Return a preset with `changes`, or name the settings that exist."""
         for each in changes:
             knob_of(each)
-        return cls(**preset(name) | changes)
+        return cls(**PRESETS[name] | changes) if changes else cls._usual(name)
 
     def resolved(self, duration: float, samples: int) -> Self:
         """Return the same with numbers for `n_kernels` and `alpha`.

@@ -22,7 +22,7 @@ from dmp_teach.letters.compose.piece import Piece
 from dmp_teach.letters.kernel_choice import imitate_strokes
 from dmp_teach.letters.letter_json import letter_parts, letter_to_json
 from dmp_teach.letters.pauses import begin_times
-from dmp_teach.scoring import list_strokes
+from dmp_teach.scoring import LetterLike, list_strokes
 from dmp_teach.trajectory import Array, Trajectory, locked
 
 _Points = Mapping[int, ArrayLike] | None
@@ -55,7 +55,7 @@ class Letter:
         object.__setattr__(self, "led_to", MappingProxyType(goals))
 
     @classmethod
-    def learn(cls, recording: Any, settings: Settings | None = None) -> Self:
+    def learn(cls, recording: LetterLike, settings: Settings | None = None) -> Self:
         """Learn a letter: one primitive for each stroke.
 
         Args:
@@ -261,7 +261,7 @@ class Letter:
         return goal + step
 
 
-def _strokes_of(recording: Any) -> tuple[Trajectory, ...]:
+def _strokes_of(recording: LetterLike) -> tuple[Trajectory, ...]:
     """Return the strokes of a recording or of strokes, checked."""
     strokes = list_strokes(recording)
     wrong = [each for each in strokes if not isinstance(each, Trajectory)]

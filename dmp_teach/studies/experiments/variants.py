@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from dmp_teach.dmp import DMP, KERNELS, Settings
+from dmp_teach.dmp import DMP, KERNELS, SettingChanges, Settings
 from dmp_teach.trajectory import Trajectory
 
 # The paper's N = Num/10, as a share of the samples.
@@ -39,12 +39,14 @@ class Variant:
         return replace(self.settings, **{"n_kernels": number, **changes})
 
 
-AS_PRINTED_FIT = {"sharpen": False, "feed_goal": False}
-FINE_DERIVATIVES = {"derivatives": "inverse", "start_velocity": "fitted"}
+AS_PRINTED_FIT: SettingChanges = {"sharpen": False, "feed_goal": False}
 
 WIDTH_VARIANTS: Mapping[str, Variant] = {
     "the authors' 200 kernels": Variant(
-        Settings.as_fixed(n_kernels=200, alpha=25.0, **FINE_DERIVATIVES), share=None
+        Settings.as_fixed(
+            n_kernels=200, alpha=25.0, derivatives="inverse", start_velocity="fitted"
+        ),
+        share=None,
     ),
     "the authors' program": Variant(Settings.as_coded(n_kernels=200), share=None),
     "Gaussian, LWR": Variant(Settings.as_fixed()),
@@ -52,7 +54,7 @@ WIDTH_VARIANTS: Mapping[str, Variant] = {
     "box, LWR": Variant(Settings.star(**AS_PRINTED_FIT)),
     "box, local bias": Variant(Settings.plus(**AS_PRINTED_FIT)),
     "box, joint": Variant(Settings.joint(kernel_sigma=math.inf)),
-    "mollifier, LWR": Variant(Settings.star(kernel="mollifier", **AS_PRINTED_FIT)),
+    "mollifier, LWR": Variant(Settings.star(kernel="mollifier", sharpen=False, feed_goal=False)),
 }
 """Kernel kinds and fits for error against width; N = Num/10 except for the authors' own 200.
 
