@@ -13,6 +13,7 @@ _load, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)
 _RENAMED = {
     "Bench": "Evidence",
     "ProgressBar": "progress_bar",
+    "Traces": "GoalPaths",
     "against_original": "compare_with_original",
     "any_shape": "learn_random_ink",
     "attribution": "attribute_made_letters",
@@ -25,7 +26,6 @@ _RENAMED = {
     "goal_paths": "draw_goal_change",
     "goal_traces": "trace_goal_change",
     "goals_near_start": "change_goals_near_start",
-    "made_among_real": "attribute_among_real",
     "p_from_d": "make_p_from_d",
     "random_ink": "draw_random_ink",
     "redrawn": "redraw_letters",

@@ -1,7 +1,6 @@
 from .authorship.answers import Answers as Answers
 from .authorship.answers import Attributions as Attributions
 from .authorship.made import attribute_made_letters as attribute_made_letters
-from .authorship.made_among_real import attribute_among_real as attribute_among_real
 from .authorship.real import classify_writers as classify_writers
 from .experiments.d_to_p import MadeLetter as MadeLetter
 from .experiments.d_to_p import MadeLetters as MadeLetters
@@ -13,7 +12,6 @@ from .experiments.goal_change import GoalChanges as GoalChanges
 from .experiments.goal_change import change_goals_1d as change_goals_1d
 from .experiments.goal_change import change_goals_2d as change_goals_2d
 from .experiments.goal_drawings import GoalPaths as GoalPaths
-from .experiments.goal_drawings import Traces as Traces
 from .experiments.goal_drawings import draw_goal_change as draw_goal_change
 from .experiments.goal_drawings import trace_goal_change as trace_goal_change
 from .experiments.goal_near_start import change_goals_near_start as change_goals_near_start
@@ -34,7 +32,6 @@ from .experiments.validation import choose_width as choose_width
 from .experiments.variants import NUMBER_VARIANTS as NUMBER_VARIANTS
 from .experiments.variants import WIDTH_VARIANTS as WIDTH_VARIANTS
 from .experiments.variants import Variant as Variant
-from .parallel import RunOptions as RunOptions
 from .parallel import progress_bar as progress_bar
 from .verdicts.all import claims as claims
 from .verdicts.claim import Claim as Claim

@@ -11,26 +11,13 @@ import warnings
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import Executor
 from contextlib import contextmanager
-from typing import Any, TextIO, TypedDict
+from typing import Any, TextIO
 
 from tqdm.auto import tqdm
 
 from dmp_teach.errors import SettingWarning
 
 Progress = Callable[[int, int], Any]
-
-
-class RunOptions(TypedDict, total=False):
-    """The keywords of every study that say how it is run.
-
-    Args:
-        executor: Any `concurrent.futures.Executor`; None works in this thread.
-        progress: Called as `progress(done, total)` after every piece of work, in this thread, such
-            as `progress_bar("widths")`. It may raise to stop.
-    """
-
-    executor: Executor | None
-    progress: Progress | None
 
 
 def run(
@@ -47,8 +34,9 @@ def run(
     Args:
         work: A function that can be pickled.
         pieces: What it is called with, one at a time.
-        executor: As in `RunOptions`.
-        progress: As in `RunOptions`.
+        executor: Any `concurrent.futures.Executor`; None works in this thread.
+        progress: Called as `progress(done, total)` after every piece of work, in this thread, such
+            as `progress_bar("widths")`. It may raise to stop.
     """
     pieces = list(pieces)
     results: list = []

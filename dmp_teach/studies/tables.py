@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import html
-from collections.abc import Callable, Mapping, Sequence
+from abc import abstractmethod
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import fields
 from textwrap import wrap
 from typing import Any, ClassVar
@@ -14,15 +15,13 @@ from dmp_teach.trajectory import locked
 
 # One mapping for each row, all with the same keys; units stand in the keys.
 TableRows = tuple[Mapping[str, Any], ...]
-# Of a table with a row for each of `items`: the key, and the value of an item.
-Columns = Mapping[str, Callable[[Any], Any]]
+# The values of each column by its head, which says the unit.
+Columns = Mapping[str, Iterable[Any]]
 
 
 class Tabled:
-    """A dataclass of locked arrays that is shown as a table of its `rows()`."""
+    """A dataclass of locked arrays that is shown as a table of its `columns`."""
 
-    COLUMNS: ClassVar[Columns] = {}
-    items: tuple[Any, ...]
     COLUMN_WIDTHS: ClassVar[Mapping[str, int]] = {}
     STYLES: ClassVar[Mapping[str, str]] = {}
 
@@ -32,9 +31,16 @@ class Tabled:
             if isinstance(value, np.ndarray):
                 object.__setattr__(self, each.name, locked(value, dtype=value.dtype))
 
+    @property
+    @abstractmethod
+    def columns(self) -> Columns:
+        """What the table shows."""
+
     def rows(self) -> TableRows:
         """Return one mapping for each row."""
-        return tuple({k: value(item) for k, value in self.COLUMNS.items()} for item in self.items)
+        columns = self.columns
+        plain = [v.tolist() if isinstance(v, np.ndarray) else v for v in columns.values()]
+        return tuple(dict(zip(columns, row, strict=True)) for row in zip(*plain, strict=True))
 
     def table(self) -> str:
         """Return the rows as a table in plain text."""
@@ -42,6 +48,9 @@ class Tabled:
 
     def __str__(self) -> str:
         return self.table()
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({len(self.rows())} rows: {', '.join(self.columns)})"
 
     def _repr_html_(self) -> str:
         """Return the rows as a table in a notebook."""

@@ -18,7 +18,6 @@ import numpy as np
 
 from dmp_teach.studies.authorship.answers import Attributions
 from dmp_teach.studies.authorship.made import attribute_made_letters
-from dmp_teach.studies.authorship.made_among_real import attribute_among_real
 from dmp_teach.studies.authorship.real import classify_writers
 from dmp_teach.studies.inputs import Written
 from dmp_teach.trajectory import Trajectory
@@ -85,7 +84,6 @@ def asked(found: list[Written]) -> dict[str, Attributions]:
     return {
         "Real letters, told apart": classify_writers(found),
         "Bowls that were led, beside bowls": attribute_made_letters(bowls, 4),
-        "Made letters, beside real ones of their kind": attribute_among_real(found),
     }
 
 

@@ -68,9 +68,9 @@ def test_what_the_original_refuses_is_named_and_not_counted():
 def test_traces_end_at_the_new_goal_and_velocity_belongs_to_position():
     ink = letter(300, 2.5, seed=2)
     traces = trace_goal_change(ink, 1, 0.01, "name")
-    assert traces.position["DMP*"][-1] == pytest.approx(ink.position[-1, 1] + 0.01, abs=0.001)
-    for name, position in traces.position.items():
-        np.testing.assert_allclose(traces.velocity[name], np.gradient(position, traces.t))
+    assert traces.paths["DMP*"][-1] == pytest.approx(ink.position[-1, 1] + 0.01, abs=0.001)
+    for name, path in traces.paths.items():
+        np.testing.assert_allclose(traces.velocities[name], np.gradient(path, traces.t, axis=0))
 
 
 @pytest.mark.parametrize("axis", [0, 1])

@@ -8,8 +8,11 @@ import numpy as np
 import pytest
 
 from dmp_teach.errors import SettingWarning
+from dmp_teach.studies.authorship.real import classify_writers
 from dmp_teach.studies.experiments.error_curves import sweep_kernel_number, sweep_kernel_width
 from dmp_teach.studies.experiments.goal_change import change_goals_1d, change_goals_2d
+from dmp_teach.studies.experiments.goal_drawings import draw_goal_change
+from dmp_teach.studies.experiments.goal_near_start import change_goals_near_start
 from dmp_teach.studies.experiments.random_ink import learn_random_ink
 from dmp_teach.studies.experiments.redraw import redraw_at_widths, redraw_letters
 from dmp_teach.studies.experiments.validation import choose_kernels
@@ -129,3 +132,16 @@ def test_gaps_that_are_studied_are_not_warned_of(processes):
         warnings.simplefilter("error", SettingWarning)
         for engine in (None, processes):
             sweep_kernel_width(INK[:1], widths=(0.3, 1.0), executor=engine)
+
+
+def test_a_wrong_keyword_names_the_study_that_it_was_given_to():
+    for study in (sweep_kernel_width, change_goals_1d, redraw_letters, choose_kernels):
+        with pytest.raises(TypeError, match=rf"{study.__name__}\(\) .* 'exectuor'"):
+            study(INK, exectuor=None)
+
+
+def test_what_a_study_gives_is_said_in_a_line():
+    near, hands = change_goals_near_start(INK[:1], ways=(0.02, 0.001)), classify_writers()
+    for value in (near, hands, hands.items[0], change_goals_1d(INK), draw_goal_change(INK[0])):
+        assert repr(value).startswith(f"{type(value).__name__}(")
+        assert len(repr(value)) < 300

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
-from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,7 +17,7 @@ PERMUTATIONS = 999
 NORMAL_95 = 1.959964
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Answers:
     """One question, asked of many letters.
 
@@ -77,6 +76,9 @@ class Answers:
         written = np.array([sum(writer == each for each, _ in self.items) for writer in row])
         return counts / np.maximum(written, 1)[:, None]
 
+    def __repr__(self) -> str:
+        return "Answers({!r}, {} of {} right)".format(self.question, *self.right)
+
     def _rates(self) -> list[float]:
         """Return each writer's rate."""
         hits: dict[str, list[bool]] = {}
@@ -85,7 +87,7 @@ class Answers:
         return [float(np.mean(each)) for each in hits.values()]
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Attributions(Tabled):
     """Several questions; `found["DMP*, varied"]` is one.
 
@@ -113,16 +115,19 @@ class Attributions(Tabled):
         names = ", ".join(each.question for each in self.items)
         raise SettingError(f"{question!r} was not asked; asked was: {names}.")
 
-    COLUMNS: ClassVar[Columns] = {
-        "question": lambda each: each.question,
-        "right": lambda each: each.right[0],
-        "of": lambda each: each.right[1],
-        "rate [%]": lambda each: 100 * each.rate,
-        "from [%]": lambda each: 100 * each.interval[0],
-        "to [%]": lambda each: 100 * each.interval[1],
-        "a guess [%]": lambda each: 100 * each.chance,
-        "by luck": lambda each: each.luck,
-    }
+    @property
+    def columns(self) -> Columns:
+        """A row for each question."""
+        return {
+            "question": [each.question for each in self.items],
+            "right": [each.right[0] for each in self.items],
+            "of": [each.right[1] for each in self.items],
+            "rate [%]": [100 * each.rate for each in self.items],
+            "from [%]": [100 * each.interval[0] for each in self.items],
+            "to [%]": [100 * each.interval[1] for each in self.items],
+            "a guess [%]": [100 * each.chance for each in self.items],
+            "by luck": [each.luck for each in self.items],
+        }
 
 
 def permutation_luck(

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from concurrent.futures import Executor
 from dataclasses import dataclass
-from typing import Any, Unpack
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,7 +24,7 @@ from dmp_teach.letters import (
 from dmp_teach.studies.authorship.answers import Answers, Attributions, takes_luck
 from dmp_teach.studies.authorship.real import distinct_takes
 from dmp_teach.studies.inputs import Written, list_letters
-from dmp_teach.studies.parallel import RunOptions, run
+from dmp_teach.studies.parallel import Progress, run
 from dmp_teach.trajectory import Array
 
 # Between points at equal arc length along a stroke.
@@ -82,7 +83,9 @@ class _Bowl:
 def attribute_made_letters(
     recordings: Any = None,
     variations: int = DEFAULT_VARIATIONS,
-    **options: Unpack[RunOptions],
+    *,
+    executor: Executor | None = None,
+    progress: Progress | None = None,
 ) -> Attributions:
     """Attribute made letters to the writer whose real stroke is nearest.
 
@@ -104,7 +107,8 @@ def attribute_made_letters(
             writers in it.
         variations: How often starts and goals are moved, by a tenth of the stroke's size (normal,
             in each direction).
-        **options: `executor` and `progress` (`RunOptions`); a piece is one take by one writer.
+        executor: As in `claims`; a piece is one take by one writer.
+        progress: As in `claims`.
 
     Raises:
         LetterError: A letter that is not flat, or all in one place.
@@ -114,10 +118,10 @@ def attribute_made_letters(
         raise SettingError(
             f"variations is {variations!r}, but must be a whole number of at least 1."
         )
-    found = _bowls(list_letters(recordings), variations, options)
+    found = _bowls(list_letters(recordings), variations, executor, progress)
     borrowed = not found
     if borrowed:
-        found = _bowls(list_letters(), variations, options)
+        found = _bowls(list_letters(), variations, executor, progress)
     answers = [
         _answers(found, way, varied, less)
         for way in LED_WITH
@@ -140,7 +144,12 @@ def directions(path: Array) -> Array:
     return unit.ravel() / np.sqrt(DIRECTION_STEPS)
 
 
-def _bowls(letters: Sequence[Written], variations: int, options: RunOptions) -> list[_Bowl]:
+def _bowls(
+    letters: Sequence[Written],
+    variations: int,
+    executor: Executor | None,
+    progress: Progress | None,
+) -> list[_Bowl]:
     """Return every bowl that a recipe leads, as far as two writers or more have it."""
     takes = sort_takes(letters)
     # Every transformation is asked for by name.
@@ -148,7 +157,7 @@ def _bowls(letters: Sequence[Written], variations: int, options: RunOptions) -> 
     hows = dict.fromkeys(
         ",".join(how.split(",")[: number + 1]) for how in table for number in _led(how)
     )
-    made = run(_make, [(take, tuple(hows), variations) for _, take in takes], **options)
+    made = run(_make, [(take, tuple(hows), variations) for _, take in takes], executor, progress)
     found = []
     for bowl in zip(*made, strict=True):
         there = tuple(number for number, each in enumerate(bowl) if each is not None)

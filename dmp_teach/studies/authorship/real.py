@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import Executor
 from dataclasses import dataclass
-from typing import Any, Unpack
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +13,7 @@ from numpy.typing import NDArray
 from dmp_teach.scoring import letter_distances, measure_movement, resample, to_strokes
 from dmp_teach.studies.authorship.answers import Answers, Attributions, permutation_luck
 from dmp_teach.studies.inputs import Written, list_letters
-from dmp_teach.studies.parallel import RunOptions, run
+from dmp_teach.studies.parallel import Progress, run
 from dmp_teach.trajectory import Array, Trajectory
 
 # A take nearer to another than this is the same take: two by one hand are 0.05 to 0.3 apart.
@@ -29,7 +30,9 @@ Marks = dict[str, Array]
 """A row of features for each writer."""
 
 
-def classify_writers(recordings: Any = None, **options: Unpack[RunOptions]) -> Attributions:
+def classify_writers(
+    recordings: Any = None, *, executor: Executor | None = None, progress: Progress | None = None
+) -> Attributions:
     """Attribute real letters to writers by the nearest neighbour, each left out of its neighbours.
 
     "other takes", where a writer has several of a letter: the nearest of all other takes of that
@@ -45,7 +48,8 @@ def classify_writers(recordings: Any = None, **options: Unpack[RunOptions]) -> A
 
     Args:
         recordings: Recordings, files or strokes; None takes our own alphabets.
-        **options: `executor` and `progress` (`RunOptions`); a piece is one letter with its takes.
+        executor: As in `claims`; a piece is one letter with its takes.
+        progress: As in `claims`.
 
     Raises:
         LetterError: A letter that is not flat, or all in one place.
@@ -53,7 +57,7 @@ def classify_writers(recordings: Any = None, **options: Unpack[RunOptions]) -> A
     groups: dict[str, list[Written]] = {}
     for letter in list_letters(recordings):
         groups.setdefault(letter.character, []).append(letter)
-    found = run(_compare_takes, groups.values(), **options)
+    found = run(_compare_takes, groups.values(), executor, progress)
     by_shape = _by_letters(BY_SHAPE, [each.shapes for each in found])
     by_movement = _by_letters(BY_MOVEMENT, [each.movements for each in found])
     return Attributions((_by_takes(found), by_shape, by_movement))

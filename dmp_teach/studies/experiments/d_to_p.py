@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from concurrent.futures import Executor
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from typing import Any, ClassVar, Unpack
+from typing import Any
 
 import numpy as np
 
@@ -13,7 +14,7 @@ from dmp_teach.dmp import Settings, named_settings
 from dmp_teach.errors import SettingError
 from dmp_teach.letters import Letter, cut_at_corners, find_bar_and_bowl
 from dmp_teach.studies.inputs import Written, list_letters, own_recordings
-from dmp_teach.studies.parallel import RunOptions, run
+from dmp_teach.studies.parallel import Progress, run
 from dmp_teach.studies.tables import Columns, Tabled
 from dmp_teach.trajectory import Array, Trajectory
 
@@ -101,7 +102,7 @@ class MadeLetter:
         return float(np.linalg.norm(top - foot))
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class MadeLetters(Tabled):
     """The Ps of everybody, by every transformation.
 
@@ -122,14 +123,17 @@ class MadeLetters(Tabled):
         """The transformations."""
         return tuple(dict.fromkeys(item.made_with for item in self.items))
 
-    COLUMNS: ClassVar[Columns] = {
-        "from": lambda item: item.source.name,
-        "made with": lambda item: item.made_with,
-        "a P": lambda item: item.recognisable,
-        "overshoot [mm]": lambda item: 1e3 * item.overshoot,
-        "shear [mm]": lambda item: 1e3 * item.shear,
-        "shear [% of bar]": lambda item: 100 * item.shear / item.height,
-    }
+    @property
+    def columns(self) -> Columns:
+        """A row for each letter."""
+        return {
+            "from": [item.source.name for item in self.items],
+            "made with": [item.made_with for item in self.items],
+            "a P": [item.recognisable for item in self.items],
+            "overshoot [mm]": [1e3 * item.overshoot for item in self.items],
+            "shear [mm]": [1e3 * item.shear for item in self.items],
+            "shear [% of bar]": [100 * item.shear / item.height for item in self.items],
+        }
 
 
 def goal_transforms() -> dict[str, Settings]:
@@ -141,7 +145,9 @@ def goal_transforms() -> dict[str, Settings]:
 def make_p_from_d(
     recordings: Any = None,
     settings: Mapping[str, Settings] | None = None,
-    **options: Unpack[RunOptions],
+    *,
+    executor: Executor | None = None,
+    progress: Progress | None = None,
 ) -> MadeLetters:
     """Make every D into a P: the bowl's lower end goes to the middle of the bar.
 
@@ -150,13 +156,14 @@ def make_p_from_d(
     Args:
         recordings: Recordings, files or strokes; our own D where none has a bar and a bowl.
         settings: How, by name; `goal_transforms()` unless given.
-        **options: `executor` and `progress` (`RunOptions`); a piece of work is one D.
+        executor: As in `claims`; a piece of work is one D.
+        progress: As in `claims`.
     """
     named = named_settings(settings, goal_transforms())
     cut = [_cut_apart(letter) for letter in list_letters(recordings)]
     given = [letter for letter in cut if letter.character == "D" and len(letter.strokes) > 1]
     pieces = [(letter, named) for letter in given or list_letters(own_recordings("D"))]
-    found = run(_make, pieces, **options)
+    found = run(_make, pieces, executor, progress)
     return MadeLetters(tuple(item for way in zip(*found, strict=True) for item in way), not given)
 
 

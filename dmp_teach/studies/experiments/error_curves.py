@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import Executor
 from dataclasses import dataclass
-from typing import Any, Unpack
+from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from dmp_teach.dmp import Settings
 from dmp_teach.errors import SettingError
@@ -19,8 +20,8 @@ from dmp_teach.studies.experiments.variants import (
     rms_error,
 )
 from dmp_teach.studies.inputs import Stroke, named_strokes
-from dmp_teach.studies.parallel import RunOptions, run
-from dmp_teach.studies.tables import Tabled, TableRows
+from dmp_teach.studies.parallel import Progress, run
+from dmp_teach.studies.tables import Columns, Tabled
 from dmp_teach.trajectory import Array, Trajectory
 
 SWEPT_WIDTHS = (
@@ -29,11 +30,13 @@ SWEPT_WIDTHS = (
 )
 """Kernel widths [1/N]: from gaps to every kernel active all the time."""
 
+StrokeJob = tuple[Trajectory, list[list[Settings | None]]]
+
 FEWEST_KERNELS = 5
 MOST_KERNELS_PER_SAMPLE = 0.5
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class ErrorCurves(Tabled):
     """The error of each stroke in each variant over one setting.
 
@@ -80,22 +83,20 @@ class ErrorCurves(Tabled):
         """The median over strokes, shape (V, K) [m]."""
         return np.median(self.error, axis=1)
 
-    def rows(self) -> TableRows:
-        """Return the medians over strokes in mm, a row for each x."""
-        return tuple(
-            {
-                self.x_name: float(x),
-                **{f"{v} [mm]": float(1e3 * e) for v, e in zip(self.variants, row, strict=True)},
-            }
-            for x, row in zip(self.x, self.median.T, strict=True)
-        )
+    @property
+    def columns(self) -> Columns:
+        """The medians over strokes, a row for each x."""
+        errors = zip(self.variants, self.median, strict=True)
+        return {self.x_name: self.x, **{f"{name} [mm]": 1e3 * error for name, error in errors}}
 
 
 def sweep_kernel_width(
     recordings: Any = None,
     widths: Sequence[float] = SWEPT_WIDTHS,
     variants: Mapping[str, Variant] | None = None,
-    **options: Unpack[RunOptions],
+    *,
+    executor: Executor | None = None,
+    progress: Progress | None = None,
 ) -> ErrorCurves:
     """Compute the error of every stroke against kernel width, for each kernel kind and fit.
 
@@ -103,23 +104,26 @@ def sweep_kernel_width(
         recordings: Recordings, files or strokes; None takes our own alphabets.
         widths: Kernel widths [1/N].
         variants: Name: `Variant`; `WIDTH_VARIANTS` unless given.
-        **options: `executor` and `progress` (`RunOptions`); a piece of work is one stroke.
+        executor: As in `claims`; a piece of work is one stroke.
+        progress: As in `claims`.
     """
 
     def settings(variant: Variant, path: Trajectory, width: float) -> Settings | None:
         possible = has_ends(variant.settings, width)
         return variant.on(path, kernel_width=float(width)) if possible else None
 
-    named = dict(variants or WIDTH_VARIANTS)
-    strokes = named_strokes(recordings)
-    return _sweep("width [1/N]", widths, named, strokes, settings=settings, options=options)
+    named, strokes = dict(variants or WIDTH_VARIANTS), named_strokes(recordings)
+    found = run(_errors, _pieces(widths, named, strokes, settings), executor, progress)
+    return _curves("width [1/N]", widths, named, strokes, found)
 
 
 def sweep_kernel_number(
     recordings: Any = None,
     shares: Sequence[float] | None = None,
     variants: Mapping[str, Variant] | None = None,
-    **options: Unpack[RunOptions],
+    *,
+    executor: Executor | None = None,
+    progress: Progress | None = None,
 ) -> ErrorCurves:
     """Compute the error of every stroke against the number of kernels, which touch.
 
@@ -129,51 +133,58 @@ def sweep_kernel_number(
             on the longest stroke to half the samples, with 0.1 (the paper's Num/10) and 0.2 among
             them. Never fewer than 5 kernels.
         variants: Name: `Variant`; `NUMBER_VARIANTS` unless given.
-        **options: `executor` and `progress` (`RunOptions`); a piece of work is one stroke.
+        executor: As in `claims`; a piece of work is one stroke.
+        progress: As in `claims`.
     """
 
     def settings(variant: Variant, path: Trajectory, share: float) -> Settings:
         number = min(len(path), max(FEWEST_KERNELS, round(share * len(path))))
         return variant.on(path, n_kernels=number)
 
-    strokes = named_strokes(recordings)
+    named, strokes = dict(variants or NUMBER_VARIANTS), named_strokes(recordings)
     if shares is None:
         least = min(FEWEST_KERNELS / max(len(stroke.path) for stroke in strokes), 0.05)
         some = [*np.geomspace(least, 0.1, 9), *np.geomspace(0.1, 0.2, 4), 0.27, 0.36]
         shares = np.unique(np.round([*some, MOST_KERNELS_PER_SAMPLE], 6)).tolist()
-    named = dict(variants or NUMBER_VARIANTS)
-    return _sweep("kernels per sample", shares, named, strokes, settings=settings, options=options)
+    found = run(_errors, _pieces(shares, named, strokes, settings), executor, progress)
+    return _curves("kernels per sample", shares, named, strokes, found)
 
 
-def _sweep(
-    name: str,
-    x: ArrayLike,
+def _pieces(
+    x: Sequence[float],
     variants: Mapping[str, Variant],
     strokes: Sequence[Stroke],
-    *,
     settings: Callable[[Variant, Trajectory, float], Settings | None],
-    options: RunOptions,
+) -> list[StrokeJob]:
+    """Return every stroke with the settings of each variant at each `x`."""
+    return [
+        (each.path, [[settings(v, each.path, value) for value in x] for v in variants.values()])
+        for each in strokes
+    ]
+
+
+def _curves(
+    name: str,
+    x: Sequence[float],
+    variants: Mapping[str, Variant],
+    strokes: Sequence[Stroke],
+    found: Sequence[Array],
 ) -> ErrorCurves:
-    """Return the curves over `x`, where `settings(variant, path, x)` are those of one point."""
-    values = np.asarray(x, dtype=float)
-    pieces = []
-    for stroke in strokes:
-        rows = [[settings(v, stroke.path, each) for each in values] for v in variants.values()]
-        pieces.append((stroke.path, rows))
-    found = np.stack(run(_errors, pieces, **options), axis=2)
+    """Return the curves from what was found for each stroke."""
+    error, numbers = np.stack(found, axis=2)
     return ErrorCurves(
-        values,
+        np.array(x, dtype=float),
         name,
         tuple(variants),
         tuple(stroke.name for stroke in strokes),
         tuple(stroke.character for stroke in strokes),
         np.array([len(stroke.path) for stroke in strokes]),
-        found[0],
-        found[1].astype(int),
+        error,
+        numbers.astype(int),
     )
 
 
-def _errors(piece: tuple[Trajectory, list[list[Settings | None]]]) -> Array:
+def _errors(piece: StrokeJob) -> Array:
     """Return errors [m] and numbers of kernels of one stroke, shape (2, V, K)."""
     path, rows = piece
     errors = [[np.nan if each is None else rms_error(path, each) for each in row] for row in rows]

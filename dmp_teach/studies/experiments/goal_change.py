@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from concurrent.futures import Executor
 from dataclasses import dataclass, replace
-from typing import Any, Unpack
+from typing import Any
 
 import numpy as np
 
@@ -12,8 +13,8 @@ from dmp_teach.dmp import DMP, Settings, as_settings
 from dmp_teach.errors import SettingError
 from dmp_teach.studies.experiments.variants import rms
 from dmp_teach.studies.inputs import named_strokes
-from dmp_teach.studies.parallel import RunOptions, run
-from dmp_teach.studies.tables import Tabled, TableRows
+from dmp_teach.studies.parallel import Progress, run
+from dmp_teach.studies.tables import Columns, Tabled
 from dmp_teach.trajectory import Array, Trajectory
 
 AXIS_NAMES = "xyz"
@@ -64,7 +65,7 @@ class GoalChange:
         return float(np.linalg.norm(self.shift))
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class GoalChanges(Tabled):
     """Every stroke with every shift of its goal.
 
@@ -91,21 +92,19 @@ class GoalChanges(Tabled):
         """Return one figure of every case, such as `values("star")`, shape (C,)."""
         return np.array([getattr(case, name) for case in self.cases])
 
-    def rows(self) -> TableRows:
-        """Return one row for each case."""
-        return tuple(
-            {
-                "stroke": case.stroke,
-                "shift [mm]": tuple(1e3 * x for x in case.shift),
-                "factor": case.factor,
-                "mirrored": case.mirrored,
-                "DMP* [mm]": 1e3 * case.star,
-                "original [mm]": 1e3 * case.original,
-                "DMP* [mm/s]": 1e3 * case.star_velocity,
-                "original [mm/s]": 1e3 * case.original_velocity,
-            }
-            for case in self.cases
-        )
+    @property
+    def columns(self) -> Columns:
+        """A row for each case."""
+        return {
+            "stroke": self.values("stroke"),
+            "shift [mm]": 1e3 * self.values("shift"),
+            "factor": self.values("factor"),
+            "mirrored": self.values("mirrored"),
+            "DMP* [mm]": 1e3 * self.values("star"),
+            "original [mm]": 1e3 * self.values("original"),
+            "DMP* [mm/s]": 1e3 * self.values("star_velocity"),
+            "original [mm/s]": 1e3 * self.values("original_velocity"),
+        }
 
 
 def change_goals_1d(
@@ -113,7 +112,9 @@ def change_goals_1d(
     shift: float = 0.01,
     settings: Settings | None = None,
     original: Settings | None = None,
-    **options: Unpack[RunOptions],
+    *,
+    executor: Executor | None = None,
+    progress: Progress | None = None,
 ) -> GoalChanges:
     """Move the goal of each coordinate of each stroke by `shift` to either side.
 
@@ -122,7 +123,8 @@ def change_goals_1d(
         shift: How far the goal moves [m]; the paper's is 0.01 m.
         settings: Of DMP*; `Settings.star()` unless given.
         original: Of the original form; `Settings.original()` unless given.
-        **options: `executor` and `progress` (`RunOptions`); a piece of work is one coordinate.
+        executor: As in `claims`; a piece of work is one coordinate.
+        progress: As in `claims`.
     """
     forms = both_forms(settings, original)
     pieces = [
@@ -135,7 +137,7 @@ def change_goals_1d(
         for stroke in named_strokes(recordings)
         for axis in range(stroke.path.dimensions)
     ]
-    return _collected(run(_change_goal, pieces, **options))
+    return _collected(run(_change_goal, pieces, executor, progress))
 
 
 def change_goals_2d(
@@ -143,7 +145,9 @@ def change_goals_2d(
     shift: float = 0.1,
     settings: Settings | None = None,
     original: Settings | None = None,
-    **options: Unpack[RunOptions],
+    *,
+    executor: Executor | None = None,
+    progress: Progress | None = None,
 ) -> GoalChanges:
     """Move the goal of each stroke by `shift` right, left, up and down.
 
@@ -152,12 +156,13 @@ def change_goals_2d(
         shift: How far the goal moves [m]; the paper's is 0.1 m.
         settings: As in `change_goals_1d`.
         original: As in `change_goals_1d`.
-        **options: `executor` and `progress` (`RunOptions`); a piece of work is one stroke.
+        executor: As in `claims`; a piece of work is one stroke.
+        progress: As in `claims`.
     """
     forms = both_forms(settings, original)
     shifts = ((shift, 0.0), (-shift, 0.0), (0.0, shift), (0.0, -shift))
     pieces = [(each.name, each.path, shifts, *forms) for each in named_strokes(recordings)]
-    return _collected(run(_change_goal, pieces, **options))
+    return _collected(run(_change_goal, pieces, executor, progress))
 
 
 def both_forms(

@@ -12,46 +12,37 @@ from dmp_teach.studies.experiments.goal_change import both_forms, goal_factor
 from dmp_teach.trajectory import Array, Trajectory, locked
 
 
-@dataclass(frozen=True, eq=False)
-class Traces:
-    """One coordinate over time, shown and drawn to a goal that moved.
+@dataclass(frozen=True, eq=False, repr=False)
+class GoalPaths:
+    """One stroke, or one coordinate of it, shown and drawn to a goal that moved.
 
     Args:
         stroke: Its name.
         t: From 0, shape (T,) [s].
-        shift: How far the goal moved [m].
-        position: Of "demonstration", "DMP*" and "original", shape (T,) each [m].
-        velocity: The same, shape (T,) each [m/s].
+        shift: How far the goal moved, shape (D,) [m].
+        paths: Of "demonstration", "DMP*" and "original", shape (T, D) each [m].
+        factor: (g' - y0) / (g - y0), shape (D,).
     """
 
     stroke: str
     t: Array
-    shift: float
-    position: dict[str, Array]
-    velocity: dict[str, Array]
-
-
-@dataclass(frozen=True, eq=False)
-class GoalPaths:
-    """One stroke on the page, shown and drawn to a goal that moved.
-
-    Args:
-        stroke: Its name.
-        shift: How far the goal moved, shape (2,) [m].
-        paths: Of "demonstration", "DMP*" and "original", shape (T, 2) each [m].
-        factor: (g' - y0) / (g - y0), shape (2,).
-    """
-
-    stroke: str
     shift: Array
     paths: dict[str, Array]
     factor: Array
 
+    @property
+    def velocities(self) -> dict[str, Array]:
+        """The velocity along each of the paths, shape (T, D) each [m/s]."""
+        return {name: np.gradient(path, self.t, axis=0) for name, path in self.paths.items()}
+
+    def __repr__(self) -> str:
+        return f"GoalPaths({self.stroke!r}, goal moved by {self.shift} m: {', '.join(self.paths)})"
+
 
 def trace_goal_change(
     stroke: Trajectory, axis: int = 0, shift: float = 0.01, name: str = ""
-) -> Traces:
-    """Draw position and velocity of one coordinate whose goal moved, as the paper's figure 6.
+) -> GoalPaths:
+    """Draw one coordinate whose goal moved by both forms, as the paper's figure 6.
 
     Args:
         stroke: As it was shown.
@@ -59,11 +50,7 @@ def trace_goal_change(
         shift: How far its goal moves [m].
         name: What the stroke is called.
     """
-    one, t = Trajectory(stroke.t, stroke.position[:, axis]), stroke.t - stroke.t[0]
-    drawn, _ = _drawn_to(one, np.array([shift]))
-    position = {label: locked(path[:, 0]) for label, path in drawn.items()}
-    velocity = {label: locked(np.gradient(path, t)) for label, path in position.items()}
-    return Traces(name, locked(t), shift, position, velocity)
+    return draw_goal_change(Trajectory(stroke.t, stroke.position[:, axis]), (shift,), name)
 
 
 def draw_goal_change(
@@ -72,21 +59,16 @@ def draw_goal_change(
     """Draw one stroke whose goal moved by both forms, as the paper's figure 7 draws the letter a.
 
     Args:
-        stroke: As it was shown, 2-D.
-        shift: How far its goal moves [m].
+        stroke: As it was shown.
+        shift: How far its goal moves, for each coordinate [m].
         name: What the stroke is called.
     """
-    moved = np.asarray(shift, dtype=float)
-    drawn, learned = _drawn_to(stroke, moved)
-    paths = {label: locked(path) for label, path in drawn.items()}
-    return GoalPaths(name, locked(moved), paths, locked(goal_factor(learned, moved)))
-
-
-def _drawn_to(stroke: Trajectory, shift: Array) -> tuple[dict[str, Array], DMP]:
-    """Return the demonstration and both forms' rollouts to a moved goal, and the original form."""
     star, original = (DMP.imitate(stroke, settings) for settings in both_forms())
-    return {
+    moved = locked(shift)
+    paths = {
         "demonstration": stroke.position,
-        "DMP*": star.rollout(goal=star.goal + shift).position,
-        "original": original.rollout(goal=original.goal + shift).position,
-    }, original
+        "DMP*": star.rollout(goal=star.goal + moved).position,
+        "original": original.rollout(goal=original.goal + moved).position,
+    }
+    factor = locked(goal_factor(original, moved))
+    return GoalPaths(name, locked(stroke.t - stroke.t[0]), moved, paths, factor)

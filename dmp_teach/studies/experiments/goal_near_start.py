@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from concurrent.futures import Executor
 from dataclasses import dataclass
-from typing import Any, Unpack
+from typing import Any
 
 import numpy as np
 
@@ -12,15 +13,15 @@ from dmp_teach.dmp import DMP, Settings, as_settings
 from dmp_teach.errors import SettingError
 from dmp_teach.studies.experiments.joint_demand import arm_at_table, greatest_acceleration
 from dmp_teach.studies.inputs import named_strokes
-from dmp_teach.studies.parallel import RunOptions, run
-from dmp_teach.studies.tables import Tabled, TableRows
+from dmp_teach.studies.parallel import Progress, run
+from dmp_teach.studies.tables import Columns, Tabled
 from dmp_teach.trajectory import Array, Trajectory
 
 GOAL_OFFSETS = (0.05, 0.02, 0.01, 0.005, 0.002, 0.001, 0.0005)
 """How far the goal is from the start [m]."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class GoalsNearStart(Tabled):
     """Strokes whose goal was brought near their start in one coordinate, and then moved.
 
@@ -52,18 +53,16 @@ class GoalsNearStart(Tabled):
         kept = demand[:, :, :1] <= 1
         return ((demand[:, :, 1:] > 1) & kept).sum(axis=1) / np.maximum(kept.sum(axis=1), 1)
 
-    def rows(self) -> TableRows:
-        """Return a row for each offset of the goal."""
-        return tuple(
-            {
-                "g from y0 [mm]": float(1e3 * way),
-                "original, times the acceleration": float(growth[0]),
-                "DMP*, times": float(growth[1]),
-                "original over a joint's limit [%]": float(100 * broken[0]),
-                "DMP* over a joint's limit [%]": float(100 * broken[1]),
-            }
-            for way, growth, broken in zip(self.ways, self.growth, self.broken, strict=True)
-        )
+    @property
+    def columns(self) -> Columns:
+        """A row for each offset of the goal."""
+        return {
+            "g from y0 [mm]": 1e3 * self.ways,
+            "original, times the acceleration": self.growth[:, 0],
+            "DMP*, times": self.growth[:, 1],
+            "original over a joint's limit [%]": 100 * self.broken[:, 0],
+            "DMP* over a joint's limit [%]": 100 * self.broken[:, 1],
+        }
 
 
 def change_goals_near_start(
@@ -72,7 +71,9 @@ def change_goals_near_start(
     ways: Sequence[float] = GOAL_OFFSETS,
     settings: Settings | None = None,
     original: Settings | None = None,
-    **options: Unpack[RunOptions],
+    *,
+    executor: Executor | None = None,
+    progress: Progress | None = None,
 ) -> GoalsNearStart:
     """Bend every stroke so that its goal is near its start, learn it, and move its goal.
 
@@ -84,11 +85,12 @@ def change_goals_near_start(
         ways: How near the goal is to the start in that coordinate [m].
         settings: Of DMP*; `Settings.star()` unless given.
         original: Of the original form; `Settings.original()` unless given.
-        **options: `executor` and `progress` (`RunOptions`); a piece of work is one stroke.
+        executor: As in `claims`; a piece of work is one stroke.
+        progress: As in `claims`.
     """
     forms = (as_settings(original, Settings.original, "original"), as_settings(settings))
     pieces = [(stroke.path, tuple(ways), shift, *forms) for stroke in named_strokes(recordings)]
-    found = [each for each in run(_demands, pieces, **options) if each.size]
+    found = [each for each in run(_demands, pieces, executor, progress) if each.size]
     demand = np.concatenate(found, axis=1)
     return GoalsNearStart(np.asarray(ways), shift, demand[..., 0], demand[..., 1], demand[..., 2])
 

@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
+from concurrent.futures import Executor
 from dataclasses import dataclass, replace
-from typing import Any, Unpack
+from typing import Any
 
 import numpy as np
 
 from dmp_teach.dmp import DMP, Settings, as_settings
 from dmp_teach.studies.inputs import Stroke, named_strokes
-from dmp_teach.studies.parallel import RunOptions, run
-from dmp_teach.studies.tables import Tabled, TableRows
+from dmp_teach.studies.parallel import Progress, run
+from dmp_teach.studies.tables import Columns, Tabled
 from dmp_teach.trajectory import Array
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class InitialAcceleration(Tabled):
     """The acceleration that a goal that moved by `shift` adds to the first sample.
 
@@ -33,25 +34,24 @@ class InitialAcceleration(Tabled):
     with_term: Array
     fed: Array
 
-    def rows(self) -> TableRows:
-        """Return one row for each stroke."""
-        columns = (self.strokes, self.without, self.with_term, self.fed)
-        return tuple(
-            {
-                "stroke": name,
-                "without the term [m/s2]": float(without),
-                "with it [m/s2]": float(with_term),
-                "with it, goal fed forward [m/s2]": float(fed),
-            }
-            for name, without, with_term, fed in zip(*columns, strict=True)
-        )
+    @property
+    def columns(self) -> Columns:
+        """A row for each stroke."""
+        return {
+            "stroke": self.strokes,
+            "without the term [m/s2]": self.without,
+            "with it [m/s2]": self.with_term,
+            "with it, goal fed forward [m/s2]": self.fed,
+        }
 
 
 def measure_initial_acceleration(
     recordings: Any = None,
     shift: float = 0.01,
     settings: Settings | None = None,
-    **options: Unpack[RunOptions],
+    *,
+    executor: Executor | None = None,
+    progress: Progress | None = None,
 ) -> InitialAcceleration:
     """Measure what a moved goal adds to the acceleration of each stroke's first sample.
 
@@ -59,10 +59,11 @@ def measure_initial_acceleration(
         recordings: Recordings, files or strokes; None takes our own alphabets.
         shift: How far the goal moves, along the first coordinate [m].
         settings: Of DMP*; `Settings.star()` unless given. Feed-forward is tried both ways.
-        **options: `executor` and `progress` (`RunOptions`); a piece of work is one stroke.
+        executor: As in `claims`; a piece of work is one stroke.
+        progress: As in `claims`.
     """
     strokes, form = named_strokes(recordings), as_settings(settings)
-    found = np.array(run(_first, [(stroke, shift, form) for stroke in strokes], **options))
+    found = np.array(run(_first, [(stroke, shift, form) for stroke in strokes], executor, progress))
     return InitialAcceleration(tuple(stroke.name for stroke in strokes), shift, *found.T)
 
 

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from concurrent.futures import Executor
 from dataclasses import dataclass
-from typing import Unpack
 
 import numpy as np
 
 from dmp_teach.dmp import DMP, Settings, as_settings
 from dmp_teach.studies.experiments.variants import rms
-from dmp_teach.studies.parallel import RunOptions, run
-from dmp_teach.studies.tables import Tabled, TableRows
+from dmp_teach.studies.parallel import Progress, run
+from dmp_teach.studies.tables import Columns, Tabled
 from dmp_teach.trajectory import Array, Trajectory
 
 INK_KINDS = ("waves", "closed", "corners", "straight")
@@ -19,7 +19,7 @@ TURN_RATES = (0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0)
 """Turns of the pen in a second [Hz]; a hand that writes makes 2 to 5."""
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class RandomInkErrors(Tabled):
     """The errors of random ink.
 
@@ -36,18 +36,15 @@ class RandomInkErrors(Tabled):
     error: Array
     miss: Array
 
-    def rows(self) -> TableRows:
-        """Return medians over the pieces."""
-        return tuple(
-            {
-                "ink": kind,
-                "turns a second [Hz]": float(rate),
-                "rms [% of size]": 100 * float(np.median(self.error[a, r])),
-                "goal missed [% of size]": 100 * float(np.median(self.miss[a, r])),
-            }
-            for a, kind in enumerate(self.kinds)
-            for r, rate in enumerate(self.rates)
-        )
+    @property
+    def columns(self) -> Columns:
+        """Medians over the pieces, a row for each kind and rate."""
+        return {
+            "ink": np.repeat(self.kinds, len(self.rates)),
+            "turns a second [Hz]": np.tile(self.rates, len(self.kinds)),
+            "rms [% of size]": 100 * np.median(self.error, axis=2).ravel(),
+            "goal missed [% of size]": 100 * np.median(self.miss, axis=2).ravel(),
+        }
 
 
 def learn_random_ink(
@@ -55,7 +52,9 @@ def learn_random_ink(
     rates: Sequence[float] = TURN_RATES,
     pieces: int = 15,
     seed: int = 0,
-    **options: Unpack[RunOptions],
+    *,
+    executor: Executor | None = None,
+    progress: Progress | None = None,
 ) -> RandomInkErrors:
     """Learn random ink from 3 mm to 0.5 m, anywhere, and draw it to two goals.
 
@@ -64,12 +63,13 @@ def learn_random_ink(
         rates: Turns of the pen in a second [Hz].
         pieces: How many of each kind and rate.
         seed: Of the random numbers; the same seed gives the same ink.
-        **options: `executor` and `progress` (`RunOptions`); a piece is one kind at one rate.
+        executor: As in `claims`; a piece is one kind at one rate.
+        progress: As in `claims`.
     """
     form = as_settings(settings)
     work = [(kind, float(rate), pieces, seed, form) for kind in INK_KINDS for rate in rates]
     shape = (len(INK_KINDS), len(rates), 2, pieces)
-    found = np.array(run(_errors_and_misses, work, **options)).reshape(shape)
+    found = np.array(run(_errors_and_misses, work, executor, progress)).reshape(shape)
     return RandomInkErrors(INK_KINDS, np.asarray(rates), found[:, :, 0], found[:, :, 1])
 
 

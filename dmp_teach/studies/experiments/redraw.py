@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from concurrent.futures import Executor
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from typing import Any, ClassVar, Unpack
+from typing import Any
 
 import numpy as np
 
@@ -13,7 +14,7 @@ from dmp_teach.dmp import DMP, Settings, as_settings, named_settings
 from dmp_teach.errors import SettingError
 from dmp_teach.letters import rms_distance
 from dmp_teach.studies.inputs import Written, list_letters
-from dmp_teach.studies.parallel import RunOptions, run
+from dmp_teach.studies.parallel import Progress, run
 from dmp_teach.studies.tables import Columns, Tabled
 from dmp_teach.trajectory import Trajectory
 
@@ -49,27 +50,32 @@ class Redrawn:
         return max(float(np.linalg.norm(p.position - q.position, axis=1).max()) for p, q in pairs)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Redrawings(Tabled):
     """Letters as they were drawn."""
 
     items: tuple[Redrawn, ...]
 
-    COLUMNS: ClassVar[Columns] = {
-        "letter": lambda item: item.letter.name,
-        "drawn with": lambda item: item.settings,
-        "size [mm]": lambda item: 1e3 * item.letter.size,
-        "rms [mm]": lambda item: 1e3 * item.error,
-        "largest [mm]": lambda item: 1e3 * item.largest,
-        "rms [% of size]": lambda item: 100 * item.error / item.letter.size,
-    }
+    @property
+    def columns(self) -> Columns:
+        """A row for each letter."""
+        return {
+            "letter": [item.letter.name for item in self.items],
+            "drawn with": [item.settings for item in self.items],
+            "size [mm]": [1e3 * item.letter.size for item in self.items],
+            "rms [mm]": [1e3 * item.error for item in self.items],
+            "largest [mm]": [1e3 * item.largest for item in self.items],
+            "rms [% of size]": [100 * item.error / item.letter.size for item in self.items],
+        }
 
 
 def redraw_letters(
     recordings: Any = None,
     letters: str = "abem",
     settings: Settings | Mapping[str, Settings] | None = None,
-    **options: Unpack[RunOptions],
+    *,
+    executor: Executor | None = None,
+    progress: Progress | None = None,
 ) -> Redrawings:
     """Draw these letters again to their own goals (the paper's figure 8).
 
@@ -77,13 +83,14 @@ def redraw_letters(
         recordings: Recordings, files or strokes; None takes our own alphabets.
         letters: Which letters to draw; where none of them was recorded, all that were.
         settings: How, one or several by name; `Settings.star()` unless given.
-        **options: `executor` and `progress` (`RunOptions`); a piece of work is one letter.
+        executor: As in `claims`; a piece of work is one letter.
+        progress: As in `claims`.
     """
     own = settings if isinstance(settings, Mapping) else {"DMP*": as_settings(settings)}
     named = named_settings(own, {})
     given = list_letters(recordings)
     wanted = [letter for letter in given if letter.character in letters] or given
-    found = run(_redraw, [(letter, tuple(named.items())) for letter in wanted], **options)
+    found = run(_redraw, [(letter, tuple(named.items())) for letter in wanted], executor, progress)
     return Redrawings(tuple(item for items in found for item in items))
 
 
@@ -92,7 +99,9 @@ def redraw_at_widths(
     letters: str = "a",
     widths: Sequence[float] = FIGURE_4_WIDTHS,
     settings: Settings | None = None,
-    **options: Unpack[RunOptions],
+    *,
+    executor: Executor | None = None,
+    progress: Progress | None = None,
 ) -> Redrawings:
     """Draw a letter with four kernel widths (the paper's figure 4).
 
@@ -102,11 +111,12 @@ def redraw_at_widths(
         widths: Kernel widths [1/N].
         settings: All but the width; DMP* with Gaussians of sigma 4/N and N = 12 a second unless
             given.
-        **options: `executor` and `progress` (`RunOptions`); a piece is one letter, all widths.
+        executor: As in `claims`; a piece is one letter, all widths.
+        progress: As in `claims`.
     """
     base = as_settings(settings, lambda: Settings.star(kernel_sigma=4.0, sharpen=False))
     named = {width_name(width): replace(base, kernel_width=float(width)) for width in widths}
-    return redraw_letters(recordings, letters, named, **options)
+    return redraw_letters(recordings, letters, named, executor=executor, progress=progress)
 
 
 def width_name(width: float) -> str:

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from concurrent.futures import Executor
 from dataclasses import dataclass
 from time import perf_counter
-from typing import Any, Unpack
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,8 +15,8 @@ from dmp_teach.dmp import DMP, Settings, as_settings
 from dmp_teach.errors import SettingError
 from dmp_teach.studies.experiments.variants import Variant, rms
 from dmp_teach.studies.inputs import Stroke, named_strokes
-from dmp_teach.studies.parallel import RunOptions, run
-from dmp_teach.studies.tables import Tabled, TableRows
+from dmp_teach.studies.parallel import Progress, run
+from dmp_teach.studies.tables import Columns, Tabled
 from dmp_teach.trajectory import Array, Trajectory
 
 REPEATS_PER_TIMING = 5
@@ -23,7 +24,7 @@ TIMED_STROKES = 12
 _TIMES: dict[tuple, float] = {}
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class OriginalComparison(Tabled):
     """Both forms on every stroke that the original form can learn.
 
@@ -41,24 +42,21 @@ class OriginalComparison(Tabled):
     error: Array
     time_ratio: float
 
-    def rows(self) -> TableRows:
-        """Return one row for each stroke."""
-        return tuple(
-            {
-                "stroke": name,
-                "kernels": int(n),
-                "DMP* [mm]": float(1e3 * e[0]),
-                "original [mm]": float(1e3 * e[1]),
-            }
-            for name, n, e in zip(self.strokes, self.kernels, self.error, strict=True)
-        )
+    @property
+    def columns(self) -> Columns:
+        """A row for each stroke."""
+        star, original = 1e3 * self.error.T
+        heads = ("stroke", "kernels", "DMP* [mm]", "original [mm]")
+        return dict(zip(heads, (self.strokes, self.kernels, star, original), strict=True))
 
 
 def compare_with_original(
     recordings: Any = None,
     settings: Settings | None = None,
     original: Settings | None = None,
-    **options: Unpack[RunOptions],
+    *,
+    executor: Executor | None = None,
+    progress: Progress | None = None,
 ) -> OriginalComparison:
     """Compare error and time of DMP* with the original form, N = Num/10 for both.
 
@@ -66,12 +64,13 @@ def compare_with_original(
         recordings: Recordings, files or strokes; None takes our own alphabets.
         settings: Of DMP*; `Settings.star()` unless given.
         original: Of the original form; `Settings.original()` unless given.
-        **options: `executor` and `progress` (`RunOptions`); a piece is one stroke, timed here.
+        executor: As in `claims`; a piece is one stroke, timed here.
+        progress: As in `claims`.
     """
     star = Variant(as_settings(settings))
     variants = (star, Variant(as_settings(original, Settings.original, "original")))
     strokes = named_strokes(recordings)
-    found = run(_errors_of_both, [(stroke, *variants) for stroke in strokes], **options)
+    found = run(_errors_of_both, [(stroke, *variants) for stroke in strokes], executor, progress)
     kept = [stroke for stroke, each in zip(strokes, found, strict=True) if each is not None]
     return OriginalComparison(
         tuple(stroke.name for stroke in kept),

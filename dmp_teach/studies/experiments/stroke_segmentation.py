@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from concurrent.futures import Executor
 from dataclasses import dataclass
-from typing import Any, Unpack
+from typing import Any
 
 import numpy as np
 
@@ -11,8 +12,8 @@ from dmp_teach.errors import RecordingError
 from dmp_teach.ink import Recording
 from dmp_teach.segmentation import RULES
 from dmp_teach.studies.inputs import list_recordings
-from dmp_teach.studies.parallel import RunOptions, run
-from dmp_teach.studies.tables import Tabled, TableRows
+from dmp_teach.studies.parallel import Progress, run
+from dmp_teach.studies.tables import Columns, Tabled
 from dmp_teach.trajectory import Trajectory
 
 # An end is right if it is this near to the true one [s].
@@ -61,34 +62,30 @@ class SegmentationCase:
     steady: bool
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Segmentation(Tabled):
     """The recordings of more than one stroke."""
 
     items: tuple[SegmentationCase, ...]
 
-    def rows(self) -> TableRows:
-        """Return a row for each recording: strokes by each rule, and whether all ends are right."""
-        return tuple(
-            {
-                "recording": item.name,
-                "strokes": item.strokes,
-                "source": "known" if item.known else "local rule",
-                **{
-                    column: value
-                    for name in RULES
-                    for column, value in (
-                        (name, getattr(item, name).strokes),
-                        (f"{name}: ends right", getattr(item, name).right),
-                    )
-                },
-                "local rule steady": item.steady,
-            }
-            for item in self.items
-        )
+    @property
+    def columns(self) -> Columns:
+        """A row for each recording: strokes by each rule, and whether all ends are right."""
+        found: dict[str, list[Any]] = {
+            "recording": [item.name for item in self.items],
+            "strokes": [item.strokes for item in self.items],
+            "source": ["known" if item.known else "local rule" for item in self.items],
+        }
+        for rule in RULES:
+            results = [getattr(item, rule) for item in self.items]
+            found[rule] = [each.strokes for each in results]
+            found[f"{rule}: ends right"] = [each.right for each in results]
+        return found | {"local rule steady": [item.steady for item in self.items]}
 
 
-def compare_segmentation(recordings: Any = None, **options: Unpack[RunOptions]) -> Segmentation:
+def compare_segmentation(
+    recordings: Any = None, *, executor: Executor | None = None, progress: Progress | None = None
+) -> Segmentation:
     """Compare the paper's rule for strokes (its equations 12 and 13) with the local one.
 
     A stroke ends, as printed, where dz/dt > theta; or z is far from the plane, where the paper
@@ -98,10 +95,11 @@ def compare_segmentation(recordings: Any = None, **options: Unpack[RunOptions]) 
     Args:
         recordings: Recordings or files (strokes have no height and are left out); None takes our
             own alphabets.
-        **options: `executor` and `progress` (`RunOptions`); a piece of work is one recording.
+        executor: As in `claims`; a piece of work is one recording.
+        progress: As in `claims`.
     """
     given = [each for each in list_recordings(recordings) if isinstance(each, Recording)]
-    found = run(_compare, given, **options)
+    found = run(_compare, given, executor, progress)
     return Segmentation(tuple(item for item in found if item is not None))
 
 

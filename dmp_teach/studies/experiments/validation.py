@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from concurrent.futures import Executor
 from dataclasses import dataclass, replace
-from typing import Any, Unpack
+from typing import Any
 
 import numpy as np
 from scipy.interpolate import CubicSpline
@@ -13,8 +14,8 @@ from dmp_teach.dmp import DMP, KERNELS_PER_SECOND, Settings, as_settings
 from dmp_teach.errors import SettingError, TrajectoryError
 from dmp_teach.studies.experiments.variants import rms
 from dmp_teach.studies.inputs import list_letters
-from dmp_teach.studies.parallel import RunOptions, run
-from dmp_teach.studies.tables import Tabled, TableRows
+from dmp_teach.studies.parallel import Progress, run
+from dmp_teach.studies.tables import Columns, Tabled
 from dmp_teach.trajectory import Array, Trajectory
 
 # The smallest number is chosen whose error is at most this many times the least one, or at most
@@ -29,7 +30,7 @@ LARGEST_SHARE_OF_SAMPLES = 0.5
 WIDTHS_TRIED = (0.5, 2 / 3, 0.8, 1.0, 1.5, 2.0, 3.0, 4.0, 7.0, 10.0, 20.0, 40.0, np.inf)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Choice(Tabled):
     """A setting chosen by validation, and the curve that it was chosen from.
 
@@ -58,18 +59,16 @@ class Choice(Tabled):
     samples: int
     settings: Settings
 
-    def rows(self) -> TableRows:
-        """Return a row for each candidate, marked where it is the best or chosen."""
+    @property
+    def columns(self) -> Columns:
+        """A row for each candidate, marked where it is the best or chosen."""
         marks = {self.best: "least error", self.chosen: "chosen"}
-        return tuple(
-            {
-                self.name: int(x) if self.name == "n_kernels" else float(x),
-                "not shown [mm]": float(1e3 * e),
-                "shown [mm]": float(1e3 * s),
-                "": marks.get(x, ""),
-            }
-            for x, e, s in zip(self.candidates, self.error, self.taught, strict=True)
-        )
+        return {
+            self.name: self.candidates,
+            "not shown [mm]": 1e3 * self.error,
+            "shown [mm]": 1e3 * self.taught,
+            "": [marks.get(x, "") for x in self.candidates],
+        }
 
     def __str__(self) -> str:
         return f"{self.table()}\n{self.sentence}"
@@ -88,7 +87,9 @@ def choose_kernels(
     settings: Settings | None = None,
     candidates: Sequence[int] | None = None,
     tolerance: float = ERROR_TOLERANCE,
-    **options: Unpack[RunOptions],
+    *,
+    executor: Executor | None = None,
+    progress: Progress | None = None,
 ) -> Choice:
     """Choose how many kernels one stroke needs: learned from every second sample, tried on others.
 
@@ -99,7 +100,8 @@ def choose_kernels(
         candidates: Numbers of kernels; None: 24 of them, from 2 to half of the samples that are
             shown, with Num/10 and 12 a second among them.
         tolerance: An error below which more kernels gain nothing [m]; 0 for validation alone.
-        **options: `executor` and `progress` (`RunOptions`); a piece of work is one candidate.
+        executor: As in `claims`; a piece of work is one candidate.
+        progress: As in `claims`.
 
     Raises:
         TrajectoryError: Several strokes, or fewer than 6 samples.
@@ -112,14 +114,17 @@ def choose_kernels(
         spread = np.round(np.geomspace(min(2, most), most, NUMBERS_TRIED)).astype(int)
         candidates = [*spread.tolist(), *(n for n in _rules_of_thumb(path) if n <= shown)]
     named = {n: replace(base, n_kernels=n) for n in sorted(candidates)}
-    return _choose("n_kernels", path, named, tolerance, options)
+    found = run(_validate, [(path, each) for each in named.values()], executor, progress)
+    return _choice("n_kernels", path, named, found, tolerance)
 
 
 def choose_width(
     trajectory: Any,
     settings: Settings | None = None,
     candidates: Sequence[float] | None = None,
-    **options: Unpack[RunOptions],
+    *,
+    executor: Executor | None = None,
+    progress: Progress | None = None,
 ) -> Choice:
     """Choose how wide kernels should be, in 1/N, by the same validation.
 
@@ -127,7 +132,8 @@ def choose_width(
         trajectory: As in `choose_kernels`.
         settings: All but the width; `Settings.star()` unless given.
         candidates: Kernel widths [1/N].
-        **options: `executor` and `progress` (`RunOptions`); a piece of work is one candidate.
+        executor: As in `claims`; a piece of work is one candidate.
+        progress: As in `claims`.
 
     Raises:
         TrajectoryError: As in `choose_kernels`.
@@ -136,21 +142,21 @@ def choose_width(
     path, base = _one_stroke(trajectory), as_settings(settings)
     widths = sorted(WIDTHS_TRIED if candidates is None else candidates)
     named = {width: replace(base, kernel_width=width) for width in widths}
-    return _choose("kernel_width [1/N]", path, named, None, options)
+    found = run(_validate, [(path, each) for each in named.values()], executor, progress)
+    return _choice("kernel_width [1/N]", path, named, found)
 
 
-def _choose(
+def _choice(
     name: str,
     path: Trajectory,
     named: dict[Any, Settings],
-    tolerance: float | None,
-    options: RunOptions,
+    found: Sequence[tuple[float, float]],
+    tolerance: float | None = None,
 ) -> Choice:
     """Return the choice among settings, the best of them where there is no tolerance."""
     if not named:
         raise SettingError("candidates is empty; give at least one, or None for ours.")
-    values, pieces = list(named), [(path, each) for each in named.values()]
-    error, taught = np.array(run(_validate, pieces, **options)).T
+    values, (error, taught) = list(named), np.array(found).T
     best = chosen = values[int(error.argmin())]
     if tolerance is not None:
         near_enough = error <= max(ERROR_MARGIN * error.min(), tolerance)

@@ -44,18 +44,22 @@ class Claims(Tabled):
 
     items: tuple[Claim, ...]
 
-    COLUMNS: ClassVar[Columns] = {
-        "claim": lambda each: f"{each.name}: {each.claim}",
-        "verdict": lambda each: each.verdict,
-        "on what": lambda each: each.depends_on,
-        "figure": lambda each: each.figure,
-    }
     COLUMN_WIDTHS: ClassVar[Mapping[str, int]] = {"claim": 34, "on what": 44, "figure": 58}
     STYLES: ClassVar[Mapping[str, str]] = {
         HOLDS: "font-weight:bold;color:#00664A",
         FAILS: "font-weight:bold;color:#A34700",
         DEPENDS: "font-weight:bold;color:#005A8F",
     }
+
+    @property
+    def columns(self) -> Columns:
+        """A row for each claim."""
+        return {
+            "claim": [f"{each.name}: {each.claim}" for each in self.items],
+            "verdict": [each.verdict for each in self.items],
+            "on what": [each.depends_on for each in self.items],
+            "figure": [each.figure for each in self.items],
+        }
 
     def __iter__(self) -> Iterator[Claim]:
         return iter(self.items)

@@ -9,32 +9,18 @@ from typing import Any
 
 from dmp_teach.dmp import DMP, Settings
 from dmp_teach.errors import RecordingError, SettingError
-from dmp_teach.studies.authorship.answers import Attributions
-from dmp_teach.studies.authorship.made import attribute_made_letters
-from dmp_teach.studies.authorship.real import classify_writers
-from dmp_teach.studies.experiments.d_to_p import MadeLetters, make_p_from_d
-from dmp_teach.studies.experiments.error_curves import (
-    ErrorCurves,
-    sweep_kernel_number,
-    sweep_kernel_width,
+from dmp_teach.studies.authorship import answers, made, real
+from dmp_teach.studies.experiments import (
+    d_to_p,
+    error_curves,
+    goal_change,
+    goal_near_start,
+    initial_acceleration,
+    random_ink,
+    redraw,
+    star_vs_original,
+    stroke_segmentation,
 )
-from dmp_teach.studies.experiments.goal_change import (
-    GoalChanges,
-    change_goals_1d,
-    change_goals_2d,
-)
-from dmp_teach.studies.experiments.goal_near_start import GoalsNearStart, change_goals_near_start
-from dmp_teach.studies.experiments.initial_acceleration import (
-    InitialAcceleration,
-    measure_initial_acceleration,
-)
-from dmp_teach.studies.experiments.random_ink import RandomInkErrors, learn_random_ink
-from dmp_teach.studies.experiments.redraw import Redrawings, redraw_letters
-from dmp_teach.studies.experiments.star_vs_original import (
-    OriginalComparison,
-    compare_with_original,
-)
-from dmp_teach.studies.experiments.stroke_segmentation import Segmentation, compare_segmentation
 from dmp_teach.studies.inputs import Stroke, Written, list_letters, list_recordings, named_strokes
 from dmp_teach.trajectory import Trajectory
 
@@ -105,17 +91,17 @@ class Evidence:
         return {"settings": self.star, "original": self.original, "executor": self.executor}
 
     @cached_property
-    def widths(self) -> ErrorCurves:
+    def widths(self) -> error_curves.ErrorCurves:
         """Error against kernel width."""
-        return sweep_kernel_width(self.letters, executor=self.executor)
+        return error_curves.sweep_kernel_width(self.letters, executor=self.executor)
 
     @cached_property
-    def numbers(self) -> ErrorCurves:
+    def numbers(self) -> error_curves.ErrorCurves:
         """Error against the number of kernels."""
-        return sweep_kernel_number(self.letters, executor=self.executor)
+        return error_curves.sweep_kernel_number(self.letters, executor=self.executor)
 
     @cached_property
-    def fewer_samples(self) -> ErrorCurves:
+    def fewer_samples(self) -> error_curves.ErrorCurves:
         """The same with every fourth sample of every stroke that has enough of them."""
         paths = [stroke.path for stroke in named_strokes(self.letters)]
         kept = [
@@ -123,65 +109,67 @@ class Evidence:
             for path in paths
             if len(path) >= 12 * KEPT_SAMPLES
         ]
-        return sweep_kernel_number(kept or paths, executor=self.executor)
+        return error_curves.sweep_kernel_number(kept or paths, executor=self.executor)
 
     @cached_property
-    def small_shifts(self) -> GoalChanges:
+    def small_shifts(self) -> goal_change.GoalChanges:
         """Goals moved by 0.01 m in one coordinate."""
-        return change_goals_1d(self.open_letters, **self._forms)
+        return goal_change.change_goals_1d(self.open_letters, **self._forms)
 
     @cached_property
-    def large_shifts(self) -> GoalChanges:
+    def large_shifts(self) -> goal_change.GoalChanges:
         """Goals moved by 0.1 m in two."""
-        return change_goals_2d(self.open_letters, **self._forms)
+        return goal_change.change_goals_2d(self.open_letters, **self._forms)
 
     @cached_property
-    def closeness(self) -> GoalsNearStart:
+    def closeness(self) -> goal_near_start.GoalsNearStart:
         """Goals near the start."""
-        return change_goals_near_start(self.open_letters, **self._forms)
+        return goal_near_start.change_goals_near_start(self.open_letters, **self._forms)
 
     @cached_property
-    def first(self) -> InitialAcceleration:
+    def first(self) -> initial_acceleration.InitialAcceleration:
         """Initial accelerations."""
-        return measure_initial_acceleration(
+        return initial_acceleration.measure_initial_acceleration(
             self.letters, settings=self.star, executor=self.executor
         )
 
     @cached_property
-    def redrawn(self) -> Redrawings:
+    def redrawn(self) -> redraw.Redrawings:
         """The letters a, b, e and m drawn again."""
-        return redraw_letters(self.letters, settings=self.star, executor=self.executor)
+        return redraw.redraw_letters(self.letters, settings=self.star, executor=self.executor)
 
     @cached_property
-    def new_letters(self) -> MadeLetters:
+    def new_letters(self) -> d_to_p.MadeLetters:
         """Every D made into a P."""
-        return make_p_from_d(self.letters, executor=self.executor)
+        return d_to_p.make_p_from_d(self.letters, executor=self.executor)
 
     @cached_property
-    def lifts(self) -> Segmentation:
+    def lifts(self) -> stroke_segmentation.Segmentation:
         """Strokes as the paper finds them."""
-        return compare_segmentation(list_recordings(self.recordings), executor=self.executor)
+        return stroke_segmentation.compare_segmentation(
+            list_recordings(self.recordings), executor=self.executor
+        )
 
     @cached_property
-    def hands(self) -> Attributions:
+    def hands(self) -> answers.Attributions:
         """Made letters attributed to their writers."""
         given = None if self.recordings is None else self.letters
-        return attribute_made_letters(given, executor=self.executor)
+        return made.attribute_made_letters(given, executor=self.executor)
 
     @cached_property
-    def real_hands(self) -> Attributions:
+    def real_hands(self) -> answers.Attributions:
         """Real letters attributed to their writers."""
-        return classify_writers(self.letters, executor=self.executor)
+        return real.classify_writers(self.letters, executor=self.executor)
 
     @cached_property
-    def against(self) -> OriginalComparison:
+    def against(self) -> star_vs_original.OriginalComparison:
         """DMP* against the original form."""
-        return compare_with_original(self.open_letters, **self._forms)
+        return star_vs_original.compare_with_original(self.open_letters, **self._forms)
 
     @cached_property
-    def shapes(self) -> RandomInkErrors:
+    def shapes(self) -> random_ink.RandomInkErrors:
         """Random ink."""
-        return learn_random_ink(self.star, executor=self.executor)
+        return random_ink.learn_random_ink(self.star, executor=self.executor)
 
 
 def evidence_of(recordings: Any, executor: Executor | None = None) -> Evidence:

@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from dmp_teach.dmp import KERNELS, Kernels
-from dmp_teach.studies import Choice, ErrorCurves, Traces
+from dmp_teach.studies import Choice, ErrorCurves, GoalPaths
 from dmp_teach.trajectory import Array
 from dmp_teach.views.figures.figure_style import (
     DrawStyle,
@@ -105,7 +105,7 @@ def draw_error_over_number(curves: ErrorCurves, variant: str | None = None) -> F
     return figure
 
 
-def draw_goal_change_over_time(traces: Traces) -> Figure:
+def draw_goal_change_over_time(traces: GoalPaths) -> Figure:
     """Draw the paper's figure 6: position and velocity of one coordinate whose goal moved.
 
     Args:
@@ -113,13 +113,13 @@ def draw_goal_change_over_time(traces: Traces) -> Figure:
     """
     figure, panels = new_figure(2, 1, 6.4, 5.6, sharex=True)
     position, velocity = panels[:, 0]
-    for panel, values in ((position, traces.position), (velocity, traces.velocity)):
+    for panel, values in ((position, traces.paths), (velocity, traces.velocities)):
         for name, look in TRACE_LOOKS.items():
             panel.plot(traces.t, 1e3 * values[name], label=name, **look)
-    goal = 1e3 * (traces.position["demonstration"][-1] + traces.shift)
+    goal = 1e3 * (traces.paths["demonstration"][-1] + traces.shift)
     ring = {"marker": "o", "markerfacecolor": "white", "linestyle": ""}
     position.plot(traces.t[-1], goal, color=TEXT_COLOR, label="new goal", **ring)
-    shift = f"{1e3 * traces.shift:+.0f} mm".replace("-", "−")
+    shift = f"{1e3 * traces.shift[0]:+.0f} mm".replace("-", "−")
     title = f"{traces.stroke}: the goal moves by {shift}".strip(": ")
     style_axes(position, "", "position [mm]", title)
     style_axes(velocity, "time [s]", "velocity [mm/s]")
