@@ -97,7 +97,7 @@ export class Handles {
         "aria-valuetext": isFresh ? t("{text}, not moved yet", { text }) : text,
       });
       const side = x > right - 40 ? "end" : "middle";
-      const said = { y: y - top < 34 ? 34 : -20, "text-anchor": x < left + 40 ? "start" : side };
+      const said = { y: y - top < 50 ? 34 : -20, "text-anchor": x < left + 40 ? "start" : side };
       change(knob.lastElementChild, said).replaceChildren(text);
     }
   }
@@ -140,6 +140,7 @@ export class Handles {
 
   move(/** @type {Place[]} */ places) {
     const { held } = this;
+    if (!held) return;
     /** @type {Map<number, Place>} */
     const moved = new Map();
     const put = (/** @type {number} */ i, /** @type {Place} */ pixel) =>

@@ -69,10 +69,12 @@ export function drawFills(group, view, fills) {
  * @param {Scene["fills"]} fills
  */
 export function badgesOf(view, fills) {
-  const named = fills.filter(({ label, points }) => label && points.length);
+  const named = fills.filter(({ label }) => label);
   return named.map(({ points, label, base = 0 }) => {
-    const peak = points.reduce((a, b) => (Math.abs(b[1] - base) > Math.abs(a[1] - base) ? b : a));
-    const [x, y] = view.px([peak[0], base + 0.42 * (peak[1] - base)]);
+    const high = (/** @type {Place} */ place) => Math.abs(place[1] - base);
+    const most = Math.max(...points.map(high));
+    const top = points.filter((place) => high(place) > 0.99 * most);
+    const [x, y] = view.px([(top[0][0] + top.at(-1)[0]) / 2, base + 0.42 * (top[0][1] - base)]);
     const text = make("text", { class: "dt-count dt-middle", dy: 5 }, label);
     const circle = make("circle", { class: "dt-badge", r: 13 });
     return make("g", { transform: `translate(${x} ${y})` }, circle, text);
@@ -118,12 +120,21 @@ export function labelsOf(view, lines) {
  * @param {View & { w: number, h: number }} view
  * @param {Scene} scene
  */
-export function dotsOf(view, { dots = [], lines = [], handles = [] }) {
+export function dotsOf(view, { y, dots = [], lines = [], handles = [] }) {
   const named = dots.some(({ label }) => label);
   const drawn = [...lines.map(({ points }) => points), handles.map(({ at }) => at)]
     .map((points) => points.filter((at) => at).map(view.px))
     .filter((pixels) => named && pixels.length > 1)
     .map((pixels) => alongStroke(pixels, 200));
+  drawn.push(
+    alongStroke(
+      [
+        [16, 18],
+        [16 + 8 * y.label.length, 18],
+      ],
+      200,
+    ),
+  );
   const screen = { ...view, k: 1, px: (/** @type {Place} */ at) => at };
   return dots.flatMap(({ at, kind, label }) => {
     const [cx, cy] = view.px(at);
