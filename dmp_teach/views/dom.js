@@ -140,3 +140,23 @@ export function hear(model, listeners) {
     model.on(names.replace(/\S+/g, "change:$&"), listener);
   }
 }
+
+/**
+ * A function that is called again only where one of its arguments is another one.
+ * @template {any[]} A
+ * @template R
+ * @param {(...given: A) => R} work
+ */
+export function once(work) {
+  /** @type {A | null} */
+  let last = null;
+  /** @type {R} */
+  let kept;
+  return (/** @type {A} */ ...given) => {
+    if (!last || given.some((each, i) => each !== last[i])) {
+      kept = work(...given);
+      last = given;
+    }
+    return kept;
+  };
+}

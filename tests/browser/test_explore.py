@@ -2,6 +2,7 @@
 
 import re
 
+import numpy as np
 import pytest
 
 import dmp_teach
@@ -10,6 +11,15 @@ from tests.formats.motive_csv import motive
 
 NOTEBOOK = "00_start_here.ipynb"
 GOAL_2 = "Goal of stroke 2"
+
+
+KERNEL = "window.jupyterapp.shell.currentWidget.sessionContext.session.kernel"
+COUNT_SENT = f"""() => {{
+    window.sent = 0;
+    {KERNEL}.anyMessage.connect((_, {{ msg, direction }}) => {{
+        if (direction === 'send' && msg.header.msg_type === 'comm_msg') window.sent += 1;
+    }});
+}}"""
 
 
 @pytest.fixture
@@ -182,3 +192,69 @@ def test_a_recording_of_ones_own_is_opened_and_a_wrong_file_gets_a_sentence(pane
     )
     assert panel.get_by_role("radio", name="your own b").is_checked()
     assert warning.is_hidden()
+
+
+def sent(page):
+    """How many messages of widgets have gone to the kernel since the count began."""
+    return page.evaluate("window.sent")
+
+
+def drag(page, place, way, steps=20):
+    """Press in the middle of a place and move; every line that was seen on the way."""
+    box = page.locator(place).bounding_box()
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    page.mouse.move(x, y)
+    page.mouse.down()
+    seen = []
+    for step in range(1, steps + 1):
+        page.mouse.move(x + way[0] * step / steps, y + way[1] * step / steps)
+        seen.append(line(page))
+    return seen
+
+
+def places(page):
+    """The points of the robot's line as they are drawn [px]."""
+    return np.array(re.findall(r"-?[\d.]+", line(page)), dtype=float)
+
+
+def test_while_a_goal_is_held_the_kernel_hears_nothing_and_then_once(panel, ask):
+    panel.evaluate(COUNT_SENT)
+    answered = panel.locator(".dt-explore").get_attribute("data-dt-drawing")
+    assert len(set(drag(panel, ".dt-goal .dt-ring", (60, -40)))) == 20
+    assert sent(panel) == 0
+    mine = places(panel)
+    panel.mouse.up()
+    panel.wait_for_selector(f".dt-explore:not([data-dt-drawing='{answered}'])")
+    assert sent(panel) == 1
+    assert np.abs(places(panel) - mine).max() <= 0.011  # both are rounded to 0.01 px
+    goal = slider(panel, "Goal, left and right")
+    for control, key in ((panel.locator(".dt-goal"), "ArrowUp"), (goal, "ArrowLeft")):
+        control.focus()
+        before = (line(panel), sent(panel))
+        seen = []
+        for _ in range(3):
+            panel.keyboard.down(key)
+            seen.append(line(panel))
+        assert len({before[0], *seen}) == 4
+        assert sent(panel) == before[1]
+        panel.keyboard.up(key)
+        assert changed(panel, lambda: sent(panel), before[1]) == before[1] + 1
+    before = sent(panel)
+    middle = ".dt-slider:has-text('Goal, down and up') input"
+    assert len(set(drag(panel, middle, (60, 0), steps=5))) == 5
+    assert sent(panel) == before
+    panel.mouse.up()
+    assert changed(panel, lambda: sent(panel), before) == before + 1
+    assert ask(panel, "1") == "1"
+
+
+def test_a_goal_moves_while_the_kernel_computes_and_when_there_is_none(panel):
+    panel.expects.append("console error: Could not send widget sync message")
+    panel.evaluate(f"{KERNEL}.requestExecute({{code: 'import time; time.sleep(5)'}}) && null")
+    assert len(set(drag(panel, ".dt-goal .dt-ring", (-50, 30)))) == 20
+    panel.mouse.up()
+    panel.evaluate("window.jupyterapp.shell.currentWidget.sessionContext.shutdown()")
+    assert len(set(drag(panel, ".dt-goal .dt-ring", (50, 30)))) == 20
+    panel.mouse.up()
+    panel.get_by_text("The robot does not answer").wait_for()
+    assert len(set(drag(panel, ".dt-goal .dt-ring", (20, 30)))) == 20

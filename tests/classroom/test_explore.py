@@ -60,6 +60,20 @@ def test_a_slider_of_ones_own_moves_the_goal_of_the_chosen_stroke(panel):
     assert panel.goal_shifts == [[-0.02, 0.0], [0.0, 0.04]]
 
 
+def test_the_browser_is_sent_what_moves_a_goal_as_the_kernel_does(panel):
+    panel.letter = "D"
+    at_home, drawn = points(panel), panel.drawn_shifts
+    x, y = (np.frombuffer(panel.goal_terms[axis]).reshape(-1, 2) for axis in "xy")
+    shifts = np.repeat([[0.02, -0.01], [-0.03, 0.05]], panel.counts, axis=0)
+    before = panel.drawing
+    panel.goal_shifts = [[0.02, -0.01], [-0.03, 0.05]]
+    assert panel.drawing == before + 1  # one answer, not one for each coordinate
+    assert drawn == [[0.0, 0.0], [0.0, 0.0]]
+    assert panel.drawn_shifts == panel.goal_shifts
+    moved = at_home + shifts[:, :1] * x + shifts[:, 1:] * y
+    assert np.allclose(points(panel), moved, atol=1e-6 * np.ptp(at_home))
+
+
 def test_another_letter_has_its_goals_where_they_were_taught(panel):
     panel.goal_x = 0.05
     panel.letter = "D"

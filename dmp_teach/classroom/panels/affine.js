@@ -2,12 +2,23 @@
 
 /** @typedef {import("./layout.js").Place} Place */
 
+/** @typedef {Float32Array | Float64Array} Numbers */
+
+/** @type {WeakMap<DataView, Numbers>} */
+const known = new WeakMap();
+
 /**
- * Bytes of float64 as Python sends them; they need not begin at a multiple of 8.
+ * The numbers in bytes as Python sends them, read once; they may begin anywhere in a message.
  * @param {DataView} bytes
+ * @param {typeof Float64Array | typeof Float32Array} kind
  */
-export function unpack({ buffer, byteOffset, byteLength }) {
-  return new Float64Array(buffer.slice(byteOffset, byteOffset + byteLength));
+export function unpack(bytes, kind = Float64Array) {
+  const { buffer, byteOffset, byteLength } = bytes;
+  if (!known.has(bytes)) {
+    const own = /** @type {ArrayBuffer} */ (buffer.slice(byteOffset, byteOffset + byteLength));
+    known.set(bytes, new kind(own));
+  }
+  return known.get(bytes);
 }
 
 /**

@@ -61,6 +61,10 @@ class Explore(RobotPanel):
     goal_x = traitlets.Float(0.0).tag(sync=True)
     goal_y = traitlets.Float(0.0).tag(sync=True)
     demo = traitlets.Bytes().tag(sync=True)
+    # For the browser, which moves a goal alone while it is in a hand: the shifts that `robot` was
+    # drawn with, and how it moves with each coordinate of its goals, packed float64 (x, y).
+    drawn_shifts: traitlets.List[list[float]] = traitlets.List().tag(sync=True)
+    goal_terms: traitlets.Dict[str, bytes] = traitlets.Dict().tag(sync=True)
     asked = traitlets.Int(0).tag(sync=True)
 
     def __init__(self, recording: Recording | str | Path | None = None, page: Page | None = None):
@@ -130,7 +134,10 @@ class Explore(RobotPanel):
         shifts = {i: shift for i, shift in enumerate(self.goal_shifts) if np.any(shift)}
         with self.hold_sync():
             self._show_strokes(letter.write(goal_shifts=shifts) if shifts else nominal)
-            self.goal_x, self.goal_y = self.goal_shifts[self.stroke]
+            self.drawn_shifts = list(self.goal_shifts)
+            self.goal_terms = _pack_goal_terms(letter)
+            with self.hold_trait_notifications():
+                self.goal_x, self.goal_y = self.goal_shifts[self.stroke]
             self._describe(nominal, shifts)
             self.answered = self.asked
             self.drawing += 1
@@ -159,6 +166,12 @@ class Explore(RobotPanel):
         name = next(name for key, _, name, _ in self.choices if key == self.letter)
         gap = messages.describe_largest_gap(self._demo, nominal)
         self.title = messages.describe_letter(name, error, gap)
+
+
+def _pack_goal_terms(letter: Letter) -> dict[str, bytes]:
+    """Return how the strokes move with x and y of their goals, points as `robot` has them."""
+    terms = np.concatenate([each.to_goal for each in letter.responses], axis=1)
+    return {axis: term.astype("<f8").tobytes() for axis, term in zip("xy", terms, strict=True)}
 
 
 def _describe_knob(name: str) -> dict[str, object]:
