@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from itertools import product
-from operator import itemgetter
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from dmp_teach.errors import SettingError
 from dmp_teach.robot import Page
 from dmp_teach.trajectory import Array
+from dmp_teach.views.scene.sight import MovingBoxes
 
 CAMERA_NAMES = ("whole robot", "over the shoulder", "page from above")
 """A view opens over the shoulder, because the letter can be read from there."""
@@ -19,21 +19,22 @@ CAMERA_NAMES = ("whole robot", "over the shoulder", "page from above")
 FITTED_ASPECT = 1.5
 """Width over height of the picture that the cameras are fitted to."""
 
+SMALL_PAGE_CORNER = (0.4, 0.05)
+"""Right of and below this lies the small page, in halves of the picture from its middle."""
+
 _FIELD_OF_VIEW = 34.0
 _SIDE_ANGLES = np.radians([0, 15, -15, 30, -30, 45, -45, 60, -60, 75, -75])
-_RISE_ANGLES = np.radians([0, -10, 10, 20])
-_MAX_RISE = np.radians(75)
-_HEAD_POSITION = np.array([0.1, 0.0, 1.45])
-_SHOULDER_MARGIN = 1.6
+_RISE_ANGLES = np.radians([15, 25, 35, 45, 55, 65])
 
-_SHEET_SHARE = 0.25
-"""How much of the way from the letter's box to the sheet's corners is seen over the shoulder."""
+# How much of the way from the letter's box to the sheet's corners is seen over the shoulder.
+_SHEET_SHARE = 0.6
+_HAND = ("forearm_roll", "wrist_flex", "wrist_roll", "gripper", "l_gripper_finger", "pen")
+HAND_LINKS = tuple(f"{name}_link" for name in _HAND)
+"""What is wholly in the picture over the shoulder."""
 
-_MAX_HIDDEN_SHARE = 0.3
-"""An arm that hides more of the letter than this at some moment is drawn faintly."""
-
-_CELLS = 24
-"""Half the width of the coarse picture in which the hidden part of a letter is counted."""
+ARM_LINKS = (*HAND_LINKS, "elbow_flex_link", "upperarm_roll_link", "shoulder_lift_link")
+# Where the picture is cut into rays to count what the robot covers of it.
+_GRID = np.array([(x, y) for x in np.linspace(-1, 1, 13) for y in np.linspace(-1, 1, 9)])
 
 
 @dataclass(frozen=True)
@@ -46,8 +47,7 @@ class Camera:
         up: What points up in the picture (3,).
         wide: Tangent of half of the angle that must be seen from left to right.
         high: Tangent of half of the angle that must be seen from bottom to top.
-        see_through: True where the arm is drawn faintly, because it would hide the page, or much
-            of the letter.
+        pen_only: True where the pen is drawn without the arm, which would hide the page.
     """
 
     eye: tuple[float, float, float]
@@ -55,7 +55,7 @@ class Camera:
     up: tuple[float, float, float]
     wide: float
     high: float
-    see_through: bool = False
+    pen_only: bool = False
 
     def slope(self, aspect: float) -> float:
         """Return the tangent of half of the field of view, from bottom to top.
@@ -79,12 +79,12 @@ def check_camera_name(name: str) -> str:
     return str(name).lower()
 
 
-def fit_cameras(page: Page, robot: Array, letter: Array, table: Array) -> dict[str, Camera]:
+def fit_cameras(page: Page, robot: MovingBoxes, letter: Array, table: Array) -> dict[str, Camera]:
     """Find the three cameras for a page.
 
     Args:
         page: The sheet.
-        robot: Points all over the robot at a few moments, shape (M, P, 3) [m].
+        robot: Boxes round the robot's pieces at a few moments; the last is the end.
         letter: Points of the letter in the world, shape (L, 3), L at least 1 [m].
         table: Points of the sheet and of what carries it, shape (N, 3) [m].
 
@@ -94,10 +94,11 @@ def fit_cameras(page: Page, robot: Array, letter: Array, table: Array) -> dict[s
     corners = page.to_world(
         [(x * page.width / 2, y * page.height / 2) for x in (-1, 1) for y in (-1, 1)]
     )
-    read_area = _SHEET_SHARE * corners + (1 - _SHEET_SHARE) * _find_letter_box(page, letter)
+    sheet = _SHEET_SHARE * corners + (1 - _SHEET_SHARE) * _find_letter_box(page, letter)
+    everything = np.vstack([robot.corners.reshape(-1, 3), table])
     return {
-        "whole robot": _fit_whole_robot(np.vstack([robot.reshape(-1, 3), table]), page.normal),
-        "over the shoulder": _fit_over_shoulder(page, robot, letter, read_area),
+        "whole robot": _fit_whole_robot(everything, page.normal),
+        "over the shoulder": _fit_over_shoulder(page, robot, letter, sheet),
         "page from above": _fit_from_above(page, corners),
     }
 
@@ -114,7 +115,7 @@ def _fit_from_above(page: Page, corners: Array) -> Camera:
     """Look straight at the page, its up pointing up."""
     centre = page.X_world_page[:3, 3]
     straight = _fit_camera(centre, page.normal, page.X_world_page[:3, 1], corners, 1.15)
-    return replace(straight, see_through=True)
+    return replace(straight, pen_only=True)
 
 
 def _find_letter_box(page: Page, letter: Array) -> Array:
@@ -125,27 +126,60 @@ def _find_letter_box(page: Page, letter: Array) -> Array:
     return page.to_world([(x, y) for x in (low[0], high[0]) for y in (low[1], high[1])])
 
 
-def _fit_over_shoulder(page: Page, robot: Array, letter: Array, corners: Array) -> Camera:
-    """Look from about the robot's eyes, the page's up pointing up.
+def _fit_over_shoulder(page: Page, robot: MovingBoxes, letter: Array, sheet: Array) -> Camera:
+    """Look from behind at the hand and the sheet, where the letter is read best.
 
-    Of many directions take that from which the arm hides least of the letter, above all in the
-    end, when it is read. Where the hand is above it whatever the direction, the arm is drawn
-    faintly.
+    Args:
+        page: The sheet.
+        robot: Boxes round its pieces while it writes, and last at the end.
+        letter: Points of the letter in the world, shape (L, 3) [m].
+        sheet: What must be seen of the sheet, shape (4, 3) [m].
     """
-    centre = corners.mean(axis=0)
-    ahead = _HEAD_POSITION - centre
-    rise = np.arctan2(ahead[2], np.hypot(*ahead[:2]))
-    level = np.array([*ahead[:2], 0.0]) / (np.hypot(*ahead[:2]) or 1.0)
-    over = [moment[(moment - centre) @ page.normal > 0.005] for moment in robot]
-    candidates = []
-    for more, side in product(_RISE_ANGLES, _SIDE_ANGLES):
-        direction = _turn_and_lift(level, side, min(rise + more, _MAX_RISE))
-        camera = _fit_camera(centre, direction, page.X_world_page[:3, 1], corners, _SHOULDER_MARGIN)
-        hidden = [_find_hidden_share(camera, moment, letter) for moment in over]
-        cost = np.mean(hidden) + hidden[-1] + 0.2 * abs(side) + 1.5 * (1 - direction @ page.normal)
-        candidates.append((cost, max(hidden), camera))
-    _, most_hidden, best = min(candidates, key=itemgetter(0))
-    return replace(best, see_through=most_hidden > _MAX_HIDDEN_SHARE)
+    middle = sheet.mean(axis=0)
+    behind = np.array([*-middle[:2], 0.0]) / (np.hypot(*middle[:2]) or 1.0)
+    hand = robot.of(np.isin(robot.links, HAND_LINKS)).corners.reshape(-1, 3)
+    cameras = [
+        _fit_camera(
+            middle, _turn_and_lift(behind, side, rise), (0, 0, 1), np.vstack([hand, sheet]), 1.04
+        )
+        for rise, side in product(_RISE_ANGLES, _SIDE_ANGLES)
+    ]
+    return min(cameras, key=lambda camera: _find_cost(camera, page, robot, letter))
+
+
+def _find_cost(camera: Camera, page: Page, robot: MovingBoxes, letter: Array) -> float:
+    """Weigh what is hidden of the letter, how small it is, how turned, and what the robot covers.
+
+    A letter is read in the end above all. An arm that covers too little is no robot, and a body
+    that covers much is a wall.
+    """
+    eye = np.array(camera.eye)
+    R = _find_axes(eye, np.array(camera.target), np.array(camera.up))
+    half_height = camera.slope(FITTED_ASPECT)
+    half = np.array([FITTED_ASPECT * half_height, half_height])
+    right, high, back = R @ (letter - eye).T
+    places = np.column_stack([right, high]) / -back[:, None] / half
+    under_small_page = (places[:, 0] > SMALL_PAGE_CORNER[0]) & (places[:, 1] < SMALL_PAGE_CORNER[1])
+    hidden = robot.hide(eye, letter).any(axis=1) | under_small_page
+    read = 1 - hidden.mean(axis=1)
+
+    is_arm = np.isin(robot.links, ARM_LINKS)
+    covers = robot.hide(eye, eye + 100 * (_GRID * half @ R[:2] - R[2]))
+    arm = covers[:, is_arm].any(axis=1).mean(axis=1)
+    body = covers[:, ~is_arm].any(axis=1).mean(axis=1)
+    size = np.sqrt(np.prod(np.ptp(places, axis=0) + 1e-3))
+    across, up = R[:2] @ page.X_world_page[:3, 1]
+    return float(
+        8 * max(0.97 - read[-1], 0)
+        + 4 * max(0.9 - read.mean(), 0)
+        + 2 * max(0.6 - read.min(), 0)
+        - np.log(size)
+        + 0.8 * np.arctan2(across, up) ** 2
+        + 8 * max(0.25 - R[2] @ page.normal, 0)
+        + 8 * max(0.14 - arm.min(), 0)
+        + 4 * max(arm.max() - 0.4, 0)
+        + 4 * max(body.max() - 0.12, 0)
+    )
 
 
 def _turn_and_lift(ahead: ArrayLike, side: float, rise: float) -> Array:
@@ -192,26 +226,3 @@ def _as_tuple(vector: Array) -> tuple[float, float, float]:
     """Return a vector (3,) as plain numbers."""
     x, y, z = vector.tolist()
     return x, y, z
-
-
-def _find_hidden_share(camera: Camera, robot: Array, letter: Array) -> float:
-    """Return the share of the letter's points that the robot hides from the camera."""
-    if not len(robot):
-        return 0.0
-    eye = np.array(camera.eye)
-    R = _find_axes(eye, np.array(camera.target), np.array(camera.up))
-    covered = np.zeros((2 * _CELLS + 3, 2 * _CELLS + 3), bool)
-    column, row = _find_cells(robot, eye, R)
-    for right, high in product((-1, 0, 1), repeat=2):
-        covered[column + right, row + high] = True
-    return float(covered[_find_cells(letter, eye, R)].mean())
-
-
-def _find_cells(points: Array, eye: Array, R: Array) -> tuple[NDArray[np.int_], NDArray[np.int_]]:
-    """Return the cell of a coarse picture in which each point is seen, at its edge if outside."""
-    right, high, back = R @ (points - eye).T
-    scale = _CELLS / (0.6 * np.maximum(-back, 0.05))
-    column, row = (
-        np.clip(np.rint(v * scale), -_CELLS, _CELLS).astype(int) + _CELLS + 1 for v in (right, high)
-    )
-    return column, row

@@ -24,8 +24,6 @@ PLAN_RGBA = (0.62, 0.64, 0.67, 1.0)
 _MIN_PIXELS = 64
 _MAX_PIXELS = 4000
 _STRIP_SHARE = 0.26
-# Opacity of an arm that would hide the page, here and in scene_3d.js.
-_FAINT_OPACITY = 0.12
 
 
 def render_png(stage: Stage, time: float | None, camera: str, width: int, height: int) -> bytes:
@@ -56,24 +54,16 @@ def _render(
     """Return the pixels, shape (height, width, 3)."""
     slope = camera.slope(width / height)
 
-    def render(pen_only: bool) -> NDArray[np.uint8]:
-        return render_meshes(
-            _collect_meshes(stage, time, pen_only),
-            eye=camera.eye,
-            target=camera.target,
-            up=camera.up,
-            lamp=place_lamp(stage.page),
-            field_of_view=2 * float(np.degrees(np.arctan(slope))),
-            width=width,
-            height=height,
-        )
-
-    pixels = render(pen_only=False)
-    if not camera.see_through:
-        return pixels
-    # The renderer has no opacity: mix a picture with the arm into one without.
-    behind = render(pen_only=True)
-    return np.rint(_FAINT_OPACITY * pixels + (1 - _FAINT_OPACITY) * behind).astype(np.uint8)
+    return render_meshes(
+        _collect_meshes(stage, time, camera.pen_only),
+        eye=camera.eye,
+        target=camera.target,
+        up=camera.up,
+        lamp=place_lamp(stage.page),
+        field_of_view=2 * float(np.degrees(np.arctan(slope))),
+        width=width,
+        height=height,
+    )
 
 
 def _collect_meshes(stage: Stage, time: float, pen_only: bool) -> list[Mesh]:

@@ -6,7 +6,7 @@ import { commandsOf, gunzip, loadMeshcat } from "./meshcat.js";
 /**
  * @typedef {{
  *   target: number[], eye: number[], up: number[], high: number, wide: number,
- *   see_through?: boolean,
+ *   pen_only?: boolean,
  * }} Camera
  */
 /** @typedef {import("./meshcat.js").Bytes} Bytes */
@@ -73,7 +73,7 @@ export class Picture {
     this.sky(theme);
     for (const bundle of bundles) this.apply(bundle);
     this.resize();
-    this.ghost();
+    this.dress();
     this.look();
     this.seek(this.time);
     this.spare();
@@ -185,26 +185,19 @@ export class Picture {
   place(/** @type {Camera} */ camera) {
     this.camera = camera;
     this.turn = { yaw: 0, pitch: 0, zoom: 1 };
-    this.ghost();
+    this.dress();
     this.look();
   }
 
-  /**
-   * See through the arm, but not through the pen: straight above the page it would hide the letter.
-   */
-  ghost() {
-    const through = (/** @type {any} */ node, /** @type {boolean} */ clear) => {
-      const see = clear && !node.name.startsWith("pen_");
-      const { material } = node;
-      if (material && material.transparent !== see) {
-        const opacity = see ? 0.12 : 1;
-        Object.assign(material, { transparent: see, opacity, depthWrite: !see, needsUpdate: true });
-        node.castShadow = !see;
-      }
-      for (const child of node.children) through(child, see);
+  /** Straight from above the arm would hide the letter: there the pen is seen alone. */
+  dress() {
+    const alone = Boolean(this.camera?.pen_only);
+    const show = (/** @type {any} */ node, /** @type {boolean} */ isPen) => {
+      if (node.isMesh) node.visible = isPen || !alone;
+      for (const child of node.children) show(child, isPen || child.name.startsWith("pen_"));
     };
     const robot = this.viewer?.scene_tree.find(["meshcat", "robot"]).object;
-    if (robot) through(robot, Boolean(this.camera?.see_through));
+    if (robot) show(robot, false);
   }
 
   /** Whether a hand has turned the picture since. */

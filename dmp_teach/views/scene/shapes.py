@@ -74,7 +74,7 @@ def build_surroundings(page: Page) -> tuple[ColoredMesh, ...]:
 
 def place_lamp(page: Page) -> Array:
     """Return where the lamp hangs: high, left and before the page, shape (3,) [m]."""
-    return 2.2 * page.normal + (0.3, 1.8, 2.2)
+    return 2.2 * page.normal + (-0.4, 0.6, 2.2)
 
 
 def build_floor(radius: float = 2.0) -> ColoredMesh:

@@ -15,16 +15,16 @@ from dmp_teach.views.scene.keyframes import find_key_rows
 from dmp_teach.views.scene.pen_force import describe_force, find_ink_width, find_shade
 from dmp_teach.views.scene.ribbon import MAX_DOTS, Ribbon, build_ribbon, find_inked_strokes
 from dmp_teach.views.scene.shapes import ColoredMesh, build_surroundings
+from dmp_teach.views.scene.sight import MovingBoxes
 
 INK_WIDTH = 0.0022
 INK_HEIGHT = 0.0006
 PLAN_WIDTH = 0.0008
 PLAN_HEIGHT = 0.0003
 
-# The robot's shell as cameras are fitted to it.
-_SHELL_MOMENTS = 6
-_SHELL_POINTS = 1500
-_MAX_LETTER_POINTS = 80
+# What cameras are fitted to: moments of the writing, and points of the letter.
+_MOMENTS = 7
+_MAX_LETTER_POINTS = 40
 _MAX_FACT_DOTS = 800
 
 
@@ -115,7 +115,7 @@ class Stage:
         if not len(letter):
             letter = np.zeros((1, 2))
         table = np.vstack([shape.vertices for shape in self.surroundings])
-        return fit_cameras(self.page, self._sample_shell(), self.page.to_world(letter), table)
+        return fit_cameras(self.page, self._sample_boxes(), self.page.to_world(letter), table)
 
     def facts(self) -> dict[str, object]:
         """Return the browser's numbers, sentences, and the small page in [mm]."""
@@ -152,12 +152,20 @@ class Stage:
             if not pen_only or visual.link.startswith("pen_")
         )
 
-    def _sample_shell(self) -> Array:
-        """Return points of the shell at some moments of the writing, shape (M, P, 3) [m]."""
-        ink = self.ink.t if len(self.ink.t) else np.zeros(1)
-        moments = np.interp(np.linspace(0, 1, _SHELL_MOMENTS), np.linspace(0, 1, len(ink)), ink)
-        shells = [np.vstack([shape.vertices for shape in self.robot(t)]) for t in moments]
-        return np.stack([shell[:: len(shell) // _SHELL_POINTS + 1] for shell in shells])
+    def _sample_boxes(self) -> MovingBoxes:
+        """Return boxes round the shell at moments of the writing, and at the end."""
+        inked = self.ink.t if len(self.ink.t) else np.zeros(1)
+        moments = np.linspace(inked[0], inked[-1], _MOMENTS)
+        q = np.array([self.joints(t) for t in (*moments, self.duration)])
+        poses = self.model.link_poses(q, self.joint_names)
+        visuals = self.model.visuals
+        pieces = [build_visual(each, each.link).moved(each.X_link_visual) for each in visuals]
+        return MovingBoxes(
+            tuple(each.link for each in visuals),
+            np.array([piece.vertices.min(axis=0) for piece in pieces]),
+            np.array([piece.vertices.max(axis=0) for piece in pieces]),
+            np.stack([np.broadcast_to(poses[each.link], (len(q), 4, 4)) for each in visuals], 1),
+        )
 
 
 def _find_force(run: Run, t: Array) -> Array:
