@@ -43,6 +43,14 @@ class Alignment:
         object.__setattr__(self, "others", locked(self.others))
 
     @property
+    def goes_round(self) -> bool:
+        """Whether a line that is backwards goes round: it begins where the other begins."""
+        start = self.points[-1]
+        return self.loop or bool(
+            np.linalg.norm(start - self.others[0]) < np.linalg.norm(start - self.others[-1])
+        )
+
+    @property
     def lines(self) -> tuple[Array, Array]:
         """The one line and the other."""
         return self.points, self.others

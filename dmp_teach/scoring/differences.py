@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from dmp_teach.scoring.direction import find_other_way
 from dmp_teach.scoring.fit import Fit
 from dmp_teach.scoring.kinematics import Movement
 from dmp_teach.scoring.matching import Matching
@@ -49,6 +50,7 @@ FAULT_STEPS = {
     "missing": 12.0,
     "extra": 12.0,
     "reversed": 5.0,
+    "round": 5.0,
     "order": 4.0,
     "pieces": 4.0,
 }
@@ -97,6 +99,7 @@ def find_faults(
         *of_whole,
         *_stroke_faults(matching, model),
         *_writing_faults(matching, written, model),
+        *_way_faults(matching, strokes),
         *_shape_faults(matching, fit, strokes),
         *_loop_faults(matching, fit, strokes),
         *_movement_faults(written, model),
@@ -146,9 +149,9 @@ def _writing_faults(matching: Matching, written: Movement, model: Movement) -> I
         yield _fault("divided", FAULT_STEPS["pieces"])
     if matching.reversed:
         stroke = matching.reversed[0]
-        loop = next(pair.alignment.loop for pair in matching.pairs if pair.others[0] == stroke)
+        pair = next(pair for pair in matching.pairs if pair.others[0] == stroke)
         steps = FAULT_STEPS["reversed"] + 0.1 * len(matching.reversed)
-        yield _fault("reversed", steps, stroke=stroke, of=of, loop=loop)
+        yield _fault("reversed", steps, stroke=stroke, of=of, loop=pair.alignment.goes_round)
     for pair in matching.pairs:
         away = min(pair.alignment.begins, 1 - pair.alignment.begins)
         if not pair.alignment.backwards and away > LEAST_LOOP_SHIFT:
@@ -157,6 +160,23 @@ def _writing_faults(matching: Matching, written: Movement, model: Movement) -> I
     for early, late in zip(matching.order, sorted(matching.order), strict=True):
         if early != late:
             yield _fault("order", FAULT_STEPS["order"], early=early, late=late)
+            break
+
+
+def _way_faults(matching: Matching, strokes: Sequence[Trajectory]) -> Iterator[Fault]:
+    """Yield a part within a stroke that goes another way."""
+    for number, pair in enumerate(matching.pairs):
+        whole = len(pair.strokes) == len(pair.others) == 1 and not pair.alignment.backwards
+        way = find_other_way(pair.alignment) if whole and not pair.is_dot else None
+        if way is not None:
+            yield _fault(
+                "round",
+                FAULT_STEPS["round"],
+                **_named_stroke(matching, number, strokes),
+                is_round=way.is_round,
+                left=way.turning > 0,
+                position=_position(way.point, strokes),
+            )
             break
 
 

@@ -251,8 +251,8 @@ def _follow_closest_points(
     far = []
     for (mine, yours), shift in zip(problem.inks, shifts, strict=True):
         fitted = replace(yours, points=yours.points @ linear.T + shift)
-        there, back = ways_to_nearest(mine, fitted)
-        far.append(((there**2).sum(axis=1), (back**2).sum(axis=1)))
+        to_model, to_writing = ways_to_nearest(mine, fitted)
+        far.append(((to_model**2).sum(axis=1), (to_writing**2).sum(axis=1)))
     return _Solution(problem, linear, shifts, far, scale)
 
 

@@ -1,4 +1,4 @@
-"""Score how near a writing is to its model: in measures, in three rows for the pad, in a sentence.
+"""Score how near a writing is to its model: in measures, in four rows for the pad, in a sentence.
 
 The score is ours. It says what differs and is no medical or school test; it has not been shown to
 make handwriting better.
@@ -20,8 +20,8 @@ from dmp_teach.scoring.overlay import lay_on, rms_apart
 from dmp_teach.scoring.resampling import POINTS_TO_FIT, Resampled, resample, size_of
 from dmp_teach.trajectory import Array
 
-LEVEL_WORDS = ("far", "nearer", "close", "the same")
-# Steps of a fault up to which a row is "nearer", "close" and "the same".
+LEVEL_WORDS = ("far", "not far", "close", "the same")
+# Steps of a fault up to which a row is "not far", "close" and "the same".
 LEVEL_STEPS = (6.0, 3.0, 1.0)
 # Steps of a fault that leaves no trace in the ink from which on it is named.
 LEAST_MOVEMENT_STEPS = 2.0
@@ -29,6 +29,7 @@ FAULTS_BY_ROW = {
     "Shape": ("mirrored", "turned", "missing", "extra", "shape", "place", "piece", "open", "shaky"),
     "Size": ("size", "width"),
     "Lean": ("lean", "turn", "rise"),
+    "Way of writing": ("reversed", "round", "begins", "order", "joined", "split", "divided"),
 }
 
 
@@ -37,9 +38,9 @@ class Part:
     """One row of the pad.
 
     Args:
-        name: "Shape", "Size" or "Lean".
+        name: "Shape", "Size", "Lean" or "Way of writing": from where, which way, in which order.
         level: 0 to 3; the pad fills one circle more than that.
-        word: "far", "nearer", "close" or "the same".
+        word: "far", "not far", "close" or "the same".
         reason: Why, in a few words; empty where it is the same.
     """
 
@@ -55,7 +56,7 @@ class Score:
 
     Args:
         sentence: The largest fault in plain words; of the movement only where the ink shows none.
-        parts: Shape, size and lean, for the pad.
+        parts: Shape, size, lean and way of writing, for the pad.
         faults: Everything that differs, the largest first, in steps of what an eye begins to see.
         matching: Which strokes belong together; its order, direction and number.
         distance: How far the two inks are apart on average (rms), moved to the same place [m].
@@ -153,7 +154,7 @@ def _lay_together(matching: Matching, ink: Resampled, model_ink: Resampled) -> t
 
 def _part(name: str, faults: Sequence[Fault]) -> Part:
     """Return the row of the largest of its faults."""
-    worst = next(fault for fault in faults if fault.name in FAULTS_BY_ROW[name])
-    level = sum(worst.steps <= limit for limit in LEVEL_STEPS)
-    reason = "" if level == len(LEVEL_STEPS) else worst.reason
+    worst = next((fault for fault in faults if fault.name in FAULTS_BY_ROW[name]), None)
+    level = sum(worst is None or worst.steps <= limit for limit in LEVEL_STEPS)
+    reason = "" if worst is None or level == len(LEVEL_STEPS) else worst.reason
     return Part(name, level, LEVEL_WORDS[level], reason)

@@ -77,11 +77,13 @@ class Pair:
         strokes: Numbers of the strokes in the one writing, from 0; several where it was split.
         others: Numbers of the strokes in the other; several where they were written in one.
         alignment: The two aligned point by point, and whether one is backwards.
+        is_dot: Whether it is a dot, which has no direction.
     """
 
     strokes: tuple[int, ...]
     others: tuple[int, ...]
     alignment: Alignment
+    is_dot: bool
 
 
 @dataclass(frozen=True, eq=False)
@@ -159,8 +161,9 @@ def match_strokes(strokes: LetterLike, others: LetterLike) -> Matching:
         lines = align(
             [written[k].position @ back.T for k in mine], [model[k].position for k in yours]
         )
-        is_dot = other.lengths[list(yours)].sum() < DOT_LENGTH
-        pairs.append(Pair(mine, yours, replace(lines, backwards=False) if is_dot else lines))
+        is_dot = bool(other.lengths[list(yours)].sum() < DOT_LENGTH)
+        lines = replace(lines, backwards=lines.backwards and not is_dot)
+        pairs.append(Pair(mine, yours, lines, is_dot))
     extra = tuple(sorted(k for mine, yours in groups if not yours for k in mine))
     missing = tuple(sorted(k for mine, yours in groups if not mine for k in yours))
     return Matching(tuple(pairs), extra, missing, view)

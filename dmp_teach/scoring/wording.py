@@ -117,6 +117,15 @@ def _reversed(_steps: float, stroke: int, of: int, loop: bool) -> Wording:
     return _said(f"{_the(stroke, of)} {how}")
 
 
+def _round(
+    _steps: float, stroke: int, of: int, is_round: bool, left: bool, position: Position
+) -> Wording:
+    which = f" of {_the(stroke, of)}" if of > 1 else ""
+    if is_round:
+        return _said(f"the round part{which} goes round the other way")
+    return _said(f"a piece{which} {_where(position)} goes the other way")
+
+
 def _begins(_steps: float, stroke: int, of: int) -> Wording:
     return _said(f"{_the(stroke, of)} starts at another place of the loop")
 
@@ -177,7 +186,7 @@ _WORDINGS: dict[str, Callable[..., Wording]] = {
     function.__name__.removeprefix("_"): function
     for function in (
         *(_mirrored, _turned, _turn, _rise, _lean, _size, _width),
-        *(_missing, _extra, _joined, _split, _divided, _reversed, _begins, _order),
+        *(_missing, _extra, _joined, _split, _divided, _reversed, _round, _begins, _order),
         *(_shape, _place, _piece, _open, _shaky, _smooth, _tempo),
     )
 }

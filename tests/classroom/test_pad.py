@@ -66,7 +66,7 @@ def test_ink_becomes_a_recording_that_is_learned_written_again_and_scored(panel)
     written = np.concatenate([stroke.position for stroke in panel.letter.write()])
     assert np.allclose(points(panel, "robot"), written, atol=1e-6)
     assert panel.letter.error < 0.001
-    assert [row["name"] for row in panel.parts] == ["Shape", "Size", "Lean"]
+    assert [row["name"] for row in panel.parts] == ["Shape", "Size", "Lean", "Way of writing"]
     assert panel.message["strong"] == "It is a little wider than the robot’s, for its height."
     assert panel.caught.startswith("Stroke 2: 1.7 s, 10")
     assert panel.title.startswith("Your D, 2 strokes.")
@@ -87,7 +87,7 @@ def test_a_letter_with_fewer_strokes_than_the_robots_is_scored_when_that_is_all(
     assert (panel.parts, panel.tries, panel.message["number"]) == ([], [], "")
     send(panel, kind="all")
     assert not panel.unfinished
-    assert len(panel.parts) == 3
+    assert len(panel.parts) == 4
     assert panel.parts[0]["level"] < 3
     assert len(panel.tries) == 1
 
@@ -476,7 +476,7 @@ def test_no_message_ever_kills_the_panel(messages):
     send(panel, kind="again", n=99)
     write(panel, "i")
     assert panel.counts
-    assert len(panel.parts) == 3
+    assert len(panel.parts) == 4
 
 
 def test_a_pad_takes_one_letter_and_an_accent_may_be_a_sign_of_its_own(panel):

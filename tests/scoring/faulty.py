@@ -154,3 +154,34 @@ def gone_over(strokes, number, part):
     position = np.concatenate([stroke.position, back])
     found[number] = Trajectory(np.arange(len(position)) / 120, position)
     return found
+
+
+def loops(stroke):
+    """Where along a stroke, from 0 to 1, loops begin and end that enclose more than a little."""
+    points = _evenly(stroke, 64)
+    size, found = np.ptp(points, axis=0).max(), []
+    apart = np.linalg.norm(points[:, None] - points, axis=2)
+    for i in range(64):
+        for j in range(i + 13, 64):
+            near = apart[max(0, i - 1) : i + 2, max(0, j - 1) : j + 2].min()
+            x, y = points[[*range(i, j + 1), i]].T
+            area = abs((x[:-1] * y[1:] - x[1:] * y[:-1]).sum()) / 2
+            if apart[i, j] == near < 0.05 * size and area > 0.04 * size**2:
+                found.append((i / 63, j / 63))
+    return found
+
+
+def turned_back(strokes, number, begin, end):
+    """A part of one stroke written the other way, in its place."""
+    points, found = _evenly(strokes[number], 240), list(strokes)
+    part = slice(round(begin * 239), round(end * 239) + 1)
+    points[part] = points[part][::-1].copy()
+    found[number] = Trajectory(np.arange(240) / 120, points)
+    return found
+
+
+def _evenly(stroke, count):
+    """Points at equal arc length."""
+    way = np.concatenate([[0], np.cumsum(np.linalg.norm(np.diff(stroke.position, axis=0), axis=1))])
+    at = np.linspace(0, way[-1], count)
+    return np.column_stack([np.interp(at, way, axis) for axis in stroke.position.T])

@@ -16,7 +16,7 @@ export function results() {
   return { rows: make("ul", rows), strip: make("ol", strip) };
 }
 
-/** Three rows: what, four circles, a word, a reason. */
+/** Four rows: what, four circles, a word, a reason. */
 export function drawRows(/** @type {Model} */ model, /** @type {Results} */ parts) {
   /** @type {Side[]} */
   const rows = model.get("parts");

@@ -21,7 +21,7 @@ Message = dict[str, str]
 
 _APART = "Your letter and the robot’s own are this far apart on average. "
 _ALIKE = "It looks the same as the robot’s. "
-# Shares of the letter's size: a distance up to which an attempt is "nearer", "close", "the same".
+# Shares of the letter's size: a distance up to which an attempt is "not far", "close", "the same".
 _WORD_SHARES = (0.2, 0.1, 0.04)
 # Two widths of a pen's line and a half [m]: so much further away is a little, however near it was.
 _LITTLE_FURTHER = 0.0025
@@ -183,7 +183,7 @@ def rate_attempt(score: Score, size: float) -> str:
     """
     by_distance = sum(score.distance <= part * size for part in _WORD_SHARES)
     level = min(by_distance, *(part.level for part in score.parts))
-    return LEVEL_WORDS[level].replace("nearer", "not far")
+    return LEVEL_WORDS[level]
 
 
 def add_article(character: str) -> str:
