@@ -11,9 +11,9 @@ def _begins_like_json(data: bytes) -> bool:
     return data[:1000].removeprefix(b"\xef\xbb\xbf").lstrip().startswith((b"{", b"["))
 
 
-def _read_one(data: bytes, name: str, _: CaptureOptions) -> tuple[Recording, ...]:
+def _read_one(data: bytes, _name: str, _: CaptureOptions) -> tuple[Recording, ...]:
     """Read the letter of a file."""
-    return (recording_from_json(data, name),)
+    return (recording_from_json(data),)
 
 
 FORMAT = Format("JSON", (".json",), _begins_like_json, _read_one, recording_to_json)

@@ -1,14 +1,21 @@
-"""What the formats of flat ink share: where a letter stands, how large it is, and its label."""
+"""What the formats of flat ink share: letters on their clock, at their size, in their place.
+
+Where a file does not say when the pen was where, a hand's pace does; where it says no unit, the
+median height of its letters is taken for 50 mm.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
+from itertools import chain
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.files import is_pseudonym
+from dmp_teach.formats.hand_pace import LIFT_DURATION, at_hand_pace
 from dmp_teach.formats.safe_xml import finite_number
 from dmp_teach.ink import Recording, add_lifts
 from dmp_teach.trajectory import Array, Trajectory
@@ -18,50 +25,125 @@ SMALLEST_INK = 0.0005  # or less [m]
 USUAL_HEIGHT = 0.05  # of a letter where a file says no unit [m]
 LONGEST_LABEL = 40  # a longer text is no label ...
 LONGEST_OWN_LABEL = 1000  # ... but in a file of ours, where it can be nothing else
+TAP = 0.02  # how long a single point lasts [s]
+LONGEST_STROKE = 3600.0  # [s]
 
 
-def flat_recording(
-    strokes: Sequence[Trajectory],
-    pressures: Sequence[Array] | None = None,
-    origin: ArrayLike | None = None,
-    *,
-    character: str | None = None,
-    writer: str | None = None,
-    baseline: float | None = None,
-) -> Recording:
-    """Return a recording of flat ink; its clock begins at 0, its origin is its lower left corner.
+@dataclass(frozen=True)
+class FlatStroke:
+    """A stroke as a file has it.
 
     Args:
-        strokes: 2-D, x to the right and y up, on one clock [m].
-        pressures: 0 to 1, shape (T,) for each stroke; or None.
-        origin: Where the page's origin is, where the file says so, shape (2,) [m].
-        character: The letter.
+        xy: Its points, right and up, shape (K, 2).
+        t: When the pen was there, shape (K,) [s]; None where the file does not say.
+        force: How hard it pressed, 0 to 1, shape (K,); None where the file does not say.
+    """
+
+    xy: Array
+    t: Array | None = None
+    force: Array | None = None
+
+
+@dataclass(frozen=True)
+class FlatLetter:
+    """A letter as a file has it.
+
+    Args:
+        strokes: In the order of writing.
+        character: What it is.
         writer: A pseudonym.
+        origin: Where the page's origin is, shape (2,) [m]; None is the ink's lower left corner.
         baseline: Where the writing line is [m].
+    """
+
+    strokes: Sequence[FlatStroke]
+    character: str | None = None
+    writer: str | None = None
+    origin: ArrayLike | None = None
+    baseline: float | None = None
+
+
+def flat_recordings(
+    letters: Sequence[FlatLetter], scale: float | None = 1.0
+) -> tuple[Recording, ...]:
+    """Return the letters of a file as recordings; the clock of each begins at 0.
+
+    Args:
+        letters: With at least one stroke each.
+        scale: The metres in a unit of the points; None where the file does not say.
 
     Raises:
-        RecordingError: The ink is far larger or smaller than a hand's, or as `add_lifts`.
+        RecordingError: All ink is far larger or smaller than a hand's, a time that cannot be, or
+            as `add_lifts`.
     """
-    ink = [stroke.position for stroke in strokes]
-    check_size(ink)
-    corner = np.concatenate(ink).min(axis=0)
-    shift = corner if origin is None else np.asarray(origin)
-    check_place(corner, shift)
-    begin = strokes[0].t[0]
+    with np.errstate(all="ignore"):
+        ink = [[stroke.xy for stroke in letter.strokes] for letter in letters]
+        scale = _usual_scale(ink) if scale is None else scale
+        check_size([xy * scale for xy in chain.from_iterable(ink)])
+    return tuple(_recording(letter, scale) for letter in letters)
+
+
+def _recording(letter: FlatLetter, scale: float) -> Recording:
+    """Return one letter."""
+    strokes = letter.strokes
+    rows = [stroke.xy * scale for stroke in strokes]
+    forces = [stroke.force for stroke in strokes if stroke.force is not None]
+    is_forced = len(forces) == len(strokes)
+    if is_forced:
+        rows = [np.column_stack(each) for each in zip(rows, forces, strict=True)]
+    # Times that stand still say no more than none.
+    times = [t for t in (stroke.t for stroke in strokes) if t is not None and _goes_on(t)]
+    laid = on_one_clock(times, rows) if len(times) == len(strokes) else at_hand_pace(rows)
+    corner = np.concatenate([xy for _, xy in laid])[:, :2].min(axis=0)
+    origin = corner if letter.origin is None else np.asarray(letter.origin)
+    check_place(corner, origin)
+    begin = laid[0][0][0]
     return add_lifts(
-        [Trajectory(stroke.t - begin, stroke.position - shift) for stroke in strokes],
-        pressures,
-        character=character,
-        writer=writer,
-        baseline=baseline,
+        [Trajectory(t - begin, row[:, :2] - origin) for t, row in laid],
+        [row[:, 2] for _, row in laid] if is_forced else None,
+        character=letter.character,
+        writer=letter.writer,
+        baseline=letter.baseline,
     )
+
+
+def _goes_on(t: Array) -> bool:
+    """Tell whether times (K,) are those of a single point, or change."""
+    return len(t) == 1 or bool(np.ptp(t) > 0)
+
+
+def on_one_clock(times: Sequence[Array], rows: Sequence[Array]) -> list[tuple[Array, Array]]:
+    """Return strokes one after the other, as times (K,) and rows (K, D), each time once.
+
+    A point at the time of the one before it is left out. A single point is a dot, and lasts 20 ms.
+    A stroke that begins before the one before it has ended, for its clock was its own, begins a
+    pause after that one.
+
+    Raises:
+        RecordingError: Time runs back inside a stroke, or a stroke takes more than an hour.
+    """
+    laid: list[tuple[Array, Array]] = []
+    for number, (t, row) in enumerate(zip(times, rows, strict=True)):
+        step, long = np.diff(t), t[-1] - t[0]
+        if (step < 0).any() or not long < LONGEST_STROKE:
+            fault = (
+                f"takes {long:.4g} s" if not long < LONGEST_STROKE else "has times that run back"
+            )
+            raise RecordingError(f"stroke {number} {fault}; is the unit of its times right?")
+        fresh = np.concatenate([[True], step > 0])
+        clock, way = t[fresh], row[fresh]
+        if len(clock) == 1:
+            clock, way = np.array([t[0], t[0] + TAP]), np.repeat(way, 2, axis=0)
+        if laid and clock[0] <= laid[-1][0][-1]:
+            clock = clock - clock[0] + laid[-1][0][-1] + LIFT_DURATION
+        laid.append((clock, way))
+    return laid
 
 
 def check_size(strokes: Sequence[Array]) -> None:
     """Raise a RecordingError where strokes (K, 2) are not finite, or no hand writes that size."""
-    with np.errstate(all="ignore"):
-        ink = np.concatenate(strokes)
-        size = float(np.ptp(ink, axis=0).max()) if np.isfinite(ink).all() else np.inf
+    ink = np.concatenate(strokes)
+    size = float(np.ptp(ink, axis=0).max()) if np.isfinite(ink).all() else np.inf
     if not SMALLEST_INK < size < LARGEST_INK:
         raise RecordingError(
             f"the ink is {size:.4g} m large, but must be {SMALLEST_INK} to {LARGEST_INK} m; is "
@@ -70,12 +152,7 @@ def check_size(strokes: Sequence[Array]) -> None:
 
 
 def check_place(corner: Array, origin: ArrayLike) -> None:
-    """Raise a RecordingError where the ink's lower left corner is too far from the page's origin.
-
-    Args:
-        corner: Shape (2,) [m].
-        origin: Shape (2,) [m].
-    """
+    """Raise where the ink's lower left corner (2,) is too far from the page's origin (2,) [m]."""
     away = np.asarray(origin) - corner
     if not (np.abs(away) < LARGEST_INK).all():
         raise RecordingError(
@@ -100,29 +177,17 @@ def check_flat(strokes: Sequence[Array], suffix: str) -> None:
 
 
 def lengths_in_mm(text: str | None, count: int) -> Array | None:
-    """Return the lengths [m] that we wrote into a file in mm with spaces between; None for others.
-
-    Args:
-        text: What the file says.
-        count: How many there must be.
-    """
+    """Return the `count` lengths [m] that we wrote into a file in mm; None for other text."""
     numbers = [finite_number(word) for word in (text or "").split()[: count + 1]]
     known = [number for number in numbers if number is not None]
     return np.array(known) / 1000 if len(known) == len(numbers) == count else None
 
 
-def usual_scale(letters: Sequence[Sequence[Array]]) -> float:
-    """Return what makes the median height of letters without a unit 50 mm.
-
-    Args:
-        letters: For each letter its strokes, points (K, 2).
-
-    Raises:
-        RecordingError: Their heights are no numbers, or 0.
-    """
-    with np.errstate(all="ignore"):
-        sizes = [np.ptp(np.concatenate(strokes), axis=0) for strokes in letters]
-    high = float(np.median([height if height > 0.2 * width else width for width, height in sizes]))
+def _usual_scale(letters: Sequence[Sequence[Array]]) -> float:
+    """Return what makes the median height of letters, points (K, 2) a stroke, 50 mm; dots aside."""
+    sizes = [np.ptp(np.concatenate(strokes), axis=0) for strokes in letters]
+    heights = [high if high > 0.2 * wide else wide for wide, high in sizes]
+    high = float(np.median([each for each in heights if each != 0] or [0.0]))
     if not 1e-100 < high < 1e100:
         raise RecordingError(
             f"the ink is {high:.4g} high, in a unit that the file does not say; is there any ink?"

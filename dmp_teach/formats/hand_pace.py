@@ -12,7 +12,7 @@ import numpy as np
 from scipy.ndimage import gaussian_filter1d
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.trajectory import Array, arc_lengths, path_length
 
 HAND_RATE = 120.0  # samples a second
 HAND_PACE = 1.5  # letter sizes a second, on an arc whose radius is a quarter of the size
@@ -28,7 +28,7 @@ LIFT_DURATION = 0.4  # how long the pen is in the air between two strokes [s]
 DOT_DURATION = 0.1  # how long it stands on a dot [s]
 
 
-def at_hand_pace(strokes: list[Array]) -> list[Trajectory]:
+def at_hand_pace(strokes: list[Array]) -> list[tuple[Array, Array]]:
     """Return strokes without times as a hand would write them.
 
     Args:
@@ -36,34 +36,30 @@ def at_hand_pace(strokes: list[Array]) -> list[Trajectory]:
             pressure, go along.
 
     Returns:
-        The same ways as trajectories, one after the other on a clock that begins at 0.
+        Times (T,) and the same ways (T, D), one after the other on a clock that begins at 0.
 
     Raises:
         RecordingError: A way too long for a hand.
     """
     size = max(float(np.ptp(np.concatenate(strokes)[:, :2], axis=0).max()), 1e-6)
-    way = sum(
-        float(np.linalg.norm(np.diff(points[:, :2], axis=0), axis=1).sum()) for points in strokes
-    )
+    way = sum(path_length(points[:, :2]) for points in strokes)
     if len(strokes) > MOST_STROKES or way > LONGEST_INK * size:
         raise RecordingError(
             f"{len(strokes)} strokes that are {way / size:.0f} times as long as the ink is large "
-            "are no letter: at "
-            f"most {MOST_STROKES} strokes of {LONGEST_INK} times its size can be written at a "
-            "hand's pace."
+            f"are no letter: at most {MOST_STROKES} strokes of {LONGEST_INK} times its size can "
+            "be written at a hand's pace."
         )
     written, clock = [], 0.0
     for points in strokes:
-        t, position = _written(np.asarray(points, dtype=float), size)
-        written.append(Trajectory(clock + t, position))
+        t, position = _written(points, size)
+        written.append((clock + t, position))
         clock += float(t[-1]) + LIFT_DURATION
     return written
 
 
 def _written(points: Array, size: float) -> tuple[Array, Array]:
     """Return times (T,) from 0 and positions (T, D) of one stroke."""
-    step = np.linalg.norm(np.diff(points[:, :2], axis=0), axis=1)
-    way = np.concatenate([[0.0], np.cumsum(step)])
+    way = arc_lengths(points[:, :2])
     kept = np.concatenate([[True], np.diff(way) > 0])
     points, way, length = points[kept], way[kept], float(way[-1])
     if length < 1e-4 * size:

@@ -6,7 +6,7 @@ import os
 from collections import Counter
 from pathlib import Path
 
-from dmp_teach.errors import RecordingError
+from dmp_teach.errors import RecordingError, TrajectoryError
 from dmp_teach.files import contents
 from dmp_teach.formats.registry import CaptureOptions, Format, known_formats
 from dmp_teach.ink import Recording
@@ -72,17 +72,17 @@ def read_recordings(
 ) -> tuple[Recording, ...]:
     """Read all letters of a file, in its order; arguments and errors as `read_recording`."""
     data, name = contents(path)
-    return tuple(_format_of(data, name).read(data, name, CaptureOptions(marker, up, right)))
+    kind = _format_of(data, name)
+    try:
+        return tuple(kind.read(data, name, CaptureOptions(marker, up, right)))
+    except (RecordingError, TrajectoryError) as error:
+        raise RecordingError(f"{name}: {error}") from None
 
 
 def _format_of(data: bytes, name: str) -> Format:
-    """Tell a file's format from what is in it, and from its name where that says nothing."""
-    suffix = Path(name).suffix.lower()
+    """Tell a file's format from what is in it."""
     for each in known_formats():
         if each.sniff(data):
-            return each
-    for each in known_formats():
-        if suffix in each.suffixes:
             return each
     kinds = ", ".join(map(str, known_formats()))
     raise RecordingError(

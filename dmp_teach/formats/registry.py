@@ -5,11 +5,10 @@ from __future__ import annotations
 import pkgutil
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cache, wraps
+from functools import cache
 from importlib import import_module
 from pathlib import Path
 
-from dmp_teach.errors import RecordingError, TrajectoryError
 from dmp_teach.ink import Recording
 
 
@@ -39,8 +38,8 @@ class Format:
         name: What people call it.
         suffixes: The ends of its files' names; the first is the one that is written.
         sniff: Tells from a file's bytes whether it is in this format.
-        read: Returns the letters of a file from its bytes and its name; raises a RecordingError
-            that names the file.
+        read: Returns the letters of a file from its bytes and its name; raises a RecordingError,
+            before which `read_recordings` puts the file's name.
         write: Returns a recording as text; None where the format is only read.
     """
 
@@ -61,16 +60,3 @@ def known_formats() -> tuple[Format, ...]:
     names = sorted(module.name for module in pkgutil.iter_modules([str(here)]))
     modules = [import_module(f"{__package__}.{name}") for name in names]
     return tuple(module.FORMAT for module in modules if hasattr(module, "FORMAT"))
-
-
-def name_file(read: Reader) -> Reader:
-    """Put the name of the file before what a reader says is wrong."""
-
-    @wraps(read)
-    def named(data: bytes, name: str, options: CaptureOptions) -> Sequence[Recording]:
-        try:
-            return read(data, name, options)
-        except (RecordingError, TrajectoryError) as error:
-            raise RecordingError(f"{name}: {error}") from None
-
-    return named

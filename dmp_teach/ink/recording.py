@@ -50,6 +50,7 @@ class Recording:
             samples `start:end` (end not included). None: strokes are found from the height.
         pressure: How hard the pen was pressed, as a share of the hardest press that the device
             measures, shape (T,), 0 in the air and at most 1; or None where unknown.
+        notes: What is doubtful in it, a sentence each; a file keeps none of them.
 
     Raises:
         RecordingError: Shapes that do not match, values that are not finite, times that do not
@@ -64,6 +65,7 @@ class Recording:
     baseline: float | None = None
     given_strokes: Spans | None = None
     pressure: Array | None = None
+    notes: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
         """Copy, check and lock."""
@@ -176,7 +178,9 @@ class Recording:
         """Return one line, without the numbers."""
         letter = "" if self.character is None else f"{self.character!r}, "
         writer = "" if self.writer is None else f"by {self.writer}, "
-        return f"Recording({letter}{writer}{len(self.t)} samples, {self.duration:.3f} s)"
+        count = len(self.notes)
+        notes = f", {count} note{'s' * (count > 1)}" if count else ""
+        return f"Recording({letter}{writer}{len(self.t)} samples, {self.duration:.3f} s{notes})"
 
     def _repr_svg_(self) -> str | None:
         """Draw the strokes as a small picture, for a notebook."""

@@ -47,19 +47,15 @@ def read_json(path: str | os.PathLike[str]) -> Recording:
         RecordingError: No such file, another format or version, or a field that cannot be.
     """
     data, name = contents(path)
-    return recording_from_json(data, name)
-
-
-def recording_from_json(data: bytes, name: str) -> Recording:
-    """Read a recording from the bytes of a file of that name.
-
-    Raises:
-        RecordingError: As `read_json`.
-    """
     try:
-        return _read_recording(loaded(data, RECORDING_FORMAT, RECORDING_VERSIONS, RECORDING_FIELDS))
+        return recording_from_json(data)
     except RecordingError as error:
         raise RecordingError(f"{name}: {error}") from None
+
+
+def recording_from_json(data: bytes) -> Recording:
+    """Read a recording from the bytes of a file; errors as `read_json`, without its name."""
+    return _read_recording(loaded(data, RECORDING_FORMAT, RECORDING_VERSIONS, RECORDING_FIELDS))
 
 
 def write_json(recording: Recording, path: str | os.PathLike[str]) -> None:

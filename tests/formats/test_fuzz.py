@@ -236,7 +236,7 @@ def test_traces_of_any_signs(tmp_path, text):
 def test_paths_of_any_signs(tmp_path, way, turn):
     letters_or_a_sentence(
         tmp_path / "a.svg",
-        f'<svg><g transform="{turn}"><path d="M0 0L9 9{way}"/></g></svg>'.encode(),
+        f'<svg stroke="red"><g transform="{turn}"><path d="M0 0L9 9{way}"/></g></svg>'.encode(),
     )
 
 
@@ -255,7 +255,8 @@ POISON = {
     "a style from outside": '<?xml-stylesheet href="file:///etc/hostname"?><svg><style>'
     "@import url(x)</style></svg>",
     "a picture": '<svg><image href="file:///etc/hostname"/><script>alert(1)</script></svg>',
-    "foreign markers": '<svg><path d="M0 0L9 9" marker-end="url(file:///etc/hostname#a)" '
+    "foreign markers": '<svg stroke="red"><path d="M0 0L9 9" '
+    'marker-end="url(file:///etc/hostname#a)" '
     'style="fill:url(x#y)"/></svg>',
     "clones of clones": '<svg><use id="a" href="#b"/><use id="b" href="#a"/></svg>',
     "deep": "<svg>" + "<g>" * 100_000,
@@ -271,10 +272,10 @@ POISON = {
     "no encoding": '<?xml version="1.0" encoding="nonsense"?><ink/>',
     "spaces": f'<svg width="5{" " * 500_000}!"/>',
     "digits": f'<svg width="{"1" * 500_000}!"/>',
-    "numbers in a path": f'<svg><path d="M0 0{"1" * 500_000}"/></svg>',
-    "commas": f'<svg><path d="M0 0L{", " * 200_000}"/></svg>',
-    "arcs": f'<svg><path d="M0 0{"a1 2 3 0 1 4 5" * 5_000}"/></svg>',
-    "moves": f'<svg><path d="{"M0 0L9 9" * 50_000}"/></svg>',
+    "numbers in a path": f'<svg stroke="red"><path d="M0 0{"1" * 500_000}"/></svg>',
+    "commas": f'<svg stroke="red"><path d="M0 0L{", " * 200_000}"/></svg>',
+    "arcs": f'<svg stroke="red"><path d="M0 0{"a1 2 3 0 1 4 5" * 5_000}"/></svg>',
+    "moves": f'<svg stroke="red"><path d="{"M0 0L9 9" * 50_000}"/></svg>',
     "brackets": "[" * 1_000_000,
     "braces": '{"a":' * 200_000,
     "a long number": '{"format": ' + "1" * 1_000_000 + "}",
@@ -286,7 +287,7 @@ POISON = {
     "selectors": f"<svg><style>{'.a,' * 2_000_000}a{{fill:red}}</style></svg>",
     "classes": f"<svg><style>.a{{fill:red}}</style>"
     f'<path d="M0 0L9 9" class="{"a " * 2_000_000}"/></svg>',
-    "styles": f'<svg><path d="M0 0L9 9" style="{"fill:red;" * 1_000_000}"/></svg>',
+    "styles": f'<svg stroke="red"><path d="M0 0L9 9" style="{"fill:red;" * 1_000_000}"/></svg>',
     "views": f'<ink><trace xml:id="a">0 0, 9 9</trace>{VIEW * 90_000}</ink>',
     "many markers": f",,{'Marker,' * 60_000}\n,,{'a,' * 60_000}\n,,{'Position,' * 60_000}\n"
     f"Frame,Time,{'X,Y,Z,' * 20_000}\n" + "".join(f"{k},{k / 100},1\n" for k in range(200_000)),

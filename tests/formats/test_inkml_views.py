@@ -76,6 +76,7 @@ INHERITED = {
     + '<context><inkSource><sampleRate value="9"/></inkSource></context>',
     "a loose format": f'<traceFormat>{FORCED}</traceFormat><context xml:id="x" brushRef="#b"/>',
     "what leads nowhere does not matter": '<context contextRef="#gone"/>' + SAID,
+    "a format further down": f"<x/><inkSource><traceFormat>{FORCED}</traceFormat></inkSource>",
 }
 
 
@@ -86,16 +87,8 @@ def test_what_a_context_does_not_say_the_one_before_it_says(tmp_path, how):
 
 DEFAULT = {
     "no context": ("", ""),
-    "its own name": ("", "#DefaultContext"),
-    "its format's name": ('<context xml:id="x" traceFormatRef="#DefaultTraceFormat"/>', "#x"),
     "a brush": ('<context xml:id="x"><brush/></context>', "#x"),
     "nothing in it": ("<context/>", ""),
-    "beside another": (SAID, "#DefaultContext"),
-    "all of its names": (
-        '<context xml:id="x" inkSourceRef="#DefaultInkSource" canvasRef="#DefaultCanvas" '
-        'canvasTransformRef="#DefaultCanvasTransform" brushRef="#DefaultBrush"/>',
-        "#x",
-    ),
 }
 
 
@@ -157,10 +150,6 @@ def test_mappings_are_refused_by_name(tmp_path):
 
 
 BROKEN = {
-    "a view of a brush": (
-        BODY + '<brush xml:id="b"/>' + of("b"),
-        "view of '#b', which is no trace and no group",
-    ),
     "a view of itself": (
         BODY + '<traceView xml:id="v" traceDataRef="#v"/>',
         "views that are more than 60 deep",

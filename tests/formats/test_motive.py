@@ -1,7 +1,5 @@
 """Which marker is the pen, also where it changes its name, and what else a table may say."""
 
-import re
-
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
@@ -93,40 +91,55 @@ def test_a_name_for_a_while_is_followed_and_ghosts_far_away_are_not(tmp_path):
     assert np.array_equal(again.position, whole.position)
 
 
-def test_two_that_could_be_the_lost_marker_are_named(tmp_path):
+def test_of_two_that_could_be_the_lost_marker_the_nearer_one_is_taken(tmp_path):
     t, world = hand()
-    ghosts = [(f"Unlabeled:{5001 + k}", only(world + 0.005 * k, 220, len(t))) for k in range(2)]
-    with pytest.raises(
-        RecordingError,
-        match=r"frame 220 \(row 228\): 'Unlabeled:5001' and 'Unlabeled:5002' could both",
-    ):
-        read_recording(
-            motive(
-                tmp_path / "D_w07.csv", t, only(world, 0, 220), pen="Unlabeled:4999", ghosts=ghosts
-            ),
-            "Unlabeled:4999",
-        )
+    ghosts = [(f"Unlabeled:{5001 + k}", only(world + 0.004 * k, 220, len(t))) for k in (1, 0)]
+    path = motive(tmp_path / "D_w07.csv", t, only(world, 0, 220), ghosts=ghosts)
+    check_d(read_recording(path, "Unlabeled:5000"), Pen(touches=touches()))
+
+
+@pytest.mark.parametrize("front", [True, False])
+def test_of_several_that_move_the_one_at_the_paper_is_the_pen(tmp_path, front):
+    """As of a marker on the pen and one on the back of the hand; the note names both."""
+    t, world = hand()
+    back = world[:, [0, 1, 2]] * [0.7, 0.7, 0.7] + [0.1, 0.08, 0.05]
+    markers = [("Unlabeled:5001", back), ("Unlabeled:5000", world)]
+    first, last = markers if front else markers[::-1]
+    path = motive(tmp_path / "D_w07.csv", t, last[1], pen=last[0], ghosts=[first])
+    recording = read_recording(path)
+    check_d(recording, Pen(touches=touches()))
+    (note,) = recording.notes
+    assert "for the pen is 'Unlabeled:5000'" in note
+    assert note.endswith("marker=...: 'Unlabeled:5001'.")
+    assert np.ptp(read_recording(path, marker="Unlabeled:5001").position[:, 1]) < 0.1
+
+
+def test_a_pen_that_is_a_rigid_body_is_read(tmp_path):
+    """With markers of its own, or without any."""
+    t, world = hand()
+    lines = motive(tmp_path / "x", t, world, pen="Pen", quoted=False).read_text().splitlines()
+    lines[2] = lines[2].replace("Marker", "Rigid Body")
+    bodies = tmp_path / "D_w07.csv"
+    bodies.write_text("\n".join(lines))
+    check_d(read_recording(bodies, marker="Pen"), Pen(touches=touches()))
+    check_d(read_recording(bodies), Pen(touches=touches()))
 
 
 @pytest.mark.parametrize("cut", [215, 240, 350, 380, 420])
-def test_a_marker_that_is_lost_for_good_in_a_stroke_is_refused(tmp_path, cut):
+def test_a_marker_that_is_lost_for_good_in_a_stroke_is_noted(tmp_path, cut):
     t, world = hand()
     stroke = 0 if cut < 300 else 1
-    with pytest.raises(
-        RecordingError,
-        match=rf"D_w07.csv: .*is lost for good after frame {cut - 1} .*inside stroke {stroke}",
-    ):
-        read_recording(motive(tmp_path / "D_w07.csv", t, only(world, 0, cut)))
+    notes = read_recording(motive(tmp_path / "D_w07.csv", t, only(world, 0, cut))).notes
+    assert f"is lost for good after frame {cut - 1} (row {cut + 7}), inside stroke {stroke}" in str(
+        notes
+    )
 
 
 @pytest.mark.parametrize("cut", [200, 240, 360, 400])
-def test_a_marker_that_is_first_seen_in_a_stroke_is_refused(tmp_path, cut):
+def test_a_marker_that_is_first_seen_in_a_stroke_is_noted(tmp_path, cut):
     t, world = hand()
-    with pytest.raises(
-        RecordingError,
-        match=rf"is first seen at frame {cut} \(row {cut + 8}\), inside stroke 0: .* before",
-    ):
-        read_recording(motive(tmp_path / "D_w07.csv", t, only(world, cut, len(t))))
+    notes = read_recording(motive(tmp_path / "D_w07.csv", t, only(world, cut, len(t)))).notes
+    assert f"is first seen at frame {cut} (row {cut + 8}), inside stroke 0, of which" in str(notes)
 
 
 def test_a_marker_that_is_lost_at_rest_or_in_the_air_does_no_harm(tmp_path):
@@ -223,45 +236,18 @@ def test_a_quick_small_pen_is_not_taken_for_a_ghost(tmp_path, size):
     world[20:40] = np.nan
     still = np.array([0.1, 0.05, 0.3]) + NOISE[: len(t)]
     path = motive(tmp_path / "i_w07.csv", t, world, ghosts=[("Unlabeled:4999", still)])
-    assert read_take(path.read_bytes(), path.name).marker == "Unlabeled:5000"
-
-
-def test_a_torn_number_beside_empty_columns_is_a_decimal_comma(tmp_path):
-    """Two columns of a ghost that was never seen leave room for the second halves."""
-    t, world = hand()
-    ghosts = [(f"Unlabeled:{6000 + k}", np.full_like(world, np.nan)) for k in range(3)]
-    path = motive(tmp_path / "D_w07.csv", t, world, pen="A", ghosts=[], empty_last=False)
-    lines = path.read_text().splitlines()
-    shown = [
-        line + "," * 9 if k < 7 else re.sub(r"\.", ",", line) + "," * 9
-        for k, line in enumerate(lines)
-    ]
-    head = motive(
-        tmp_path / "b.csv", t, ghosts[0][1], pen="C", ghosts=[("A", world), *ghosts[1:]]
-    ).read_text()
-    path.write_text("\n".join([*head.splitlines()[:7], *shown[7:]]))
-    with pytest.raises(
-        RecordingError,
-        match=r"D_w07.csv, row 9, column 2 .*decimal comma, such as 0,5\? Export with points",
-    ):
-        read_recording(path)
+    out = np.array([0.0, 1.0, 0.0])
+    assert read_take(path.read_bytes(), None, out).pen.name == "Unlabeled:5000"
 
 
 @pytest.mark.parametrize("sign", [";", "\t"])
-def test_other_signs_between_columns_are_named(tmp_path, sign):
-    wanted = {";": "semicolons", "\t": "tabs"}[sign]
-    for quote in ("", '"'):
-        path = edited(
-            d_file(tmp_path / "D_w07.csv", quoted=False),
-            lambda lines, q=quote: [
-                sign.join(f"{q}{cell}{q}" for cell in line.split(",")) for line in lines
-            ],
-        )
-        with pytest.raises(
-            RecordingError,
-            match=f"row 7: columns are not separated by commas but by {wanted}; export",
-        ):
-            read_recording(path)
+def test_other_signs_between_columns_and_decimal_commas_are_read(tmp_path, sign):
+    """As a German office saves a table."""
+    path = edited(
+        d_file(tmp_path / "D_w07.csv", quoted=False),
+        lambda lines: [line.replace(",", sign).replace(".", ",") for line in lines],
+    )
+    check_d(read_recording(path))
 
 
 UNITS = {
@@ -288,38 +274,10 @@ def test_a_table_from_an_office_is_text_too(tmp_path, encoding):
     check_d(read_recording(path))
 
 
-def test_times_that_were_rounded_come_from_the_frames(tmp_path):
+def test_rounded_times_that_repeat_want_more_decimals(tmp_path):
     t, world = hand()
     path = motive(tmp_path / "D_w07.csv", t, world, times="{:.2f}", empty_last=False)
-    rounded, whole = read_recording(path), read_recording(motive(tmp_path / "D_w01.csv", t, world))
-    assert np.allclose(rounded.t, whole.t, atol=1e-6)
-    late = read_recording(
-        motive(tmp_path / "D_w02.csv", t + 12.34, world, times="{:.2f}", empty_last=False)
-    )
-    assert np.allclose(late.t - late.t[0], whole.t - whole.t[0], atol=1e-6)
-    assert abs(late.t[0] - whole.t[0] - 12.34) < 0.005
-
-
-def test_hundredths_of_a_second_do_not_make_a_hand_uneven(tmp_path):
-    pen = Pen().rest(1.5).draw(bar()).hop((0.0, 0.0)).draw(bowl_of_d()).rest(1.5)
-    t, page = pen.sampled(60)
-    path = motive(tmp_path / "D_w07.csv", t, lab(page), times="{:.2f}", empty_last=False)
-    edited(path, lambda lines: [lines[0].replace("120.000000", "60"), *lines[1:]])
-    assert np.allclose(np.diff(read_recording(path).t), 1 / 60, atol=1e-9)
-
-
-@pytest.mark.parametrize(
-    "change", [("120.000000", "99"), ("120.000000", "fast"), ("Capture Frame Rate", "Comment")]
-)
-def test_rounded_times_that_nothing_explains_want_more_decimals(tmp_path, change):
-    t, world = hand()
-    path = edited(
-        motive(tmp_path / "D_w07.csv", t, world, times="{:.2f}", empty_last=False),
-        lambda lines: [lines[0].replace(*change), *lines[1:]],
-    )
-    with pytest.raises(
-        RecordingError, match=r"column 2 \(Time\): .* time must increase .* with more decimals\."
-    ):
+    with pytest.raises(RecordingError, match=r"column 2 \(Time\): .* must increase .*re decimals"):
         read_recording(path)
 
 

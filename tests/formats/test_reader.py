@@ -1,5 +1,7 @@
 """Laws of reading: every quirk of a Motive file, and a sentence for what cannot be read."""
 
+import re
+
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
@@ -237,20 +239,18 @@ def test_a_long_gap_off_the_ink_does_no_harm(tmp_path):
     )
 
 
-def test_a_long_gap_in_a_stroke_is_refused_by_frame_and_row(tmp_path):
-    with pytest.raises(
-        RecordingError,
-        match=r"marker 'Unlabeled:5000' is lost for 0.17 s.*frame 149 .row 157.*stroke 0",
-    ):
-        read_recording(d_file(tmp_path / "D_w07.csv", holes=[slice(150, 169)]))
+def test_a_long_gap_in_a_stroke_is_noted_by_frame_and_row(tmp_path):
+    recording = read_recording(d_file(tmp_path / "D_w07.csv", holes=[slice(150, 169)]))
+    check_d(recording)
+    (note,) = recording.notes
+    assert re.match(r"The marker is lost for 0\.17 s after frame 149 .row 157., inside stro", note)
 
 
-def test_missing_rows_in_a_stroke_are_refused_like_a_gap(tmp_path):
+def test_missing_rows_in_a_stroke_are_noted_like_a_gap(tmp_path):
     path = d_file(tmp_path / "D_w07.csv")
     lines = path.read_bytes().split(b"\r\n")
     path.write_bytes(b"\r\n".join(lines[:160] + lines[185:]))
-    with pytest.raises(RecordingError, match=r"is lost for 0\.22 s"):
-        read_recording(path)
+    assert "is lost for 0.22 s" in read_recording(path).notes[0]
 
 
 def test_the_recording_begins_and_ends_with_its_strokes(tmp_path):
@@ -328,12 +328,8 @@ def cell(row, column, text):
 
 
 BROKEN = {
-    "no header": (lambda lines: lines[:6] + lines[7:], "no header row that begins 'Frame,Time'"),
+    "no header": (lambda lines: lines[:6] + lines[7:], "in none of the formats that are read"),
     "no frames": (lambda lines: lines[:7], "no frames under it"),
-    "semicolons": (
-        lambda lines: [line.replace(",", ";") for line in lines],
-        "row 7: columns are not separated by commas",
-    ),
     "text in a cell": (
         cell(100, 11, "lots"),
         r"row 100, column 11 \('Unlabeled:5000' Y\): 'lots' is not a number",
@@ -347,13 +343,10 @@ BROKEN = {
         cell(100, 10, "0,5"),
         "row 100: there are 13 cells, but the header has 12 columns.*decimal comma",
     ),
-    "no end of a quote": (
-        cell(100, 10, '"0.5'),
-        r"row 100, column 10 .{1,80} \.\.\.' is not a number",
-    ),
+    "no end of a quote": (cell(100, 10, '"0.5'), "is not a CSV file: unexpected end of data"),
     "no time": (
         cell(100, 2, ""),
-        r"row 100, column 2 \(Time\): '' is not a number; every frame needs its time",
+        r"row 100, column 2 \(Time\): '' is not a number; .*every frame needs its time",
     ),
     "time stands still": (
         cell(101, 2, "0.766667"),
@@ -366,7 +359,7 @@ BROKEN = {
     ),
     "no markers": (
         lambda lines: [line.replace("Marker", "Bone") for line in lines],
-        "no marker columns",
+        "no marker that could be the pen.*: none; export the positions of the markers",
     ),
     "only a rigid body": (
         lambda lines: [line.replace("Unlabeled:5000", "RigidBody 2:Marker1") for line in lines],
@@ -374,7 +367,6 @@ BROKEN = {
     ),
     "too short": (lambda lines: lines[:20], "was seen in 13 frames, but a letter needs 20"),
     "empty": (lambda lines: [], "is empty"),
-    "not a CSV": (lambda lines: ["Dear Anna", "how are you?"], "no header row"),
 }
 
 
@@ -389,7 +381,7 @@ def test_what_cannot_be_read_says_where_and_what_to_do(tmp_path, fault):
 
 def test_unknown_markers_are_answered_with_those_that_could_be(tmp_path):
     with pytest.raises(
-        RecordingError, match=r"D_w07.csv has no marker 'pen'.*: 'Unlabeled:5000'\."
+        RecordingError, match=r"D_w07.csv: there is no marker 'pen'.*: 'Unlabeled:5000'\."
     ):
         read_recording(d_file(tmp_path / "D_w07.csv"), marker="pen")
 
@@ -400,8 +392,6 @@ def test_a_missing_file_a_folder_and_a_binary_file_are_refused(tmp_path, monkeyp
     with pytest.raises(RecordingError, match="is a folder"):
         read_recording(tmp_path)
     (tmp_path / "a.csv").write_bytes(b"\x89PNG\0\0\1")
-    with pytest.raises(RecordingError, match=r"a\.csv is not text"):
-        read_recording(tmp_path / "a.csv")
     monkeypatch.setattr("dmp_teach.files.reading.LARGEST_FILE", 5)
     with pytest.raises(RecordingError, match=r"a\.csv has .* MB"):
         read_recording(tmp_path / "a.csv")
@@ -464,14 +454,14 @@ def test_a_marker_that_was_never_seen_is_not_preferred_to_one_that_rests(tmp_pat
         )
 
 
-def test_markers_without_positions_are_answered_with_their_rows(tmp_path):
+def test_markers_without_positions_are_told_to_have_them(tmp_path):
     path = edited(
         d_file(tmp_path / "D_w07.csv"),
         lambda lines: [line.replace("Position", "Error") for line in lines],
     )
     with pytest.raises(
         RecordingError,
-        match=r"D_w07.csv, rows 3 to 7: no marker has the columns X, Y and Z of its Po",
+        match=r"D_w07.csv: there is no marker that could be.*: none; export the positions of the",
     ):
         read_recording(path)
 
@@ -487,29 +477,36 @@ def test_a_pen_that_only_rests_wrote_nothing(tmp_path):
 
 @pytest.mark.parametrize("leap", [(0.005, 0, 0), (0, -0.005, 0), (0, 0, 0.005)])
 @pytest.mark.parametrize("back", [False, True])
-def test_a_jump_of_5_mm_in_a_stroke_is_refused_by_frame_and_row(tmp_path, leap, back):
+def test_a_jump_of_5_mm_in_a_stroke_is_noted_by_frame_and_row(tmp_path, leap, back):
     t, page = writer_of_d().sampled()
     page[170 : 171 if back else None] += leap
-    with pytest.raises(
-        RecordingError,
-        match=r"D_w07.csv, frame 17\d .row 17\d.*jumps by \d+[.]\d mm inside a stroke",
-    ):
-        read_recording(motive(tmp_path / "D_w07.csv", t, lab(page)))
+    recording = read_recording(motive(tmp_path / "D_w07.csv", t, lab(page)))
+    assert len(recording.strokes()) == 2
+    assert repr(recording).endswith("s, 1 note)")
+    (note,) = recording.notes
+    assert re.match(r"The marker jumps by up to \d[.]\d mm inside a stroke.* frame 1[67]\d", note)
+
+
+def test_a_marker_that_flickers_all_the_time_is_read_with_a_note(tmp_path):
+    """By 4 to 9 mm, as the takes of an older session, in which a person can see the letters."""
+    t, page = writer_of_d().sampled()
+    lot = np.random.default_rng(0)
+    flicker = np.where(lot.random(len(t)) < 0.02, lot.uniform(0.004, 0.009, len(t)), 0)
+    recording = read_recording(motive(tmp_path / "D_w07.csv", t, lab(page + flicker[:, None])))
+    assert len(recording.strokes()) == 2
+    assert "The marker jumps by up to" in recording.notes[0]
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("leap", [0.008, 0.02, 0.06])
-@pytest.mark.parametrize("sample", [135, 170, 330, 380])
+@pytest.mark.parametrize("sample", [150, 170, 330, 380])
 @pytest.mark.parametrize("back", [False, True])
-def test_a_leap_off_the_paper_is_no_lift(tmp_path, leap, sample, back):
-    """A marker taken for another one, higher up: what follows must not be dropped as flight."""
+def test_a_leap_off_the_paper_is_noted(tmp_path, leap, sample, back):
+    """A marker taken for another one, higher up: what follows may be dropped as flight."""
     t, page = writer_of_d().sampled()
     page[sample : sample + 1 if back else None, 2] += leap
-    with pytest.raises(
-        RecordingError,
-        match=r"D_w07.csv, frame \d+ .row \d+.*jumps by \d+[.]\d mm (in|be)side a stroke",
-    ):
-        read_recording(motive(tmp_path / "D_w07.csv", t, lab(page)))
+    notes = read_recording(motive(tmp_path / "D_w07.csv", t, lab(page))).notes
+    assert re.match(r"The marker jumps by up to \d+[.]\d mm (in|be)side a stroke", notes[-1])
 
 
 @pytest.mark.parametrize("rate", [30.0, 60.0, 120.0])

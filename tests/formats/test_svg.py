@@ -17,13 +17,15 @@ from dmp_teach.formats.hand_pace import at_hand_pace
 from dmp_teach.formats.read import read_recording
 from dmp_teach.formats.write import write_recording
 from dmp_teach.ink.alphabet import recording_of
+from dmp_teach.trajectory import Trajectory
 
 SPACE = 'xmlns="http://www.w3.org/2000/svg"'
 HOOK = np.array([[0.0, 0.04], [0.0, 0.0], [0.03, 0.0]])  # an L, right and up [m]
 
 
 def svg(body, head='width="100mm" height="80mm" viewBox="0 0 100 80"'):
-    return f"<svg {SPACE} {head}>{body}</svg>"
+    """A drawing whose shapes are lines unless they say otherwise."""
+    return f'<svg {SPACE} stroke="black" {head}>{body}</svg>'
 
 
 def read(tmp_path, text, **which):
@@ -54,8 +56,8 @@ def good_files(_):
     body += '<circle r="4"/><rect width="9" height="3"/><polyline points="1 2 3,4"/>'
     body += '<line x2="3" id="l"/><use href="#l" x="4"/>'
     drawn = "<style>/* a */.h, #i{display:none} path.k{fill:none}</style>"
-    drawn += '<rect width="100%" height="100%" fill="#fff"/><g class="h"><path d="M1 1L3 9"/></g>'
-    drawn += '<circle r="9%"/>'
+    drawn += '<rect width="100%" height="100%" stroke="none"/><g class="h"><path d="M1 1L3 9"/></g>'
+    drawn += '<circle r="9"/>'
     drawn += '<g style="stroke:red" transform="rotate(9 5 5)"><path d="M0 0h9v9"/></g>'
     return {
         "a.svg": svg(body, 'width="9cm" viewBox="0 0 90 60"').encode(),
@@ -110,6 +112,9 @@ SAME = {
         '<use xmlns:xlink="http://www.w3.org/1999/xlink" xlink:href="#m" transform="translate(10 '
         '20)"/>'
     ),
+    "a path for each piece": svg('<path d="M10 20V50"/><path d="M10 50V60"/><path d="M10 60h30"/>'),
+    "drawn twice": svg(L + L),
+    "on paper": svg('<rect width="100%" height="100%" stroke="none" fill="#fff"/>' + L),
     "an empty path": svg('<path d=""/><path/><path d="M 3 4"/>' + L),
 }
 
@@ -164,6 +169,11 @@ def test_a_title_of_one_sign_is_the_letter_and_other_titles_stay_out(tmp_path):
         assert (recording.character, recording.writer) == about
 
 
+def by_hand(strokes):
+    """Ways without times as a hand would write them."""
+    return [Trajectory(t, position) for t, position in at_hand_pace(strokes)]
+
+
 points = st.lists(st.tuples(st.floats(-0.1, 0.1), st.floats(-0.1, 0.1)), min_size=2, max_size=12)
 
 
@@ -174,7 +184,7 @@ def test_a_hand_starts_and_stops_at_rest_and_never_leaves_the_ink(strokes):
     size = np.ptp(np.concatenate(strokes), axis=0).max()
     if size < 1e-3:
         return
-    written = at_hand_pace(strokes)
+    written = by_hand(strokes)
     for stroke, points_ in zip(written, strokes, strict=True):
         assert np.allclose(stroke.position[[0, -1]], points_[[0, -1]], atol=1e-3 * size)
         step = np.linalg.norm(np.diff(stroke.position, axis=0), axis=1) * 120
@@ -195,18 +205,18 @@ def distance(point, way):
 
 def test_bends_are_slow_and_a_large_letter_takes_no_longer():
     s = np.linspace(0, 2 * np.pi, 400)
-    (oval,) = at_hand_pace([np.column_stack([0.05 * np.cos(s), 0.015 * np.sin(s)])])
+    (oval,) = by_hand([np.column_stack([0.05 * np.cos(s), 0.015 * np.sin(s)])])
     speed = np.linalg.norm(np.gradient(oval.position, oval.t, axis=0), axis=1)
     middle = slice(len(speed) // 5, -len(speed) // 5)
     tip, flat = np.abs(oval.position[middle, 0]) > 0.045, np.abs(oval.position[middle, 0]) < 0.02
     assert speed[middle][tip].mean() < 0.8 * speed[middle][flat].mean()
-    (large,) = at_hand_pace([np.column_stack([0.5 * np.cos(s), 0.15 * np.sin(s)])])
+    (large,) = by_hand([np.column_stack([0.5 * np.cos(s), 0.15 * np.sin(s)])])
     assert large.duration == pytest.approx(oval.duration, abs=0.02)
 
 
 @pytest.mark.parametrize("length", [0.01, 0.06, 0.3])
 def test_a_bar_is_one_bell_of_speed(length):
-    (stroke,) = at_hand_pace([np.array([[0.0, 0.0], [0.0, -length]])])
+    (stroke,) = by_hand([np.array([[0.0, 0.0], [0.0, -length]])])
     speed = np.linalg.norm(np.gradient(stroke.position, stroke.t, axis=0), axis=1)
     peak = stroke.t[np.argmax(speed)] / stroke.duration
     assert 0.4 < peak < 0.6
@@ -269,8 +279,16 @@ def test_a_browser_shows_the_ink(tmp_path):
 
 
 BROKEN = {
-    "nothing": (svg(""), "draws nothing: there is no path in it. Convert text"),
-    "text only": (svg("<text>a</text>"), "draws nothing"),
+    "nothing": (svg(""), "draws nothing. Draw the middle of the letter with a line"),
+    "text only": (svg("<text>a</text>"), "holds text of a font, whose letters are areas, and no"),
+    "a font": (
+        svg('<defs><font><glyph d="M0 9V0"/></font></defs>'),
+        "is a font, and draws nothing",
+    ),
+    "an outline": (
+        svg('<path stroke="none" d="M40 10H46V90H40Z"/>'),
+        "only areas of a colour: the outline of a letter is not the way of a pen. Draw the middle",
+    ),
     "a clone of nothing": (
         svg('<use href="#a"/>'),
         "has a clone .use. of '#a', not of a shape; unlink",
@@ -283,7 +301,7 @@ BROKEN = {
         svg('<g id="a"><use href="#a"/><use href="#a"/></g>'),
         "has more than 1000 clones .use., or clones of clones of themselves; unlink",
     ),
-    "a picture": (svg('<image href="file:///etc/passwd"/>'), "draws nothing"),
+    "a picture": (svg('<image href="file:///etc/passwd"/>'), "holds a picture, and no line. Draw"),
     "a word in a path": (
         svg('<path d="M0 0 L nine"/>'),
         "the path 'M0 0 L nine' cannot be read: it must begin with M",
@@ -311,6 +329,7 @@ BROKEN = {
         "the ink is 0 m large",
     ),
     "an odd place": (svg('<line x1="left" x2="9"/>'), "x1 is 'left', but must be a number"),
+    "a share of the page": (svg('<circle r="5%"/>'), "r is '5%', but must be a number"),
     "a scribble": (
         svg('<path d="M0 0' + "l9 9 l-9 -9" * 2000 + '"/>'),
         "times as long as the ink is large are no letter",

@@ -4,13 +4,12 @@ import re
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import given
 from hypothesis import strategies as st
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.formats.svg.look import Styles
 from tests.formats.test_fuzz import QUIET, letters_or_a_sentence
-from tests.formats.test_svg import L, check_hook, corners, read, svg
+from tests.formats.test_svg import L, check_hook, read, svg
 
 Z = 'd="M0 0 H90 V70"'
 HIDDEN = {
@@ -19,7 +18,6 @@ HIDDEN = {
     "a group's visibility": f'<g visibility="hidden"><path {Z}/></g>',
     "opacity": f'<g opacity="0"><path {Z}/></g>',
     "opacity in per cent": f'<path style="opacity: 0%" {Z}/>',
-    "neither stroke nor fill": f'<path stroke="none" fill="none" {Z}/>',
     "what a group says": f'<g style="stroke:none;fill:transparent"><path {Z}/></g>',
     "no width": f'<path fill="none" stroke="red" stroke-width="0px" {Z}/>',
     "see-through": f'<path fill="none" stroke="red" stroke-opacity="0" {Z}/>',
@@ -27,14 +25,9 @@ HIDDEN = {
     "a class and an element": f"<style>path.h{{stroke:none;fill:none}} path{{fill:red}}</style>"
     f'<a><path class="a h" {Z}/></a>',
     "an id": f'<style><![CDATA[#h{{opacity:0}} path{{opacity:1}}]]></style><path id="h" {Z}/>',
-    "unfilled, and no line": f'<path fill="none" {Z}/>',
-    "a frame of a drawing program": '<rect width="100" height="80" style="fill:none"/>',
-    "paper": '<rect width="100%" height="100%" fill="white"/>',
-    "paper in units": '<rect x="-5" y="-5" width="110" height="90" style="fill:#fff;stroke:none"/>',
-    "paper as a path": '<path fill="#eee" d="M0 0H100V80H0z"/>',
+    "a frame of a drawing program": '<rect width="100" height="80" style="fill:none;stroke:none"/>',
     "no size": '<circle cx="3" r="0"/><rect x="3" y="9" width="4"/><ellipse rx="0" ry="5"/>',
-    "another language": f'<switch><path systemLanguage="xx" {Z}/>'
-    f'<foreignObject requiredExtensions="x"/><g/></switch>',
+    "what a browser does not know": '<switch><foreignObject requiredExtensions="x"/></switch>',
 }
 
 
@@ -52,25 +45,22 @@ STYLED = {
     'd="M10 20 V60 H40"/></g>',
     "drawn in what is not": '<g fill="none" stroke="none"><path stroke="#000" d="M10 '
     '20 V60 H40"/></g>',
-    "only filled": '<path stroke="none" fill="black" d="M10 20 V60 H40"/>',
     "a class of a drawing program": '<style type="text/css">.st0{fill:none;stroke:#000;}</style>'
     '<path class="st0" d="M10 20 V60 H40"/>',
     "a class that others have": '<style>.h{display:none}</style><path class="hh" d="M10 20 '
     'V60 H40"/>',
-    "a mouse over it": "<style>path:hover{opacity:0}</style>" + L,
     "its own style is stronger": '<style>path{display:none}</style><path style="display:inline" '
     'd="M10 20 V60 H40"/>',
     "a style is stronger than an attribute": '<path display="none" style="display:inline" '
     'd="M10 20 V60 H40"/>',
     "inherited": '<g stroke="red" fill="none"><path stroke="inherit" d="M10 20 V60 H40"/></g>',
-    "another sheet": '<style type="text/x">path{display:none}</style>' + L,
     "an import": '<style>@import url("x.css"); @font-face{font-family:x} .a{fill:none}</style>' + L,
     "a transform in a style": '<path style="transform: scale(2) translate(1px, 2px)" d="M4 '
     '8 V28 H19"/>',
     "a transform in a sheet": "<style>.a{transform:rotate(90deg) scale(1,-1)}</style>"
     '<path class="a" d="M20 10 H60 V40"/>',
-    "shares": '<line x1="10%" y1="25%" x2="10%" y2="75%" visibility="hidden"/>' + L,
-    "a switch": f"<switch><g>{L}</g><g><path {Z}/></g></switch>",
+    "a switch": f'<switch><foreignObject requiredExtensions="x"/><g>{L}</g></switch>',
+    "beside an area": f'<path stroke="none" {Z}/>{L}',
 }
 
 
@@ -79,19 +69,7 @@ def test_what_is_shown_is_ink_where_it_is_shown(tmp_path, kind):
     check_hook(read(tmp_path, svg(STYLED[kind])))
 
 
-def test_shares_are_those_of_the_view(tmp_path):
-    ring, box = corners(
-        read(tmp_path, svg('<circle cx="50%" cy="50%" r="10%"/><rect width="50%" height="25%"/>'))
-    )
-    assert ring[4] == pytest.approx(0.2 * np.hypot(0.1, 0.08) / np.sqrt(2), abs=5e-5)
-    assert box[4:] == pytest.approx((0.05, 0.02), abs=2e-5)
-    box = corners(
-        read(tmp_path, svg('<rect width="50%" height="100%"/>', 'width="60mm" height="40mm"'))
-    )[0]
-    assert box[4:] == pytest.approx((0.03, 0.04), abs=2e-5)
-
-
-@pytest.mark.parametrize("turn", ['rx="20"', 'ry="20"', 'rx="90" ry="20"', 'style="rx:20px"'])
+@pytest.mark.parametrize("turn", ['rx="20"', 'ry="20"', 'rx="90" ry="20"'])
 def test_rectangles_have_round_corners(tmp_path, turn):
     box = (
         read(tmp_path, svg(f'<rect x="10" y="10" width="40" height="40" {turn}/>'))
@@ -99,16 +77,6 @@ def test_rectangles_have_round_corners(tmp_path, turn):
         .position
     )
     assert np.abs(np.linalg.norm(box - 0.02, axis=1) - 0.02).max() < 1e-4, "a circle"
-
-
-def test_a_frame_or_a_letter_as_large_as_the_page_is_ink(tmp_path):
-    for body in (
-        '<rect width="100" height="80"/>',
-        '<rect width="100" height="80" fill="white" stroke="black"/>',
-        '<rect width="99%" height="90%" fill="white"/>',
-        '<path fill="black" d="M50 0 L100 80 L0 80 z"/>',
-    ):
-        assert len(read(tmp_path, svg(body)).strokes()) == 1
 
 
 NOT_FOLLOWED = {
@@ -121,6 +89,8 @@ NOT_FOLLOWED = {
     "style transform-box": f'<g style="transform-box:fill-box">{L}</g>',
     "style rule 'g > .h'": "<style>g > .h{display:none}</style>" + L,
     "style rule 'g path'": "<style>g path{transform:scale(2)}</style>" + L,
+    "style x": '<rect style="x:9px" width="9" height="9"/>',
+    "style rule 'path:hover'": "<style>path:hover{opacity:0}</style>" + L,
     "style rule 'path.h.k'": "<style>path.h.k{opacity:0}</style>" + L,
     "style rules inside others": "<style>@media print{path{display:none}}</style>" + L,
     "style 'display:none !important'": "<style>.h{display:none !important}</style>" + L,
@@ -142,14 +112,6 @@ BROKEN = {
     "in depth": (
         svg('<path style="transform:rotate3d(1,1,1,9deg)" d="M0 0"/>'),
         "transform is 'rotate3d.*cannot be read",
-    ),
-    "a share of nothing": (
-        svg('<circle r="5%"/>', ""),
-        "r is '5%', a share of a drawing that says neither its viewBox",
-    ),
-    "many classes": (
-        svg(f'<path class="{"a " * 3000}" d="M0 0L9 9"/>'),
-        "has a class of 6000 characters, but a shape needs at most 4000; save",
     ),
 }
 
@@ -174,13 +136,3 @@ def test_styles_of_any_signs(tmp_path, sheet, style):
         f"</g></svg>"
     )
     letters_or_a_sentence(tmp_path / "a.svg", body.encode())
-
-
-@settings(max_examples=30, deadline=None)
-@given(st.text("/* {}a", max_size=30))
-def test_comments_of_any_kind_end_somewhere(text):
-    from xml.etree.ElementTree import Element  # noqa: PLC0415
-
-    sheet = Element("style")
-    sheet.text = text
-    Styles(sheet)

@@ -76,9 +76,3 @@ def test_what_cannot_be_read_says_where(tmp_path, fault):
     text, sentence = BROKEN[fault]
     with pytest.raises(RecordingError, match=rf"d\.dat: .*{sentence}"):
         read(tmp_path, text)
-
-
-@pytest.mark.parametrize("text", ["time;x;y\n0;1;2\n", "<html></html>"])
-def test_a_file_that_only_its_name_calls_unipen_is_told_so(tmp_path, text):
-    with pytest.raises(RecordingError, match=r"d\.dat: .*none of UNIPEN's keywords, such as \.PEN"):
-        read(tmp_path, text)

@@ -38,16 +38,14 @@ def test_what_is_written_is_read_again_bit_for_bit(steps, begin, about, data):
     )
     strokes, force = (((0, len(t)),), t / t[-1]) if data.draw(st.booleans()) else (None, None)
     again = recording_from_json(
-        recording_to_json(Recording(t, position, *about, strokes, force)).encode(), "ink.json"
+        recording_to_json(Recording(t, position, *about, strokes, force)).encode()
     )
     assert np.array_equal(again.t, t)
     assert np.array_equal(again.position, position)
     assert (again.character, again.writer, again.baseline) == about
     assert again.given_strokes == strokes
     assert again.pressure is None if force is None else np.array_equal(again.pressure, force)
-    later = recording_from_json(
-        recording_to_json(Recording(t + begin, position)).encode(), "ink.json"
-    )
+    later = recording_from_json(recording_to_json(Recording(t + begin, position)).encode())
     assert later.t[0] == 0.0, "no clock is kept"
     assert np.allclose(later.t, t, atol=1e-9)
 

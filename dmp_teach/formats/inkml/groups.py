@@ -6,7 +6,7 @@ is shown only where a view shows it.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from xml.etree.ElementTree import Element
 
 from dmp_teach.errors import RecordingError
@@ -37,32 +37,13 @@ def labelled_letters(
     Raises:
         RecordingError: A view of what is no ink, of a part, of itself, or far too many.
     """
-    shown = _Shown(named)
-    groups = [each for each in root.iter() if local_tag(each) in GROUPS_OF_TRACES]
-    labelled = {id(each) for each in groups if annotation(each, LABELS)}
-    letters = []
-    for group in groups:
-        inside = list(shown.within(group)) if id(group) in labelled else []
-        if inside and not any(id(each) in labelled for each in inside[1:]):
-            letters.append((group, _traces(inside)))
-    return letters or [(root, _traces(shown.within(root)))]
+    count = 0
 
-
-def _traces(elements: list[Element] | Iterator[Element]) -> list[Element]:
-    """Return the traces among elements, each once."""
-    return list(dict.fromkeys(each for each in elements if local_tag(each) == "trace"))
-
-
-class _Shown:
-    """What elements show, through views."""
-
-    def __init__(self, named: Callable[[str], Element]) -> None:
-        self._named, self._count = named, 0
-
-    def within(self, element: Element, depth: int = 0) -> Iterator[Element]:
+    def shown(element: Element, depth: int = 0) -> Iterator[Element]:
         """Yield an element and all groups, views and traces that it shows."""
-        self._count += 1
-        if depth > DEEPEST_ELEMENT or self._count > MOST_SHOWN:
+        nonlocal count
+        count += 1
+        if depth > DEEPEST_ELEMENT or count > MOST_SHOWN:
             raise RecordingError(
                 f"has views of views that are more than {DEEPEST_ELEMENT} deep, or show more than "
                 f"{MOST_SHOWN} traces; view traces."
@@ -74,13 +55,22 @@ class _Shown:
                 raise RecordingError(
                     "has a view of a part (from, to), which is not followed here; view the whole."
                 )
-            target = self._named(reference)
-            if local_tag(target) not in ("trace", *GROUPS_OF_TRACES):
-                raise RecordingError(
-                    f"has a view of {reference[:60]!r}, which is no trace and no group."
-                )
-            yield from self.within(target, depth + 1)
-            return
-        for child in element:
-            if local_tag(child) in ("trace", *GROUPS_OF_TRACES):
-                yield from self.within(child, depth + 1)
+            yield from shown(named(reference), depth + 1)
+        else:
+            for child in element:
+                if local_tag(child) in ("trace", *GROUPS_OF_TRACES):
+                    yield from shown(child, depth + 1)
+
+    groups = [each for each in root.iter() if local_tag(each) in GROUPS_OF_TRACES]
+    labelled = {id(each) for each in groups if annotation(each, LABELS)}
+    letters = []
+    for group in groups:
+        inside = list(shown(group)) if id(group) in labelled else []
+        if inside and not any(id(each) in labelled for each in inside[1:]):
+            letters.append((group, _traces(inside)))
+    return letters or [(root, _traces(shown(root)))]
+
+
+def _traces(elements: Iterable[Element]) -> list[Element]:
+    """Return the traces among elements, each once."""
+    return list(dict.fromkeys(each for each in elements if local_tag(each) == "trace"))

@@ -13,7 +13,6 @@ import re
 import numpy as np
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.formats.inkml.channels import TraceFormat
 from dmp_teach.trajectory import Array
 
 DECIMAL = r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
@@ -46,12 +45,13 @@ class _ChannelState:
         return self.value
 
 
-def read_points(text: str, form: TraceFormat, most: int = MOST_POINTS) -> Array:
+def read_points(text: str, channels: int, least: int, most: int = MOST_POINTS) -> Array:
     """Return the points of a trace, a column for each channel, NaN for an unknown value.
 
     Args:
         text: What the trace holds.
-        form: Its channels.
+        channels: How many there are: C. Those that a point leaves out keep their last value.
+        least: How many a point must have.
         most: More points than this are refused.
 
     Returns:
@@ -61,10 +61,18 @@ def read_points(text: str, form: TraceFormat, most: int = MOST_POINTS) -> Array:
         RecordingError: A sign that has no place in a trace, too few or too many values in a point,
             or too many points.
     """
-    states = [_ChannelState() for _ in form.channels]
-    regular = sum(channel.is_regular for channel in form.channels.values())
+    states = [_ChannelState() for _ in range(channels)]
     rows: list[list[float]] = []
     row: list[float] = []
+
+    def end_point() -> None:
+        if len(row) < least:
+            raise RecordingError(
+                f"has {len(row)} values in point {len(rows)}, but its channels need {least}."
+            )
+        rows.append([*row, *(state.value for state in states[len(row) :])])
+        row.clear()
+
     for match in TOKEN.finditer(text):
         sign, number, minus, digits, word, comma, odd = match.groups()
         place = text[match.start() : match.start() + 20]
@@ -72,28 +80,16 @@ def read_points(text: str, form: TraceFormat, most: int = MOST_POINTS) -> Array:
             number = str(int(minus + digits, 16))
         if odd or (number and not abs(float(number)) < TOO_LARGE):
             raise RecordingError(f"has {place.strip()!r} where a number should be.")
-        if len(row) > len(states) - (not comma):
-            raise RecordingError(f"has more than {len(states)} values in a point near {place!r}.")
         if comma:
-            rows.append(_whole_row(row, states, regular, len(rows)))
-            row = []
-            if len(rows) > most:
-                raise RecordingError(f"has more than {most} points; cut it.")
+            end_point()
+        elif len(row) == channels:
+            raise RecordingError(f"has more than {channels} values in a point near {place!r}.")
         elif word == "?":
             row.append(np.nan)
         else:
             row.append(states[len(row)].next(sign, WORDS[word] if word else float(number)))
+        if len(rows) > most:
+            raise RecordingError(f"has more than {most} points; cut it.")
     if row or not rows:
-        rows.append(_whole_row(row, states, regular, len(rows)))
-    return np.array(rows).reshape(len(rows), len(states))
-
-
-def _whole_row(
-    row: list[float], states: list[_ChannelState], regular: int, number: int
-) -> list[float]:
-    """Return a point with the last value of each channel that it leaves out."""
-    if len(row) < regular:
-        raise RecordingError(
-            f"has {len(row)} values in point {number}, but its channels need {regular}."
-        )
-    return row + [state.value for state in states[len(row) :]]
+        end_point()
+    return np.array(rows)

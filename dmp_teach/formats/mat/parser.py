@@ -11,11 +11,12 @@ from __future__ import annotations
 import math
 import struct
 import zlib
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
 
 from dmp_teach.errors import RecordingError
+from dmp_teach.trajectory import Array
 
 MOST_BYTES = 128_000_000  # an unpacked file and the numbers in it have fewer [bytes]
 DEEPEST_CELL = 12  # cells and structs inside one another
@@ -23,18 +24,20 @@ LONGEST_TEXT = 10_000  # signs in a text
 MOST_CELLS = 200_000  # in a file
 NUMBERS = {1: "i1", 2: "u1", 3: "i2", 4: "u2", 5: "i4", 6: "u4", 7: "f4", 9: "f8", 12: "i8"}
 NUMBERS |= {13: "u8", 16: "u1", 17: "u2", 18: "u4"}
-MATRIX, COMPRESSED = 14, 15
-CELL, STRUCT, OBJECT, TEXT = 1, 2, 3, 4
+MATRIX, COMPRESSED, UTF8 = 14, 15, 16
+CELL, STRUCT, TEXT = 1, 2, 4
 NUMERIC = range(6, 16)
 HDF5 = b"\x89HDF\r\n\x1a\n"
 MAT_CURE = "Save it in MATLAB with save(..., '-v7')."
 
+MatValue = Array | str | list["MatValue"] | dict[str, "MatValue"] | None
+"""Numbers; text; a cell array, flat, or a struct array; a struct; or what is not read."""
+Element = tuple[int, memoryview]
+"""The kind of an element, and what is in it."""
 
-def parse_mat(data: bytes) -> dict[str, Any]:
+
+def parse_mat(data: bytes) -> dict[str, MatValue]:
     """Return the variables of a file, by name.
-
-    Numbers become arrays, text becomes `str`, a cell array a flat list in MATLAB's order, a struct
-    a dictionary, a struct array a list of them, and what cannot be read `None`.
 
     Raises:
         RecordingError: Not such a file, another version, broken off, or larger inside than ink can
@@ -46,17 +49,12 @@ def parse_mat(data: bytes) -> dict[str, Any]:
     order = orders.get(data[126:128])
     if order is None or data[:6] != b"MATLAB":
         raise RecordingError(f"is not a MATLAB file of version 5 to 7. {MAT_CURE}")
-    variables: dict[str, Any] = {}
     file = _MatFile(order)
+    parts: list[Element] = []
     for kind, content in file.elements(data[128:]):
-        parts = (
-            list(file.elements(file.unpacked(content))) if kind == COMPRESSED else [(kind, content)]
-        )
-        for inner, matrix in parts:
-            if inner == MATRIX:
-                name, value = file.matrix(matrix, 0)
-                variables[name] = value
-    return variables
+        packed = kind == COMPRESSED
+        parts += file.elements(file.unpacked(content)) if packed else [(kind, content)]
+    return dict(file.matrix(content, 0) for kind, content in parts if kind == MATRIX)
 
 
 class _MatFile:
@@ -64,11 +62,11 @@ class _MatFile:
 
     def __init__(self, order: Literal["<", ">"]) -> None:
         self.order: Literal["<", ">"] = order
-        self.room, self.cells = MOST_BYTES, 0
+        self.room, self.cells = MOST_BYTES, MOST_CELLS
 
-    def elements(self, data: bytes | memoryview) -> list[tuple[int, memoryview]]:
-        """Return the elements that lie side by side, as (type, content)."""
-        found: list[tuple[int, memoryview]] = []
+    def elements(self, data: bytes | memoryview) -> list[Element]:
+        """Return the elements that lie side by side."""
+        found: list[Element] = []
         at, data = 0, memoryview(data)
         while len(data) - at >= 8:
             kind, size = struct.unpack(self.order + "II", data[at : at + 8])
@@ -102,7 +100,7 @@ class _MatFile:
         _require(stream.eof, "it is broken off inside a packed part")
         return content
 
-    def matrix(self, data: memoryview, depth: int) -> tuple[str, Any]:
+    def matrix(self, data: memoryview, depth: int) -> tuple[str, MatValue]:
         """Return the name and the value of one array."""
         if not len(data):
             return "", np.empty((0, 0))
@@ -113,38 +111,35 @@ class _MatFile:
         )
         kind = struct.unpack(self.order + "I", parts[0][1][:4])[0] & 0xFF
         _require(parts[1][0] == 5 and 0 < len(parts[1][1]) <= 64, "an array has no shape")
-        shape = tuple(int(size) for size in self.numbers(*parts[1]))
+        shape = tuple(int(size) for size in self.numbers(parts[1:]))
         _require(min(shape) >= 0, "an array has no shape")
-        name, rest = bytes(parts[2][1]).decode("latin-1"), parts[3:]
+        name, rest, count = bytes(parts[2][1]).decode("latin-1"), parts[3:], math.prod(shape)
         if kind in NUMERIC:
-            return name, self._numeric(shape, rest)
+            values = self.numbers(rest)  # without their imaginary part
+            _require(len(values) == count, f"an array of shape {shape} has {len(values)} numbers")
+            self._takes(8 * count)
+            return name, values.astype(float).reshape(shape, order="F")
         if kind == TEXT:
             return name, self._text(rest)
         if kind == CELL:
-            return name, self._cells(math.prod(shape), rest, depth)
-        return name, self._struct(math.prod(shape), rest, depth) if kind == STRUCT else None
+            return name, self._values(count, rest, depth)
+        return name, self._struct(count, rest, depth) if kind == STRUCT else None
 
-    def numbers(self, kind: int, content: memoryview) -> np.ndarray:
-        """Return the numbers of one element, shape (K,)."""
+    def numbers(self, parts: list[Element]) -> np.ndarray:
+        """Return the numbers of the first of some elements, shape (K,)."""
+        if not parts:
+            return np.empty(0)
+        kind, content = parts[0]
         _require(kind in NUMBERS, f"its numbers are of the unknown kind {kind}")
         dtype = np.dtype(NUMBERS[kind]).newbyteorder(self.order)
         _require(len(content) % dtype.itemsize == 0, "its numbers are broken off")
         return np.frombuffer(content, dtype)
 
-    def _numeric(self, shape: tuple[int, ...], parts: list) -> np.ndarray:
-        """Return an array of numbers without their imaginary part."""
-        values = self.numbers(*parts[0]) if parts else np.empty(0)
-        _require(
-            len(values) == math.prod(shape), f"an array of shape {shape} has {len(values)} numbers"
-        )
-        self._takes(8 * len(values))
-        return values.astype(float).reshape(shape, order="F")
-
-    def _text(self, parts: list) -> str:
+    def _text(self, parts: list[Element]) -> str:
         """Return text in one line."""
-        codes = self.numbers(*parts[0]) if parts else np.empty(0)
+        codes = self.numbers(parts)
         _require(len(codes) <= LONGEST_TEXT, f"it has text of more than {LONGEST_TEXT} signs")
-        if parts and parts[0][0] == 16:
+        if parts and parts[0][0] == UTF8:
             return bytes(parts[0][1]).decode("utf-8", errors="replace")
         return "".join(chr(int(code)) if 0 <= code < 0xD800 else "?" for code in codes)
 
@@ -153,40 +148,28 @@ class _MatFile:
         self.room -= size
         _require(self.room >= 0, f"it is larger than {MOST_BYTES / 1e6:.0f} MB inside")
 
-    def _counted(self, count: int) -> None:
-        """Raise if there are more cells than ink can have."""
-        self.cells += count
-        _require(self.cells <= MOST_CELLS, f"it has more than {MOST_CELLS} cells")
-
-    def _cells(self, count: int, parts: list, depth: int) -> list:
-        """Return a cell array as a flat list."""
-        self._counted(count)
-        _require(
-            len(parts) == count and all(kind == MATRIX for kind, _ in parts),
-            "a cell array is broken off",
-        )
+    def _values(self, count: int, parts: list[Element], depth: int) -> list[MatValue]:
+        """Return the values of so many arrays."""
+        self.cells -= count
+        _require(self.cells >= 0, f"it has more than {MOST_CELLS} cells")
+        whole = len(parts) == count and all(kind == MATRIX for kind, _ in parts)
+        _require(whole, "a cell array or a struct is broken off")
         return [self.matrix(content, depth + 1)[1] for _, content in parts]
 
-    def _struct(self, count: int, parts: list, depth: int) -> Any:
+    def _struct(self, count: int, parts: list[Element], depth: int) -> MatValue:
         """Return a struct as a dictionary, a struct array as a list of them."""
         _require(
             len(parts) >= 2 and parts[0][0] == 5 and len(parts[0][1]) == 4, "a struct has no names"
         )
-        width = int(self.numbers(*parts[0])[0])
-        text = bytes(parts[1][1])
-        _require(
-            0 < width <= 256 and len(text) % width == 0, "the names of a struct have no length"
-        )
+        width, text = int(self.numbers(parts)[0]), bytes(parts[1][1])
+        sound = 0 < width <= 256 and len(text) > 0 and len(text) % width == 0
+        _require(sound, "the names of a struct have no length")
         names = [
             text[k : k + width].split(b"\0")[0].decode("latin-1")
             for k in range(0, len(text), width)
         ]
-        self._counted(count * max(len(names), 1))
-        values = parts[2:]
-        _require(len(values) == count * len(names), "a struct is broken off")
-        _require(all(kind == MATRIX for kind, _ in values), "a struct holds what is no array")
-        found = [self.matrix(content, depth + 1)[1] for _, content in values]
-        rows = [dict(zip(names, found[k * len(names) :], strict=False)) for k in range(count)]
+        values = iter(self._values(count * len(names), parts[2:], depth))
+        rows: list[MatValue] = [{name: next(values) for name in names} for _ in range(count)]
         return rows[0] if count == 1 else rows
 
 

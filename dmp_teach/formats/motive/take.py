@@ -1,129 +1,83 @@
-"""The pen's marker through a take that Motive exported: a few rows of header, one row a frame."""
+"""The pen through a take that Motive exported, before it is filled or cut."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
-from dmp_teach.formats.motive.markers import Track, find_pen_tracks
-from dmp_teach.formats.motive.table import (
-    MarkerKey,
-    Table,
-    cell_number,
-    check_width,
-    frame_times,
-    list_names,
-    read_table,
-)
+from dmp_teach.errors import RecordingError
+from dmp_teach.formats.flat_ink import LARGEST_INK
+from dmp_teach.formats.motive.markers import Pen, find_pen
+from dmp_teach.formats.motive.table import list_names, read_table
 from dmp_teach.trajectory import Array
+
+FEWEST_FRAMES = 20  # fewer samples are no letter
+SMALLEST_TAKE = 0.004  # no marker at a hand that writes moves less [m]
 
 
 @dataclass(frozen=True)
 class Take:
-    """One marker's way through a take, before it is filled or cut.
+    """The pen from the first sample that the cameras saw to the last.
 
     Args:
-        name: The file's name, without its folder, for messages.
-        marker: The marker's name.
+        pen: Which marker it is.
         t: Times, strictly increasing, shape (T,) [s].
-        position: The marker in the cameras' world, NaN where they did not see it, shape (T, 3) [m].
-        frame: The frame number of each sample, as the file has it, length T.
-        row: The row of each sample in the file, from 1, shape (T,).
-        others: The names of the other markers that could be the pen.
+        position: In the cameras' world, with straight lines where they lost it, shape (T, 3) [m].
+        is_seen: Whether they saw it, shape (T,).
+        frames: Frame number and row in the file of each sample, length T.
         unseen: How long the file goes on before the first sample and after the last one, without
             the marker [s].
     """
 
-    name: str
-    marker: str
+    pen: Pen
     t: Array
     position: Array
-    frame: list[str]
-    row: np.ndarray
-    others: tuple[str, ...] = ()
-    unseen: tuple[float, float] = (0.0, 0.0)
-
-    @property
-    def choice(self) -> str:
-        """Which other markers could be named, in a sentence."""
-        if not self.others:
-            return "The file has no other marker that could be the pen."
-        return f"Other markers that could be named with marker=...: {list_names(self.others)}."
+    is_seen: np.ndarray
+    frames: list[tuple[str, int]]
+    unseen: tuple[float, float]
 
     def at(self, k: int) -> str:
         """Say where sample k stands in the file."""
-        return f"frame {self.frame[k]} (row {self.row[k]})"
-
-    def part(self, start: int, end: int) -> Take:
-        """Return the samples `start:end`."""
-        cut = slice(start, end)
-        before, after = self.unseen
-        return replace(
-            self,
-            t=self.t[cut],
-            position=self.position[cut],
-            frame=self.frame[cut],
-            row=self.row[cut],
-            unseen=(
-                before + float(self.t[start] - self.t[0]),
-                after + float(self.t[-1] - self.t[end - 1]),
-            ),
-        )
+        frame, row = self.frames[k]
+        return f"frame {frame} (row {row})"
 
 
-def read_take(data: bytes, name: str, marker: str | None = None) -> Take:
+def read_take(data: bytes, marker: str | None, out: Array) -> Take:
     """Read the pen's marker from a Motive CSV file.
 
     Args:
         data: The file.
-        name: Its name, for messages.
-        marker: The marker's name; None takes, of all markers that are not the ones of a rigid body
-            (`RigidBody 1:Marker1`) and that move, the one that was seen most. Either is followed
-            where it goes on under another name.
+        marker: The marker's name; None finds it.
+        out: The direction out of the paper, shape (3,).
 
     Raises:
-        RecordingError: It is not such a CSV; has no such marker; a cell is no number; time does not
-            increase; the unit is unknown.
+        RecordingError: As `read_table` and `find_pen`, or the marker was hardly seen or did not
+            move as a hand does.
     """
-    table = read_table(data, name)
-    check_width(table)
-    t = frame_times(table)
-    pieces, tracks, others = find_pen_tracks(table, t, marker)
-    position = _positions(table, pieces, tracks)
-    rows = np.array([k for k, _ in table.body])
-    label = ", then ".join(label for label, _ in _in_order(pieces, tracks))
-    return Take(name, label, t, position, [row[0] for _, row in table.body], rows, others)
-
-
-def _positions(table: Table, pieces: list[MarkerKey], tracks: list[Track]) -> Array:
-    """Return the pen in the cameras' world (T, 3) [m], NaN where no camera saw it."""
-    source = np.zeros(len(table.body), dtype=int)
-    for piece, track in enumerate(tracks[1:], start=1):
-        source[track.seen] = piece
-    columns = [table.markers[key] for key in pieces]
-    xyz = [
-        [
-            cell_number(
-                row,
-                columns[piece][axis],
-                f"{table.name}, row {k}",
-                f"{pieces[piece][0]!r} {axis}",
-                True,
-            )
-            for axis in "XYZ"
-        ]
-        for piece, (k, row) in zip(source.tolist(), table.body, strict=True)
-    ]
-    position = np.array(xyz) * table.scale
-    position[~np.isfinite(position).all(axis=1)] = np.nan
-    return position
-
-
-def _in_order(pieces: list[MarkerKey], tracks: list[Track]) -> list[MarkerKey]:
-    """Return the markers of the pen in the order in which they were seen."""
-    if len(pieces) == 1:
-        return pieces
-    return [
-        key for _, key in sorted(zip((int(track.seen[0]) for track in tracks), pieces, strict=True))
-    ]
+    table = read_table(data)
+    pen = find_pen(table, marker, out)
+    seen, points = pen.track.seen, pen.track.points
+    other = f"Other markers that could be named with marker=...: {list_names(pen.others)}."
+    choice = other if pen.others else "The file has no other marker that could be the pen."
+    if len(seen) < FEWEST_FRAMES:
+        raise RecordingError(
+            f"marker {pen.name!r} was seen in {len(seen)} frames, but a letter needs "
+            f"{FEWEST_FRAMES}; record again. {choice}"
+        )
+    frames = [(row[0], k) for k, row in table.body]
+    size = float(np.ptp(points, axis=0).max())
+    if not SMALLEST_TAKE < size < LARGEST_INK:
+        away = np.abs(points - np.median(points, axis=0)).max(axis=1)
+        frame, row = frames[seen[np.argmax(away)]]
+        raise RecordingError(
+            f"marker {pen.name!r} moves within {size:.4g} m, but a writing hand within "
+            f"{SMALLEST_TAKE} to {LARGEST_INK} m. It is {away.max():.4g} m off at frame {frame} "
+            f"(row {row}). Is 'Length Units' in row 1 right, and is this marker the pen? {choice}"
+        )
+    first, last = seen[0], seen[-1]
+    part, t = slice(first, last + 1), table.t
+    filled = np.column_stack([np.interp(t[part], t[seen], axis) for axis in points.T])
+    is_seen = np.isin(np.arange(first, last + 1), seen)
+    unseen = float(t[first] - t[0]), float(t[-1] - t[last])
+    return Take(pen, t[part], filled, is_seen, frames[part], unseen)

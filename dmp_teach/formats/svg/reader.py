@@ -1,19 +1,19 @@
 """Drawings in SVG, read as the way of a pen that a hand follows.
 
-Every `path`, `line`, `polyline`, `polygon`, `rect`, `circle` and `ellipse` that is shown is read in
-the order of the file, and each part of a path that begins with a move is a stroke; an area of a
-colour that is as large as the page is its paper. Clones of shapes are followed; drawings within the
-drawing, clips and masks are refused, and nothing is fetched. In SVG y points down; here it points
-up. A hand's samples (`hand_pace`) cut a sharp bend of the drawing by up to 0.1 mm.
+Every `path`, `line`, `polyline`, `polygon`, `rect`, `circle` and `ellipse` that draws a line is
+read in the order of the file, and each part of a path that begins with a move is a stroke; one that
+goes on where the last one ended is part of it, and one that was drawn before is no other. Areas of
+a colour are no way of a pen. Clones of shapes are followed; drawings within the drawing, clips and
+masks are refused, and nothing is fetched. In SVG y points down; here it points up. A hand's samples
+(`hand_pace`) cut a sharp bend of the drawing by up to 0.1 mm.
 """
 
 from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator
 from functools import partial
-from typing import NamedTuple
 from xml.etree.ElementTree import Element
 
 import numpy as np
@@ -21,19 +21,19 @@ from svgelements import Path
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.formats.flat_ink import (
-    check_size,
-    flat_recording,
+    FlatLetter,
+    FlatStroke,
+    flat_recordings,
     label_from,
     lengths_in_mm,
     own_label,
     pseudonym_from,
 )
-from dmp_teach.formats.hand_pace import at_hand_pace
-from dmp_teach.formats.registry import CaptureOptions, Format, name_file
+from dmp_teach.formats.registry import CaptureOptions, Format
 from dmp_teach.formats.safe_xml import has_root, local_tag, parse_xml
-from dmp_teach.formats.svg.frames import View, coordinate, root_view, transform_matrix, translation
+from dmp_teach.formats.svg.frames import coordinate, page_matrix, transform_matrix, translation
 from dmp_teach.formats.svg.look import Look, Styles
-from dmp_teach.formats.svg.shapes import SHAPES, covers_page, path_of_shape, path_strokes
+from dmp_teach.formats.svg.shapes import SHAPES, path_of_shape, path_strokes
 from dmp_teach.formats.svg.writer import write_svg
 from dmp_teach.ink import Recording
 from dmp_teach.trajectory import Array
@@ -45,20 +45,18 @@ DEEPEST_CLONE = 10  # clones of clones
 MOST_SEGMENTS = 100_000
 CURVE_POINTS = (8, 128)  # the fewest and the most on one curve
 MOST_CURVE_POINTS = 60_000  # on all of them
+SAME_PLACE = 1e-5  # a stroke that begins so near to the end of the last one is part of it [m]
 UPWARD = np.diag([1.0, -1.0, 1.0])
 TITLE = re.compile(r"(?:(.*) )?by (\S+)")
 UNLINK = "unlink clones, or convert them to paths."
+DRAW_LINE = "Draw the middle of the letter with a line (a stroke, no fill), and save that."
+NO_LINE = {
+    "image": "holds a picture, and no line",
+    "font": "is a font, and draws nothing",
+    "text": "holds text of a font, whose letters are areas, and no line",
+}
 
 
-class Shape(NamedTuple):
-    """A path, the matrix (3, 3) to the page [m], y up, and whether it may be paper."""
-
-    path: Path
-    matrix: Array
-    is_area: bool
-
-
-@name_file
 def read_svg(data: bytes, _name: str, _: CaptureOptions) -> tuple[Recording, ...]:
     """Read the one letter of a drawing, written at a hand's pace.
 
@@ -68,64 +66,71 @@ def read_svg(data: bytes, _name: str, _: CaptureOptions) -> tuple[Recording, ...
     """
     root = parse_xml(data, "svg", "a drawing")
     with np.errstate(all="ignore"):  # what is no number is refused below
-        strokes = _drawn_strokes(root)
-    if not strokes:
-        raise RecordingError(
-            "draws nothing: there is no path in it. Convert text and objects to paths."
-        )
-    check_size(strokes)
+        strokes = _Drawing(root).strokes()
     character, writer = _labels(root)
     origin = lengths_in_mm(root.get("data-origin"), 2)
     baseline = lengths_in_mm(root.get("data-baseline"), 1)
-    letter = flat_recording(
-        at_hand_pace(strokes),
-        None,
+    letter = FlatLetter(
+        [FlatStroke(xy) for xy in strokes],
+        character,
+        writer,
         None if origin is None else origin * [1, -1],
-        character=character,
-        writer=writer,
-        baseline=None if baseline is None or origin is None else float(baseline[0]),
+        None if baseline is None or origin is None else float(baseline[0]),
     )
-    return (letter,)
-
-
-def _drawn_strokes(root: Element) -> list[Array]:
-    """Return the strokes of a drawing, points (K, 2) each [m]."""
-    matrix, view = root_view(root)
-    matrix = UPWARD @ matrix
-    shapes = list(_Drawing(root, view).shapes(root, None, matrix))
-    segments = sum(len(shape.path) for shape in shapes)
-    if segments > MOST_SEGMENTS:
-        raise RecordingError(
-            f"draws {segments} segments, but a letter has at most {MOST_SEGMENTS}; simplify the "
-            "drawing."
-        )
-    count = int(np.clip(MOST_CURVE_POINTS / max(segments, 1), *CURVE_POINTS))
-    page = _page_corners(matrix, view)
-    strokes: list[Array] = []
-    for shape in shapes:
-        part = list(path_strokes(shape.path, shape.matrix, count))
-        is_paper = shape.is_area and page is not None and covers_page(part, page)
-        strokes += [] if is_paper else part
-    return strokes
+    return flat_recordings([letter])
 
 
 class _Drawing:
     """A drawing while its shapes are found."""
 
-    def __init__(self, root: Element, view: View) -> None:
-        self._styles, self._view = Styles(root), view
+    def __init__(self, root: Element) -> None:
+        self._styles, self._root = Styles(root), root
         self._named = {each.get("id"): each for each in root.iter()}
-        self._root, self._clones = root, 0
+        self._clones = self._areas = 0
 
-    def shapes(
+    def strokes(self) -> list[Array]:
+        """Return the strokes, points (K, 2) each on the page [m], y up."""
+        lines = list(self._lines(self._root, None, UPWARD @ page_matrix(self._root)))
+        segments = sum(len(path) for path, _ in lines)
+        if segments > MOST_SEGMENTS:
+            raise RecordingError(
+                f"draws {segments} segments, but a letter has at most {MOST_SEGMENTS}; simplify "
+                "the drawing."
+            )
+        count = int(np.clip(MOST_CURVE_POINTS / max(segments, 1), *CURVE_POINTS))
+        strokes: list[list[Array]] = []
+        drawn = set()
+        for path, matrix in lines:
+            for points in path_strokes(path, matrix, count):
+                shape = np.round(points, 6).tobytes()
+                if shape in drawn:
+                    continue
+                drawn.add(shape)
+                goes_on = strokes and np.abs(strokes[-1][-1][-1] - points[0]).max() < SAME_PLACE
+                if goes_on:
+                    strokes[-1].append(points)
+                else:
+                    strokes.append([points])
+        if not strokes:
+            raise RecordingError(f"{self._why_no_line()}. {DRAW_LINE}")
+        return [np.concatenate(parts) for parts in strokes]
+
+    def _why_no_line(self) -> str:
+        """Return what a drawing without a line has instead."""
+        if self._areas:
+            return "has only areas of a colour: the outline of a letter is not the way of a pen"
+        tags = {local_tag(each) for each in self._root.iter()}
+        return next((NO_LINE[tag] for tag in NO_LINE if tag in tags), "draws nothing")
+
+    def _lines(
         self, element: Element, above: Look | None, matrix: Array, depth: int = 0
-    ) -> Iterator[Shape]:
-        """Yield every shape that is shown in an element.
+    ) -> Iterator[tuple[Path, Array]]:
+        """Yield the path of every line in an element, and its matrix (3, 3) to the page [m], y up.
 
         Args:
             element: Any.
             above: How what holds it looks; None for the root.
-            matrix: From the units around it to the page [m], y up, shape (3, 3).
+            matrix: From the units around it to the page, shape (3, 3).
             depth: How many clones it is in.
         """
         kind = local_tag(element)
@@ -143,15 +148,16 @@ class _Drawing:
         if kind == "use":
             yield from self._clone(element, look, matrix, depth + 1)
         elif kind in GROUPS:
-            for child in _shown_part(element) if kind == "switch" else element:
-                yield from self.shapes(child, look, matrix, depth)
-        elif look.is_seen:
-            path = path_of_shape(element, look.own, self._view)
-            if path is not None:
-                yield Shape(path, matrix, look.is_area)
+            for child in element:
+                yield from self._lines(child, look, matrix, depth)
+        elif look.is_line and (path := path_of_shape(element)) is not None:
+            yield path, matrix
+        self._areas += kind in SHAPES and look.is_area
 
-    def _clone(self, use: Element, look: Look, matrix: Array, depth: int) -> Iterator[Shape]:
-        """Yield the shapes of a clone."""
+    def _clone(
+        self, use: Element, look: Look, matrix: Array, depth: int
+    ) -> Iterator[tuple[Path, Array]]:
+        """Yield the lines of a clone."""
         name = next((text for href in HREFS if (text := use.get(href))), "")
         target = self._named.get(name.removeprefix("#")) if name.startswith("#") else None
         self._clones += 1
@@ -162,23 +168,8 @@ class _Drawing:
                 f"has more than {MOST_CLONES} clones (use), or clones of clones of themselves; "
                 f"{UNLINK}"
             )
-        x, y = (coordinate(use, look.own, axis, self._view) or 0.0 for axis in "xy")
-        yield from self.shapes(target, look, matrix @ translation(x, y), depth)
-
-
-def _shown_part(switch: Element) -> Iterable[Element]:
-    """Return the one part of a `switch` that is shown: one for no extension, rather no language."""
-    parts = [each for each in switch if not (each.get("requiredExtensions") or "").strip()]
-    return sorted(parts, key=lambda each: each.get("systemLanguage") is not None)[:1]
-
-
-def _page_corners(matrix: Array, view: View) -> Array | None:
-    """Return the page's lower left and upper right corner (2, 2) [m]; None if unknown."""
-    if view.wide is None or view.high is None:
-        return None
-    corners = [(view.x, view.y, 1.0), (view.x + view.wide, view.y + view.high, 1.0)]
-    placed = (np.array(corners) @ matrix.T)[:, :2]
-    return np.array([placed.min(axis=0), placed.max(axis=0)])
+        x, y = (coordinate(use, axis) or 0.0 for axis in "xy")
+        yield from self._lines(target, look, matrix @ translation(x, y), depth)
 
 
 def _labels(root: Element) -> tuple[str | None, str | None]:

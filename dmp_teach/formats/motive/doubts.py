@@ -1,0 +1,107 @@
+"""What is doubtful in a take: the pen is lost while it writes, or leaps; told, and not refused."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+
+from dmp_teach.formats.motive.table import list_names
+from dmp_teach.formats.motive.take import Take
+from dmp_teach.segmentation import Spans
+from dmp_teach.trajectory import Array
+
+# A gap up to this long is filled with a straight line without a word.
+LONGEST_FILLED_GAP = 0.1  # [s]
+EDGE = 0.05  # how long a marker is watched before it is lost, or after it is found [s]
+WRITING_SPEED = 0.03  # a marker that is lost slower than this had written all there was [m/s]
+LEAP = 0.004  # a step that is this much longer than its neighbours was no pen ... [m]
+PEN_ACCELERATION = 8.0  # ... unless a pen could do it between two samples ... [m/s2]
+AIR_ACCELERATION = 50.0  # ... or a hand in the air, or one that knocks on the paper [m/s2]
+BESIDE_WRITING = 0.5  # a leap this soon before or after the writing has cut it short [s]
+
+
+def find_doubts(take: Take, position: Array, strokes: Spans) -> tuple[str, ...]:
+    """Return a sentence for each doubt.
+
+    Args:
+        take: From the first sample that the cameras saw to the last.
+        position: The pen on its page with its gaps filled, shape (T, 3) [m].
+        strokes: As (first sample, one after the last).
+    """
+    notes = [*_gaps(take, strokes), *_edges(take, position, strokes)]
+    notes += _leaps(take, position, strokes)
+    if take.pen.rivals:
+        notes.append(
+            f"Taken for the pen is {take.pen.name!r}, which is nearest to the paper of all that "
+            f"move; others could be named with marker=...: {list_names(take.pen.rivals)}."
+        )
+    return tuple(notes)
+
+
+def _gaps(take: Take, strokes: Spans) -> list[str]:
+    """Return where a long gap, of empty cells or of missing rows, leaves a hole in a stroke."""
+    notes = []
+    for before, after in pairwise(np.flatnonzero(take.is_seen)):
+        gap = take.t[after] - take.t[before]
+        inside = [k for k, (a, b) in enumerate(strokes) if before < b - 1 and after > a]
+        if gap > _longest_gap(take) and inside:
+            notes.append(
+                f"The marker is lost for {gap:.2f} s after {take.at(before)}, inside stroke "
+                f"{inside[0]}: a straight line is there. Fill it in Motive, or record again."
+            )
+    return notes
+
+
+def _longest_gap(take: Take) -> float:
+    """Return how long a gap may be that is filled without a word [s]."""
+    return LONGEST_FILLED_GAP + float(np.median(np.diff(take.t)))
+
+
+def _edges(take: Take, position: Array, strokes: Spans) -> list[str]:
+    """Return where the take goes on without the marker, which was writing."""
+    notes = []
+    last = len(take.t) - 1
+    sides = ((0, 0, "is first seen at"), (last, len(strokes) - 1, "is lost for good after"))
+    for (edge, number, verb), unseen in zip(sides, take.unseen, strict=True):
+        near = np.flatnonzero(np.abs(take.t - take.t[edge]) <= EDGE)
+        near = near[(near >= strokes[number][0]) & (near < strokes[number][1])]
+        if unseen <= _longest_gap(take) or len(near) < 2:
+            continue
+        way = np.linalg.norm(position[near[-1], :2] - position[near[0], :2])
+        if way > WRITING_SPEED * (take.t[near[-1]] - take.t[near[0]]):
+            notes.append(
+                f"The marker {verb} {take.at(edge)}, inside stroke {number}, of which {unseen:.2f} "
+                "s may be missing. Mend it in Motive, or record again."
+            )
+    return notes
+
+
+def _leaps(take: Take, position: Array, strokes: Spans) -> list[str]:
+    """Return how often the marker leaps, as where it flickers, or another one is taken for it.
+
+    A leap is a step far from the mean of its neighbours. A leap off the paper looks like a lift, so
+    lifts are searched, too, and a moment before and after the writing.
+    """
+    step = np.diff(position, axis=0)
+    off = np.zeros(len(take.t))
+    off[2:-1] = np.linalg.norm(step[1:-1] - (step[:-2] + step[2:]) / 2, axis=1)
+    off[np.convolve(take.is_seen, np.ones(5), "same") < 5] = 0.0
+    is_ink = np.zeros(len(off), dtype=bool)
+    for a, b in strokes:
+        is_ink[a:b] = True
+    dt = float(np.median(np.diff(take.t)))
+    limit = LEAP + np.where(is_ink, PEN_ACCELERATION, AIR_ACCELERATION) * dt**2
+    first, last = (
+        take.t[strokes[0][0]] - BESIDE_WRITING,
+        take.t[strokes[-1][1] - 1] + BESIDE_WRITING,
+    )
+    leaps = np.flatnonzero((off > limit) & (take.t >= first) & (take.t <= last))
+    if not len(leaps):
+        return []
+    where = "inside a stroke" if is_ink[leaps].any() else "beside a stroke"
+    worst = leaps[np.argmax(off[leaps])]
+    return [
+        f"The marker jumps by up to {off[worst] * 1e3:.1f} mm {where}, which no pen does: at "
+        f"{len(leaps)} samples from {take.at(leaps[0])} to {take.at(leaps[-1])}."
+    ]
