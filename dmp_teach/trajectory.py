@@ -22,6 +22,12 @@ def locked(values: ArrayLike, dtype: Any = float) -> NDArray[Any]:
     return array
 
 
+def lock_fields(value: object, *names: str) -> None:
+    """Copy and lock some arrays of a frozen value."""
+    for name in names:
+        object.__setattr__(value, name, locked(getattr(value, name), dtype=None))
+
+
 def arc_lengths(path: Array) -> Array:
     """Return how far along a path (T, D) each of its points is, shape (T,) [m]."""
     step = np.diff(path, axis=0)

@@ -59,14 +59,12 @@ class DMP:
     notes: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
-        """Lock the arrays."""
         values = self.__dict__
         for name in ("weights", "biases", "start", "goal", "start_velocity", "times"):
             if values[name] is not None:
                 values[name] = locked(values[name])
 
     def __repr__(self) -> str:
-        """Return one line, without the numbers."""
         n_kernels, dimensions = self.weights.shape
         return (
             f"DMP({n_kernels} kernels, {dimensions}-D, {self.duration:.3f} s, "

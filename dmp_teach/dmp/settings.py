@@ -140,7 +140,6 @@ class Settings:
     )
 
     def __post_init__(self) -> None:
-        """Check every field against its own range, and those that must go together."""
         for each in knobs():
             object.__setattr__(self, each.name, each.checked(getattr(self, each.name)))
         KERNELS[self.kernel].check(self.kernel_width, self.kernel_sigma, self.kernel_sides)

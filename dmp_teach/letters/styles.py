@@ -19,7 +19,7 @@ from dmp_teach.letters.styles_basis import (
     letter_from_row,
     letter_to_row,
 )
-from dmp_teach.trajectory import Array, locked
+from dmp_teach.trajectory import Array, lock_fields
 
 # Along a principal style [standard deviations].
 FARTHEST_COORDINATE = 3.0
@@ -64,8 +64,7 @@ class Style:
     covariance: Array
 
     def __post_init__(self) -> None:
-        for name in ("mean_row", "ways", "coordinates", "spread", "centre", "covariance"):
-            object.__setattr__(self, name, locked(getattr(self, name)))
+        lock_fields(self, "mean_row", "ways", "coordinates", "spread", "centre", "covariance")
 
     @classmethod
     def of(

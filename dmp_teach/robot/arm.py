@@ -74,24 +74,16 @@ class Solver:
         self.verdicts: dict[object, Any] = {}
 
     def mask(self, name: str, masked: bool = True) -> None:
-        """Hold a joint still, or let it go.
-
-        Raises:
-            JointError: No such joint; PlaCo takes any name, in silence or with a crash.
-        """
+        """Hold a joint still, or let it go; raise a JointError for one that there is not."""
         (self._solver.mask_dof if masked else self._solver.unmask_dof)(self.model.joint(name).name)
 
     def stand(
         self, q: Array | Sequence[float], normal: Array, torso: bool, upright: float = 0.1
     ) -> None:
-        """Take a posture, and prefer it from now on.
+        """Take a posture q (J,) [rad, m], and prefer it from now on.
 
-        Args:
-            q: Joint positions, shape (J,) [rad, m].
-            normal: Out of the paper, shape (3,); the pen looks the other way, turned by 1e-9 rad
-                because PlaCo knows no way from an axis to its exact opposite.
-            torso: Whether the torso may move.
-            upright: How much the pen's axis weighs against 1 m of its tip.
+        The pen looks against `normal` (3,), turned by 1e-9 rad because PlaCo knows no way from an
+        axis to its exact opposite; `upright` says how much its axis weighs against 1 m of its tip.
         """
         self._robot.reset()
         for name, value in zip(JOINTS, q, strict=True):
@@ -178,7 +170,7 @@ class Solver:
         report: Callable[[str, float], object],
         solves: int = 1,
     ) -> Array:
-        """Solve for the joints along a path.
+        """Solve for the joints along a path (T, 3) in the world, shape (T, J) [rad, m], unwrapped.
 
         Args:
             q: Where the arm stands before, shape (J,) [rad, m]; the torso stays as it is.
@@ -186,9 +178,6 @@ class Solver:
             path: In the world, shape (T, 3) [m].
             report: Called with "joints" and how much is done.
             solves: Solutions and updates for every sample.
-
-        Returns:
-            Joint positions, unwrapped, shape (T, J) [rad, m].
         """
         self.stand(q, normal, torso=False)
         self.glide(path[0])

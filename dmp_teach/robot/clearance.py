@@ -42,15 +42,9 @@ def find_nearest(
 ) -> tuple[Near | None, Near | None]:
     """Find the first moment nearer than `LEAST_CLEARANCE`, and the one at which all is nearest.
 
-    Args:
-        q: Joint positions, shape (T, J) [rad, m].
-        joint_names: J names.
-        page: The sheet. Only the pen may come near to it.
-        within: What is farther away than this does not count [m].
-
-    Returns:
-        Both None where nothing counts. The distance of the first is the least that this pair has
-        at any time.
+    Only the pen may come near to the page. What stays farther away than `within` [m] does not
+    count: where nothing does, both are None. The distance of the first is the least that its pair
+    ever has.
     """
     near = Proximity(joint_names, page, PAGE_SURROUND).approaches(q, within)
     closest = min(near, key=attrgetter("distance", "row"), default=None)

@@ -97,11 +97,7 @@ class Fetch:
 def _plan(
     solver: Solver, page: Page, strokes: PlacedStrokes, report: PlanProgress = _silent
 ) -> tuple[Motion, str]:
-    """Return the motion, and a warning where the arm is nearly stretched out.
-
-    Raises:
-        Unreachable: Says what is wrong, and not what to do.
-    """
+    """Return the motion, and a warning where the arm is nearly stretched; or raise Unreachable."""
     report("reach", 0.0)
     reach = check_reach(solver, page, _ink(strokes))
     report("reach", 1.0)
@@ -149,8 +145,8 @@ def _follow(
 ) -> tuple[PenPlan, Array, Array, tuple[str, ...]]:
     """Return the plan, slowed where a joint could not follow, joints (T, J), tip (T, 4, 4), notes.
 
-    PlaCo knows no speed limits here: with them it would lag behind in silence. Where the arm is
-    nearly straight it lags a little even so, and is given more solutions a sample.
+    PlaCo knows no speed limits here: with them it would lag in silence, as it does where the arm is
+    nearly straight. There it is given more solutions a sample.
     """
     report("plan", 0.0)
     path = connect_strokes(strokes)

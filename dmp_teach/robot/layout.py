@@ -97,10 +97,7 @@ def _check_metres(extent: Array) -> None:
 
 
 def _check_jump(number: int, stroke: Trajectory) -> None:
-    """Raise where one step is much longer than both of its neighbours.
-
-    Then a marker was lost, or two strokes are in one.
-    """
+    """Raise where one step is much longer than both beside it: a lost marker, or two strokes."""
     step = np.linalg.norm(np.diff(stroke.position, axis=0), axis=1)
     dt = np.diff(stroke.t)
     if len(step) < 2:

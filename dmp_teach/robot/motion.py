@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from dmp_teach.robot.model.kinematics import Model
 from dmp_teach.robot.model.reduced import load_reduced_robot
 from dmp_teach.robot.page import Page
-from dmp_teach.trajectory import Array, Trajectory, locked
+from dmp_teach.trajectory import Array, Trajectory, lock_fields, locked
 
 BoolArray = NDArray[np.bool_]
 
@@ -45,15 +45,9 @@ class Motion:
     notes: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
-        """Lock every array and tuple."""
-        for field in fields(self):
-            value = getattr(self, field.name)
-            if field.name in ("t", "q", "tip", "target"):
-                object.__setattr__(self, field.name, locked(value))
-            elif field.name == "pen_down":
-                object.__setattr__(self, field.name, locked(value, dtype=bool))
-            elif field.name in ("joint_names", "strokes", "notes"):
-                object.__setattr__(self, field.name, tuple(value))
+        lock_fields(self, "t", "q", "tip", "target", "pen_down")
+        for name in ("joint_names", "strokes", "notes"):
+            object.__setattr__(self, name, tuple(getattr(self, name)))
 
     @property
     def duration(self) -> float:
@@ -80,7 +74,6 @@ class Motion:
         return locked(load_reduced_robot(self.joint_names).torques(self.q, v, a))
 
     def __repr__(self) -> str:
-        """Show it in one line, without the numbers."""
         error = f"tip error {1000 * self.tip_error:.3f} mm rms"
         return f"Motion({self.duration:.2f} s, {len(self.joint_names)} joints, {error})"
 

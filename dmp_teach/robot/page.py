@@ -39,7 +39,6 @@ class Page:
     height: float = A4[1]
 
     def __post_init__(self) -> None:
-        """Copy, check and lock."""
         X = _four_by_four(self.X_world_page)
         R = X[:3, :3]
         rigid = np.allclose(R.T @ R, np.eye(3), atol=1e-9) and np.linalg.det(R) > 0
@@ -148,7 +147,6 @@ class Page:
         return Page(X, self.width, self.height)
 
     def __repr__(self) -> str:
-        """Show what to type to get it, to a micrometre."""
         usual = getattr(Page, self.kind)()
         tilt, turn, yaw = self.angles
         x, y, z = self.X_world_page[:3, 3]

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.interpolate import CubicSpline, PchipInterpolator
 
-from dmp_teach.trajectory import Array, Trajectory, locked
+from dmp_teach.trajectory import Array, Trajectory, lock_fields
 
 MOTION_RATE = 240
 """Samples a second [Hz]."""
@@ -52,15 +52,7 @@ class PenPlan:
     pen_down: NDArray[np.bool_]
 
     def __post_init__(self) -> None:
-        """Lock the arrays."""
-        object.__setattr__(self, "t", locked(self.t))
-        object.__setattr__(self, "position", locked(self.position))
-        object.__setattr__(self, "pen_down", locked(self.pen_down, dtype=bool))
-
-    @property
-    def duration(self) -> float:
-        """From the first sample to the last [s]."""
-        return float(self.t[-1])
+        lock_fields(self, "t", "position", "pen_down")
 
 
 @dataclass(frozen=True, eq=False)
@@ -81,13 +73,7 @@ class Segment:
 
 @dataclass(frozen=True, eq=False)
 class PenPath:
-    """The pen's path, which can be followed on any clock.
-
-    At rest between two segments, the pen stands on a sample.
-
-    Args:
-        segments: One after the other.
-    """
+    """The pen's path, to be followed on any clock; between segments it rests on a sample."""
 
     segments: tuple[Segment, ...]
 
@@ -99,10 +85,8 @@ class PenPath:
     def plan(self, samples: Array | None = None) -> PenPlan:
         """Sample the path at `MOTION_RATE`.
 
-        Args:
-            samples: Which sample of the unhurried plan is due at each sample of this one: from 0 to
-                the last, in fractions too, but whole at every one of `rests`, shape (T,). None: all
-                of them.
+        `samples` (T,) says which sample of the unhurried plan is due at each of this one, in
+        fractions but whole at every one of `rests`; None: all of them.
         """
         rests = self.rests
         samples = np.arange(rests[-1] + 1.0) if samples is None else samples
@@ -119,13 +103,10 @@ class PenPath:
 
 
 def connect_strokes(strokes: tuple[Trajectory, ...]) -> PenPath:
-    """Return the pen's path over strokes that lie on the page.
+    """Return the pen's path over strokes that lie on the page [m].
 
-    A stroke takes its own duration and `STROKE_RAMP` more. A lift takes as long as it did on the
-    recording's clock, but no less than the pen needs and no more than `LONGEST_LIFT`.
-
-    Args:
-        strokes: On the page, as `lay_out` gives them [m].
+    A stroke takes its own duration and `STROKE_RAMP` more; a lift as long as in the recording, but
+    no less than the pen needs and no more than `LONGEST_LIFT`.
     """
     first, last = strokes[0].position[0], strokes[-1].position[-1]
     segments = [_move(_above(first), _on(first), LIFT_TIME), _draw(strokes[0])]
@@ -148,8 +129,8 @@ def _draw(stroke: Trajectory) -> Segment:
 def interpolate(stroke: Trajectory) -> Callable[[Array], Array]:
     """Return a smooth curve through every sample of a stroke.
 
-    A cubic spline (Fritsch and Carlson's monotone one where the times are so uneven that the cubic
-    would swing out between two samples by half a step or more).
+    A cubic spline; Fritsch and Carlson's where times are so uneven that the cubic would swing out
+    between two samples by half a step or more.
     """
     cubic = CubicSpline(stroke.t, stroke.position)
     swing = np.linalg.norm(
@@ -167,17 +148,10 @@ def interpolate(stroke: Trajectory) -> Callable[[Array], Array]:
 def ease_in_and_out(
     duration: float, ramp: float = STROKE_RAMP
 ) -> tuple[float, Callable[[Array], Array]]:
-    """Return a clock that starts and stops gently.
+    """Return how long a clock runs that ends at `duration`, and what it shows at times (T,).
 
-    Its speed rises from 0 as 3 u^2 - 2 u^3, u = t / ramp, and falls so too.
-
-    Args:
-        duration: What the clock shows in the end [s].
-        ramp: How long the rise takes, and the fall [s].
-
-    Returns:
-        How long the clock runs (duration + ramp, at least 2 ramp), and what it shows at times (T,)
-        [s].
+    It starts and stops gently: its speed rises as 3 u^2 - 2 u^3, u = t / ramp, and falls so too
+    [s].
     """
     speed = min(1.0, duration / ramp)
     lasts = 2 * ramp + (duration - speed * ramp) / speed

@@ -32,10 +32,7 @@ _DESCRIBED = 3
 class TimeScaling:
     """When each sample of an unhurried plan is due.
 
-    Args:
-        path: The pen's way; wherever it rests there stays a sample, so that a stroke still begins
-            and ends on one.
-        joint_names: Joints that may hurry.
+    Wherever the path rests there stays a sample, so that a stroke still begins and ends on one.
     """
 
     def __init__(self, path: PenPath, joint_names: Sequence[str]) -> None:
@@ -49,9 +46,8 @@ class TimeScaling:
     def slow_down(self, speeds: Array) -> bool:
         """Slow the clock where a joint is too fast; return whether there was such a place.
 
-        Args:
-            speeds: Of the joints from each of the present samples to the next, in parts of their
-                limits, (T - 1, J).
+        `speeds` (T - 1, J) go from each of the present samples to the next, in parts of the joints'
+        limits.
         """
         rows, joints = np.nonzero(speeds > SPEED_SHARE)
         if not len(rows):
@@ -113,14 +109,9 @@ class TimeScaling:
 def compute_lateness(needed: Array) -> Array:
     """Return how much longer than usual each sample lasts, at least `needed` - 1, shape (n,).
 
-    The clock's rate is the least of 1 / needed within `EASING` of each sample, then averaged over
-    as much (a Hann window): so it is nowhere more than 1 / needed, and changes smoothly. The time
-    lost in each slowed place is rounded up to whole samples, so that those after it are the same as
-    before.
-
-    Args:
-        needed: How many times slower than usual each sample of a segment from rest to rest must be,
-            shape (n,).
+    The clock's rate is the least of 1 / needed within `EASING` of each sample of a segment,
+    averaged over as much (a Hann window): nowhere more than 1 / needed, and smooth. The time lost
+    in each slowed place is rounded up to whole samples, so that those after it stay as they were.
     """
     reach = round(EASING * MOTION_RATE)
     window = np.hanning(2 * reach + 3)[1:-1]

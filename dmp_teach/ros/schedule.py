@@ -12,7 +12,7 @@ from scipy.interpolate import CubicSpline
 from dmp_teach.errors import JointError, SettingError, TrajectoryError
 from dmp_teach.robot import JOINTS, Joint, Model, Motion
 from dmp_teach.ros.untuck import TUCKED, find_way
-from dmp_teach.trajectory import Array, Trajectory, locked
+from dmp_teach.trajectory import Array, Trajectory, lock_fields
 
 LEAD = 6.0
 """Time of the first point [s]: to get to it, and for a hand to get to the stop button."""
@@ -31,11 +31,9 @@ class Schedule:
     """What the arm's controller is sent: a point a row.
 
     Args:
-        t: Times from the start of the goal, increasing from `LEAD`, whole nanoseconds, shape (T,)
-            [s].
+        t: Times from the start of the goal, whole nanoseconds from `LEAD` on, shape (T,) [s].
         q: Joint positions in the order of `JOINTS`, shape (T, 8) [m, rad].
-        velocity: The derivative of the cubic spline through them, 0 at both ends, shape (T, 8)
-            [m/s, rad/s].
+        velocity: Of the cubic spline through them, 0 at both ends, shape (T, 8) [m/s, rad/s].
         writing: The row where the motion itself begins.
     """
 
@@ -45,9 +43,7 @@ class Schedule:
     writing: int
 
     def __post_init__(self) -> None:
-        """Lock the arrays."""
-        for name in ("t", "q", "velocity"):
-            object.__setattr__(self, name, locked(getattr(self, name)))
+        lock_fields(self, "t", "q", "velocity")
 
 
 def make_schedule(motion: Motion, start: str | ArrayLike | None = "tucked") -> Schedule:

@@ -45,18 +45,11 @@ _SLACK = 0.001
 
 
 def find_way(motion: Motion, start: Array) -> Array:
-    """Find postures from a start to the first posture of a motion, with straight ways between.
+    """Find postures (N, J) from a start (J,) to a motion's first, with straight ways between.
 
     The arm stays clear of the robot and of a block below the page that goes on for 20 cm beyond it,
-    or for 10 or 5 cm where there is no other way.
-
-    Args:
-        motion: What will be written.
-        start: Where the joints of `motion.joint_names` are before, shape (J,) [rad, m].
-
-    Returns:
-        The postures, the start first, shape (N, J). The last is the motion's first, but for whole
-        turns of joints that turn for ever. The same input gives the same way.
+    or for 10 or 5 cm where there is no other way. The last is the motion's first, but for whole
+    turns of joints that turn for ever. The same input gives the same way.
 
     Raises:
         ReachError: No way was found.

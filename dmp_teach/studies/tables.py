@@ -5,13 +5,12 @@ from __future__ import annotations
 import html
 from abc import abstractmethod
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import fields
 from textwrap import wrap
 from typing import Any, ClassVar
 
 import numpy as np
 
-from dmp_teach.trajectory import locked
+from dmp_teach.trajectory import lock_fields
 
 # One mapping for each row, all with the same keys; units stand in the keys.
 TableRows = tuple[Mapping[str, Any], ...]
@@ -26,10 +25,7 @@ class Tabled:
     STYLES: ClassVar[Mapping[str, str]] = {}
 
     def __post_init__(self) -> None:
-        for each in fields(self):  # type: ignore[arg-type]  # every subclass is a dataclass
-            value = getattr(self, each.name)
-            if isinstance(value, np.ndarray):
-                object.__setattr__(self, each.name, locked(value, dtype=value.dtype))
+        lock_fields(self, *(k for k, v in vars(self).items() if isinstance(v, np.ndarray)))
 
     @property
     @abstractmethod

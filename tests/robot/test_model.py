@@ -4,7 +4,6 @@ import csv
 import subprocess
 import sys
 from functools import cache
-from pathlib import Path
 from xml.etree import ElementTree as ET
 
 import numpy as np
@@ -336,13 +335,3 @@ def test_every_joint_comes_after_the_one_that_carries_it(name):
         assert joint.parent in reached
         reached.add(joint.child)
     assert reached == set(model.links)
-
-
-def test_a_shell_that_is_no_mesh_is_refused(tmp_path):
-    path = Path(tmp_path / "box.urdf")
-    visual = '<visual><geometry><box size="1 1 1"/></geometry></visual>'
-    path.write_text(
-        f'<robot name="box"><link name="base">{visual}</link></robot>', encoding="utf-8"
-    )
-    with pytest.raises(JointError, match="A visual of 'base' is not a mesh"):
-        _ = Model.load(path).visuals

@@ -8,7 +8,7 @@ from dmp_teach.errors import JointError
 from dmp_teach.files.writing import ASSETS
 from dmp_teach.robot.arm import JOINTS
 from dmp_teach.robot.fetch import Fetch
-from dmp_teach.robot.model.kinematics import Model
+from dmp_teach.robot.model.kinematics import REST, Model
 from dmp_teach.robot.model.reduced import load_reduced_robot
 from dmp_teach.robot.model.urdf import read_origin
 from dmp_teach.robot.motion import describe_overloads
@@ -59,9 +59,26 @@ def test_in_motion_it_agrees_with_pybullet():
     motion = Fetch().write(LETTER, Page.board())
     v = np.gradient(motion.q, motion.t, axis=0)
     a = np.gradient(v, motion.t, axis=0)
+    rows = slice(None, None, 40)
     with open_world() as (bullet, number):
-        felt = World(bullet, number, motion, motion.page, "rigid").dynamics(motion.q, v, a)
-    np.testing.assert_allclose(motion.torque, felt, atol=1e-3 * EFFORTS.min())
+        world = World(bullet, number, motion, motion.page, "rigid")
+        felt, mass = by_pybullet(world, motion.q[rows], v[rows], a[rows])
+    np.testing.assert_allclose(motion.torque[rows], felt, atol=1e-3 * EFFORTS.min())
+    np.testing.assert_allclose(load_reduced_robot(JOINTS).inertia(motion.q[rows]), mass, atol=1e-5)
+
+
+def by_pybullet(world, *moments):
+    """The torques (T, J) and mass matrices (T, J, J) of the arm, all other joints at rest."""
+    moving = [fact for fact in world.facts if fact[2] != world.bullet.JOINT_FIXED]
+    columns = [[fact[0] for fact in moving].index(number) for number in world.arm]
+    full = np.zeros((len(moments[0]), 3, len(moving)))
+    full[:, 0] = [REST.get(fact[1].decode(), 0.0) for fact in moving]
+    full[:, :, columns] = np.stack(moments, axis=1)
+    torques, masses = [], []
+    for q, v, a in full.tolist():
+        torques.append(world.call("calculateInverseDynamics", world.robot, q, v, a))
+        masses.append(world.call("calculateMassMatrix", world.robot, q))
+    return np.array(torques)[:, columns], np.array(masses)[:, columns][:, :, columns]
 
 
 def test_the_torque_of_a_motion_is_one_row_a_sample_locked_and_made_once():

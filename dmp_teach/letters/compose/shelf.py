@@ -112,7 +112,6 @@ class Shelf:
         raise LetterError(self._what_else(str(name)))
 
     def __contains__(self, name: object) -> bool:
-        """Return whether a letter or a stroke of that name is on the shelf."""
         return name in self.letters or any(piece.name == name for piece in self.pieces)
 
     def __iter__(self) -> Iterator[Piece]:

@@ -40,14 +40,7 @@ _HAND = ("gripper_link", "r_gripper_finger_link", "l_gripper_finger_link", "pen_
 
 
 class Near(NamedTuple):
-    """A moment at which the arm comes near to something.
-
-    Args:
-        row: The sample.
-        distance: How near, less than 0 where the two overlap [m].
-        link: The arm's part.
-        other: A part of the robot, or "page" for what the page lies on.
-    """
+    """A sample (row) at which the arm's `link` comes near to `other`, a link or "page" [m]."""
 
     row: int
     distance: float
@@ -63,9 +56,6 @@ class Proximity:
         page: What the arm must not go through; None: nothing but the robot itself.
         around: How far what the page lies on goes on beyond the page [m].
         grown: By how much each shape is larger than it is, on every side [m].
-
-    Raises:
-        MissingPartError: PlaCo, which brings coal, is not on this platform.
     """
 
     def __init__(
@@ -99,14 +89,7 @@ class Proximity:
         self._found = pinocchio.GeometryData(self._geometry)
 
     def distances(self, q: Array) -> Array:
-        """Return the least distance of each of the `pairs`, less than 0 where they overlap.
-
-        Args:
-            q: Joint positions, shape (T, J) [rad, m].
-
-        Returns:
-            Distances, shape (T, L) [m].
-        """
+        """Return the least distances of the `pairs` (T, L) [m], less than 0 where they overlap."""
         found = [
             self._at(moment, range(len(self._named))) for moment in self._robot.configurations(q)
         ]
@@ -118,15 +101,11 @@ class Proximity:
         return [pair for pair, overlaps in zip(self.pairs, overlap, strict=True) if overlaps]
 
     def approaches(self, q: Array, within: float) -> list[Near]:
-        """Find every sample at which a link comes within a distance of what it could meet.
+        """Find every sample of q (T, J) at which a link is within [m] of what it could meet.
 
         In a span of samples a point moves no further than its distance from each joint times the
-        turn of that joint: so most spans are settled by the distances in their middle, and only
-        the others are halved. Only the pen may come near to the page.
-
-        Args:
-            q: Joint positions, shape (T, J) [rad, m].
-            within: What is farther away does not count [m].
+        turn of that joint: most spans are settled by the distances in their middle, only the others
+        are halved. Only the pen may come near to the page.
         """
         counts = [
             number
@@ -158,10 +137,7 @@ class Proximity:
         return np.array([measure(self._geometry, self._found, int(n)).min_distance for n in pairs])
 
     def _reach(self) -> Array:
-        """Return how far each joint moves a point of each shape at most, by one unit, (G, J).
-
-        Only the torso slides, and it carries all other joints.
-        """
+        """Return how far a unit of each joint moves a point of each shape at most, (G, J)."""
         model = self._robot.model
         reach = np.zeros((self._geometry.ngeoms, len(self._robot.joint_ids)))
         for number, shape in enumerate(self._geometry.geometryObjects):
@@ -200,11 +176,7 @@ def _page_block(page: Page, around: float) -> Any:
 
 
 def _shape_pairs(links: list[str]) -> list[tuple[int, int]]:
-    """Return the numbers of shapes that could meet, those of a pair of links together.
-
-    Args:
-        links: The link of each shape.
-    """
+    """Return the numbers of shapes that could meet, those of a pair of links together."""
     moving = (*_ARM, *_HAND)
     met = [(link, other) for link in moving for other in (*_BODY, *moving)]
     met = [pair for pair in met if _may_meet(*pair)]

@@ -20,8 +20,7 @@ from dmp_teach.trajectory import Array
 class ReducedRobot:
     """The robot with some joints that move and all others held at rest.
 
-    Args:
-        joint_names: The J joints that move; with `pen_slide_joint` the pen is the sprung one.
+    Where `pen_slide_joint` is among them, the pen is the sprung one.
 
     Raises:
         JointError: A joint that the robot does not have.
@@ -58,18 +57,10 @@ class ReducedRobot:
         return found
 
     def torques(self, q: Array, v: Array, a: Array) -> Array:
-        """Return the torques of a movement, without friction and with the pen in the air.
+        """Return the torques (T, J) [N m, N] of positions, velocities and accelerations (T, J).
 
-        M(q) a + C(q, v) v + g(q), by the recursive Newton-Euler algorithm (Featherstone 2008,
-        table 5.1), from the masses and inertias of all links, the pen's among them.
-
-        Args:
-            q: Positions, shape (T, J) [rad, m].
-            v: Velocities, shape (T, J) [rad/s, m/s].
-            a: Accelerations, shape (T, J) [rad/s^2, m/s^2].
-
-        Returns:
-            Torques and forces, shape (T, J) [N m, N].
+        M(q) a + C(q, v) v + g(q), by the recursive Newton-Euler algorithm (Featherstone 2008, table
+        5.1), without friction and with the pen in the air.
         """
         data = self.model.createData()
         configurations = self.configurations(q)
@@ -82,6 +73,13 @@ class ReducedRobot:
         for row, moment in enumerate(configurations):
             needed[row] = self._pinocchio.rnea(self.model, data, moment, speeds[row], pushes[row])
         return needed[:, order]
+
+    def inertia(self, q: Array) -> list[Array]:
+        """Return the mass matrix at each of the positions (T, J), (J, J) [kg m^2, kg m, kg]."""
+        data = self.model.createData()
+        order = [self.model.joints[number].idx_v for number in self.joint_ids]
+        upper = [self._pinocchio.crba(self.model, data, each) for each in self.configurations(q)]
+        return [(M + np.triu(M, 1).T)[np.ix_(order, order)] for M in map(np.triu, upper)]
 
 
 @lru_cache(maxsize=4)

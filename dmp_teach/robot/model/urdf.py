@@ -8,9 +8,9 @@ from pathlib import Path
 from xml.etree import ElementTree as ET
 
 import numpy as np
+from scipy.spatial.transform import Rotation
 
-from dmp_teach.errors import JointError
-from dmp_teach.trajectory import Array, locked
+from dmp_teach.trajectory import Array, lock_fields
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,8 +43,7 @@ class Joint:
     effort: float = np.inf
 
     def __post_init__(self) -> None:
-        """Lock the arrays."""
-        _lock(self, "X_parent_joint", "axis")
+        lock_fields(self, "X_parent_joint", "axis")
 
     def pose(self, q: Array) -> Array:
         """Return the pose of the child in the parent at q (T,) [rad or m], shape (T, 4, 4)."""
@@ -52,7 +51,8 @@ class Joint:
         if self.type == "prismatic":
             X[:, :3, 3] += q[:, None] * (self.X_parent_joint[:3, :3] @ self.axis)
         elif self.type in ("revolute", "continuous"):
-            X[:, :3, :3] = self.X_parent_joint[:3, :3] @ _turn(self.axis, q)
+            turn = Rotation.from_rotvec(q[:, None] * self.axis).as_matrix()
+            X[:, :3, :3] = self.X_parent_joint[:3, :3] @ turn
         return X
 
 
@@ -78,9 +78,7 @@ class Visual:
     color: Array
 
     def __post_init__(self) -> None:
-        """Lock the arrays."""
-        _lock(self, "X_link_visual", "vertices", "normals", "color")
-        object.__setattr__(self, "faces", locked(self.faces, dtype=np.int64))
+        lock_fields(self, "X_link_visual", "vertices", "normals", "faces", "color")
 
 
 def read_robot(path: Path) -> tuple[str, tuple[str, ...], tuple[Joint, ...]]:
@@ -92,31 +90,13 @@ def read_robot(path: Path) -> tuple[str, tuple[str, ...], tuple[Joint, ...]]:
 
 
 def read_visuals(path: Path) -> Iterator[Visual]:
-    """Yield the pieces of the shell, their meshes read from beside the URDF.
-
-    Raises:
-        JointError: A visual that is not a mesh.
-    """
+    """Yield the pieces of the shell, their meshes read from beside the URDF."""
     for link in ET.parse(path).getroot().iter("link"):
         for piece in link.findall("visual"):
-            yield _visual(link.attrib["name"], piece, path.parent)
-
-
-def _lock(value: object, *names: str) -> None:
-    """Copy and lock some arrays of a frozen value."""
-    for name in names:
-        object.__setattr__(value, name, locked(getattr(value, name)))
-
-
-def _turn(axis: Array, angles: Array) -> Array:
-    """Return rotations (T, 3, 3) about a unit axis: I + sin K + (1 - cos) K K (Rodrigues)."""
-    x, y, z = axis
-    K = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
-    return (
-        np.eye(3)
-        + np.sin(angles)[:, None, None] * K
-        + (1 - np.cos(angles))[:, None, None] * (K @ K)
-    )
+            (mesh,) = piece.iterfind("geometry/mesh")
+            shell = read_obj(path.parent / mesh.attrib["filename"])
+            color = _numbers(piece.find("material/color"), "rgba", "0.7 0.7 0.7 1")
+            yield Visual(link.attrib["name"], read_origin(piece), *shell, color)
 
 
 def _numbers(element: ET.Element | None, name: str, default: str) -> Array:
@@ -130,8 +110,7 @@ def read_origin(element: ET.Element) -> Array:
     """Read the pose in an <origin>: a place, and turns about the fixed x, y and z, in order."""
     found = element.find("origin")
     X = np.eye(4)
-    for axis, angle in zip(np.eye(3), _numbers(found, "rpy", "0 0 0"), strict=True):
-        X[:3, :3] = _turn(axis, np.array([angle]))[0] @ X[:3, :3]
+    X[:3, :3] = Rotation.from_euler("xyz", _numbers(found, "rpy", "0 0 0")).as_matrix()
     X[:3, 3] = _numbers(found, "xyz", "0 0 0")
     return X
 
@@ -152,25 +131,6 @@ def _joint(element: ET.Element) -> Joint:
         X_parent_joint=read_origin(element),
         axis=axis / (np.linalg.norm(axis) or 1.0),
         **bounds,
-    )
-
-
-def _visual(link: str, element: ET.Element, folder: Path) -> Visual:
-    """Read a <visual> with a mesh beside the URDF."""
-    mesh = element.find("geometry/mesh")
-    color = element.find("material/color")
-    if mesh is None:
-        raise JointError(
-            f"A visual of {link!r} is not a mesh; the shells of our robots are all meshes."
-        )
-    vertices, normals, faces = read_obj(folder / mesh.attrib["filename"])
-    return Visual(
-        link,
-        read_origin(element),
-        vertices,
-        normals,
-        faces,
-        _numbers(color, "rgba", "0.7 0.7 0.7 1"),
     )
 
 

@@ -20,12 +20,7 @@ from dmp_teach.trajectory import Array
 
 
 class Unreachable(Exception):  # noqa: N818 (it is caught inside the robot, never shown)
-    """The arm cannot write this ink on this page.
-
-    Args:
-        problem: What is wrong, in a sentence.
-        collides: Whether the arm touches something, so that a plan can say when and how deep.
-    """
+    """The arm cannot write this ink on this page; `collides` if it touches something on the way."""
 
     def __init__(self, problem: str, collides: bool = False) -> None:
         super().__init__(problem)
@@ -40,7 +35,7 @@ class Reach:
     Args:
         q: Joint positions over the middle of the ink, shape (J,) [rad, m].
         notes: What the writer should know.
-        warning: The one among them that says that the arm is nearly stretched out; else empty.
+        warning: The one among them that the arm is nearly stretched out; else empty.
     """
 
     q: Array
@@ -49,16 +44,7 @@ class Reach:
 
 
 def check_reach(solver: Solver, page: Page, ink: Array) -> Reach:
-    """Find how the arm reaches all of a page, or else all of the ink on it.
-
-    Args:
-        solver: This thread's solver.
-        page: The sheet.
-        ink: Points of the ink on the page, shape (N, 2) [m].
-
-    Raises:
-        Unreachable: A part of the ink is out of reach; says which, and by how much.
-    """
+    """Find how the arm reaches all of a page, or else all ink (N, 2) [m], or raise Unreachable."""
     area = ink.min(axis=0), ink.max(axis=0)
     if obstacle := describe_obstacle(page):
         raise Unreachable(obstacle)
@@ -87,14 +73,7 @@ def check_reach(solver: Solver, page: Page, ink: Array) -> Reach:
 
 
 def measure_misses(solver: Solver, page: Page, area: Area, among: str = "") -> dict[str, float]:
-    """Return how far the tip of an upright pen stays from each place around an area, at best [m].
-
-    Args:
-        solver: This thread's solver.
-        page: The sheet.
-        area: The part.
-        among: "corner" for those only.
-    """
+    """Return how far the tip of an upright pen stays from places around an area, at best [m]."""
     return {
         name: _miss(solver, page, place)
         for name, place in list_rim_places(*area).items()

@@ -15,7 +15,7 @@ from dmp_teach.robot.page import A4, Page
 from dmp_teach.robot.reach.check import measure_misses
 from dmp_teach.robot.reach.posture import STRAINED_EFFORT, find_posture
 from dmp_teach.robot.reach.suggest import whole_area
-from dmp_teach.trajectory import Array, locked
+from dmp_teach.trajectory import Array, lock_fields, locked
 
 # Of a page's centre, ahead of the robot and to its left [m], and of its tilt from a table, 0, to a
 # whiteboard, a right angle [rad].
@@ -54,9 +54,7 @@ class ReachMap:
     residual: Array
 
     def __post_init__(self) -> None:
-        """Lock the arrays."""
-        for name in ("x", "across", "effort", "residual"):
-            object.__setattr__(self, name, locked(getattr(self, name)))
+        lock_fields(self, "x", "across", "effort", "residual")
 
     @property
     def reached(self) -> BoolArray:
@@ -69,7 +67,6 @@ class ReachMap:
         return self.effort < STRAINED_EFFORT
 
     def __repr__(self) -> str:
-        """Say how many pages of how many are reached."""
         rows, columns = self.reached.shape
         grid = f"{rows} {self.across_name} by {columns} x"
         return f"ReachMap({grid}, {self.reached.sum()} of {self.reached.size} reached)"

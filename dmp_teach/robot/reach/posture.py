@@ -71,8 +71,8 @@ class ArmPosture:
 
     Args:
         q: Joint positions there, shape (J,) [rad, m]; the torso stays as it is here.
-        effort: The greatest speed of a joint as a part of its limit where a pen at `SWIFT_WRITING`
-            asks most of it; inf where the arm cannot write.
+        effort: The greatest share of a joint's speed limit that a pen at `SWIFT_WRITING` asks
+            for; inf where the arm cannot write.
         trouble: Why the arm cannot write here; empty where it can.
         collides: Whether that is because it touches the robot or what the page lies on.
     """
@@ -91,10 +91,9 @@ class ArmPosture:
 def find_posture(
     solver: Solver, page: Page, low: Array, high: Array, quick: bool = False
 ) -> ArmPosture:
-    """Find a posture for a part of a page from `low` to `high` (2,); the same one is found once.
+    """Find a posture for a part of a page from `low` to `high` (2,), each one once.
 
-    A quick search knows fewer postures: it may find trouble where there is none, and never the
-    other way round.
+    A quick search knows fewer postures: it may find trouble where there is none.
     """
     key = (*(part.tobytes() for part in (page.X_world_page, page.size, low, high)), quick)
     if key not in solver.verdicts:
@@ -182,9 +181,7 @@ def _try_posture(solver: Solver, start: Array, page: Page, low: Array, high: Arr
 def _effort_between(solver: Solver, moved: Array, turned: Array) -> float:
     """Return what a way between places asks of the joints, in parts of their speed limits.
 
-    An arm that is straight between the two, and bent at both, shows in nothing else. Nor does a
-    joint that passes half a turn: its angle starts again from the other side, and PlaCo would pull
-    it all the way back to its posture.
+    Only here shows an arm that is straight between two places, or a joint that passes half a turn.
     """
     far = np.linalg.norm(moved)
     speeds = SWIFT_WRITING * np.abs(turned[1:]) / solver.fastest[1:]
@@ -230,17 +227,10 @@ def _trouble(solver: Solver, page: Page, spot: Array) -> tuple[str, bool] | None
 
 
 def _effort_at(solver: Solver, page: Page, q: Array, J: Array) -> float:
-    """Return what a pen at `SWIFT_WRITING` asks of the joints, as a part of their speed limits.
+    """Return what a pen at `SWIFT_WRITING` asks of joints (N, J), in parts of their limits.
 
-    The joints' speeds are J^+ v, where J (5, J) holds the tip's velocity and the tilting of the
-    pen; the torso stays. A joint that comes up against its stop leaves the others a jolt: such a
-    posture is taken only if there is no other.
-
-    Args:
-        solver: This thread's solver.
-        page: The sheet.
-        q: Joints where the pen has been, shape (N, J) [rad, m].
-        J: The `Solver.jacobian` there, shape (N, 6, J).
+    Their speeds are J^+ v, where J holds the tip's velocity and the tilting of the pen; the torso
+    stays. A joint at its stop leaves the others a jolt: such a posture is the last to be taken.
     """
     q = q[:, 1:]
     J = J[:, :, 1:]

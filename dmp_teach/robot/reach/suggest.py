@@ -31,12 +31,9 @@ _UPRIGHT = Page.board().X_world_page[:3, 3]
 
 @dataclass(frozen=True, eq=False)
 class Suggestion:
-    """A page that the arm reaches with ease.
+    """A page that the arm reaches with ease: for this ink, or else smaller ink in its middle.
 
-    Args:
-        page: To be typed.
-        fits: Whether for this ink, too; if not, then for smaller ink in its middle.
-        moved: How far from the page that was wanted, where it is turned as that was; else NaN [m].
+    `moved` is how far it is from the page that was wanted, where it is turned alike; else NaN [m].
     """
 
     page: Page
@@ -44,20 +41,13 @@ class Suggestion:
     moved: float = np.nan
 
     def __str__(self) -> str:
-        """Say what to do."""
         if not self.fits:
             return f"Try smaller ink in the middle of {self.page!r}."
         return f"Try {self.page!r}."
 
 
 def suggest_page(solver: Solver, page: Page, area: Area) -> Suggestion:
-    """Find the nearest page on which the arm reaches all of it, or else all of the ink, with ease.
-
-    Args:
-        solver: This thread's solver.
-        page: The one that was wanted.
-        area: Where its ink is.
-    """
+    """Find the nearest page on which the arm reaches all, or else all of the ink, with ease."""
     for sheet in _sheets(page, area):
         for other in _turned(sheet):
             for part in (whole_area(other), area):
@@ -75,12 +65,7 @@ def suggest_page(solver: Solver, page: Page, area: Area) -> Suggestion:
 
 
 def list_other_pages(page: Page, area: Area) -> Iterator[Page]:
-    """Yield other pages for the same ink, the likest first, each as easy to reach as can be.
-
-    Args:
-        page: The one that was wanted.
-        area: Where its ink is.
-    """
+    """Yield other pages for the same ink, the likest first, each as easy to reach as can be."""
     best = [
         _best_place(other, part) for other in _turned(page) for part in (whole_area(other), area)
     ]

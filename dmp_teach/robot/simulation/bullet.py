@@ -22,11 +22,7 @@ _FINER = 2
 
 @contextmanager
 def open_world() -> Iterator[tuple[ModuleType, int]]:
-    """Open a pybullet world without a window; one that stays open keeps 30 MB.
-
-    Raises:
-        MissingPartError: pybullet is not installed.
-    """
+    """Open a pybullet world without a window; one that stays open keeps 30 MB."""
     try:
         with quiet():  # it prints when it was built
             import pybullet  # noqa: PLC0415 (heavy, and absent on some platforms)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from dmp_teach.robot.model.reduced import load_reduced_robot
 from dmp_teach.robot.motion import Motion
 from dmp_teach.robot.simulation.world import World
 from dmp_teach.trajectory import Array
@@ -57,16 +58,11 @@ class IdealMotors:
 
 
 class RealMotors:
-    """Motors with dry friction and limited efforts, and encoders and a model that are a little off.
+    """Motors with dry friction and limits, and encoders and a model that are a little off.
 
-    The controller is a computed torque, tau = h(q, q', q'') + M (w^2 e + 2 w e') with
-    w = `_BANDWIDTH`: h is what the model needs for the plan, M its mass matrix, e what the encoders
-    say is missing.
-
-    Args:
-        world: The world; its links get new masses here.
-        motion: The plan.
-        rng: Where all that differs from one robot to the next comes from.
+    The controller is a computed torque, tau = h(q, q', q'') + M (w^2 e + 2 w e') with w =
+    `_BANDWIDTH`: h is what the model needs for the plan, M its mass matrix, e what the encoders say
+    is missing. All that differs from one robot to the next comes from `rng`.
     """
 
     def __init__(self, world: World, motion: Motion, rng: np.random.Generator) -> None:
@@ -74,8 +70,9 @@ class RealMotors:
         self._world = world
         self._q = motion.q
         self._v = np.gradient(motion.q, dt, axis=0)
-        self._needed = world.dynamics(motion.q, self._v, np.gradient(self._v, dt, axis=0))
-        self._inertia = [world.inertia(q) for q in motion.q[::_EVERY]]
+        robot = load_reduced_robot(motion.joint_names)
+        self._needed = robot.torques(motion.q, self._v, np.gradient(self._v, dt, axis=0))
+        self._inertia = robot.inertia(motion.q[::_EVERY])
         self._off = rng.uniform(-_ENCODER_ERROR, _ENCODER_ERROR, len(world.arm))
         self._rub(rng.uniform(*_DRY_FRICTION, len(world.arm)) * world.limits)
         self._weigh(1 + _MASS_ERROR * rng.standard_normal(len(world.links)).clip(-3, 3))

@@ -10,7 +10,7 @@ from scipy.spatial import cKDTree
 
 from dmp_teach.robot.motion import BoolArray, Motion
 from dmp_teach.robot.page import Page
-from dmp_teach.trajectory import Array, Trajectory, locked
+from dmp_teach.trajectory import Array, Trajectory, lock_fields
 
 INK_COVER = 0.002
 """Ink this near to a place of the letter covers it [m]."""
@@ -64,11 +64,8 @@ class Run:
     stopped: bool = False
 
     def __post_init__(self) -> None:
-        """Lock every array and tuple."""
         object.__setattr__(self, "ink", tuple(self.ink))
-        object.__setattr__(self, "contact", locked(self.contact, dtype=bool))
-        for name in ("nib", "force", "effort", "limits"):
-            object.__setattr__(self, name, locked(getattr(self, name)))
+        lock_fields(self, "nib", "force", "contact", "effort", "limits")
 
     @property
     def t(self) -> Array:
@@ -150,7 +147,6 @@ class Run:
         return tuple(sentence for check in checks if (sentence := check(self)))
 
     def __repr__(self) -> str:
-        """Show it in one line, without the numbers."""
         low, high = self.force_band
         ink = "no ink"
         if self.writing.any():
@@ -161,11 +157,7 @@ class Run:
 
 
 def measure_distances(points: Array, planned: Motion) -> Array:
-    """Return the distances of points of the page (K, 2) from the planned letter, shape (K,) [m].
-
-    The letter is a chain of straight pieces from sample to sample; of these, those near the point
-    are tried.
-    """
+    """Return the distances of points of the page (K, 2) from the planned letter, (K,) [m]."""
     down = planned.pen_down
     letter = planned.page.to_page(planned.target)[:, :2]
     starts = np.flatnonzero(down[:-1] & down[1:])

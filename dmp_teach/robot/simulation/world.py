@@ -54,14 +54,9 @@ class StepResult(NamedTuple):
 
 
 class World:
-    """A Fetch bolted to the floor, its arm where a motion begins, and a page.
+    """A Fetch bolted to the floor, its arm where a motion begins, and a page where it really lies.
 
-    Args:
-        bullet: pybullet.
-        number: Of its client.
-        motion: What is to be done; its first sample is where the arm starts.
-        page: Where the sheet really lies.
-        pen: "sprung" or "rigid".
+    Args as in `simulate`; `number` is that of the client of pybullet.
     """
 
     def __init__(
@@ -74,14 +69,14 @@ class World:
         self.call("setPhysicsEngineParameter", deterministicOverlappingPairs=1)
         flags = bullet.URDF_USE_INERTIA_FROM_FILE | bullet.URDF_IGNORE_VISUAL_SHAPES
         self.robot = self.call("loadURDF", str(PENS[pen]), useFixedBase=True, flags=flags)
-        self._facts = [
+        self.facts = [
             self.call("getJointInfo", self.robot, n)
             for n in range(self.call("getNumJoints", self.robot))
         ]
-        numbers = {fact[1].decode(): fact[0] for fact in self._facts}
-        links = {fact[12].decode(): fact[0] for fact in self._facts}
+        numbers = {fact[1].decode(): fact[0] for fact in self.facts}
+        links = {fact[12].decode(): fact[0] for fact in self.facts}
         self.arm = [numbers[name] for name in motion.joint_names]
-        self.limits = np.array([self._facts[n][10] for n in self.arm])
+        self.limits = np.array([self.facts[n][10] for n in self.arm])
         self._slide = numbers.get(SLIDE_JOINT)
         self._tip = links["pen_tip"]
         self._pushed = 0.0
@@ -97,7 +92,7 @@ class World:
     @property
     def links(self) -> range:
         """Numbers of the robot's links, without its base."""
-        return range(len(self._facts))
+        return range(len(self.facts))
 
     def step(self) -> StepResult:
         """Let one step of time pass, after the motors have been set."""
@@ -120,45 +115,9 @@ class World:
         force = sum(point[9] for point in points)
         return StepResult(q, [state[1] for state in arm], [state[3] for state in arm], force)
 
-    def dynamics(self, q: Array, v: Array, a: Array) -> Array:
-        """Compute the efforts of a movement by the model, pen in the air, shape (T, J) [N m, N].
-
-        Args:
-            q: Positions, shape (T, J) [rad, m].
-            v: Velocities, shape (T, J) [rad/s, m/s].
-            a: Accelerations, shape (T, J) [rad/s^2, m/s^2].
-        """
-        full, columns = self._all_joints()
-        efforts = np.empty_like(q)
-        still = np.zeros_like(full)
-        for row in range(len(q)):
-            moment = [full.copy(), still.copy(), still.copy()]
-            for values, given in zip(moment, (q[row], v[row], a[row]), strict=True):
-                values[columns] = given
-            needed = self.call(
-                "calculateInverseDynamics", self.robot, *(values.tolist() for values in moment)
-            )
-            efforts[row] = np.array(needed)[columns]
-        return efforts
-
-    def inertia(self, q: Array) -> Array:
-        """Return the arm's mass matrix by the model, shape (J, J) [kg m^2, kg m, kg]."""
-        full, columns = self._all_joints()
-        full[columns] = q
-        return np.array(self.call("calculateMassMatrix", self.robot, full.tolist()))[
-            np.ix_(columns, columns)
-        ]
-
-    def _all_joints(self) -> tuple[Array, list[int]]:
-        """Return positions of all joints at rest, and which of them belong to the arm."""
-        moving = [fact for fact in self._facts if fact[2] != self.bullet.JOINT_FIXED]
-        full = np.array([REST.get(fact[1].decode(), 0.0) for fact in moving])
-        order = [fact[0] for fact in moving]
-        return full, [order.index(number) for number in self.arm]
-
     def _place(self, q: Array) -> None:
         """Put the robot where it starts, with all else held; only the nib can touch anything."""
-        for number in range(-1, len(self._facts)):
+        for number in range(-1, len(self.facts)):
             self.call("setCollisionFilterGroupMask", self.robot, number, 0, 0)
         self.call("setCollisionFilterGroupMask", self.robot, self._tip, 1, 1)
         self.call("changeDynamics", self.robot, self._tip, lateralFriction=1.0)
@@ -167,7 +126,7 @@ class World:
             # Not the URDF's damping: at full speed it would ask more of the wrist's roll than its
             # motor has (5 N m s/rad, 2.27 rad/s, 7.36 N m).
             self.call("changeDynamics", self.robot, number, jointDamping=0.0)
-        for fact in self._facts:
+        for fact in self.facts:
             number = fact[0]
             position = REST.get(fact[1].decode(), 0.0)
             if fact[2] == self.bullet.JOINT_FIXED or number in self.arm:
