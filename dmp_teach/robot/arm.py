@@ -53,8 +53,7 @@ class Solver:
         with quiet():
             self._robot = placo.RobotWrapper("", 0, _bare_urdf())
         self._solver = solver = self._robot.make_solver()
-        self.state_size = len(self._robot.state.q)
-        self.columns = {name: self._robot.get_joint_offset(name) for name in JOINTS}
+        self._turning = [joint.type == "continuous" for joint in joints]
         self._speeds = [self._robot.get_joint_v_offset(name) for name in JOINTS]
         solver.dt = 1 / MOTION_RATE
         # With a free base the robot flies to the page.
@@ -146,10 +145,6 @@ class Solver:
         """Return the pose of the pen's tip in the world, shape (4, 4) [m]."""
         return self._robot.get_T_world_frame("pen_tip")
 
-    def base(self) -> Array:
-        """Return the pose of the robot's base in the world, (4, 4) [m]: always the identity."""
-        return self._robot.get_T_world_fbase()
-
     def place_of(self, link: str) -> Array:
         """Return the origin of a link in the world, shape (3,) [m]."""
         return self._robot.get_T_world_frame(link)[:3, 3]
@@ -164,7 +159,7 @@ class Solver:
 
     def follow(
         self,
-        q: Array,
+        start: Array,
         normal: Array,
         path: Array,
         report: Callable[[str, float], object],
@@ -173,34 +168,23 @@ class Solver:
         """Solve for the joints along a path (T, 3) in the world, shape (T, J) [rad, m], unwrapped.
 
         Args:
-            q: Where the arm stands before, shape (J,) [rad, m]; the torso stays as it is.
+            start: Where the arm stands before, shape (J,) [rad, m]; the torso stays as it is.
             normal: Out of the paper, shape (3,).
             path: In the world, shape (T, 3) [m].
             report: Called with "joints" and how much is done.
             solves: Solutions and updates for every sample.
         """
-        self.stand(q, normal, torso=False)
+        self.stand(start, normal, torso=False)
         self.glide(path[0])
         self.settle(path[0])
-        states = np.empty((len(path), self.state_size))
+        q = np.empty((len(path), len(JOINTS)))
         for row, target in enumerate(path):
             if row % 60 == 0:
                 report("joints", row / len(path))
             self.go(target, solves)
-            states[row] = self._robot.state.q
+            q[row] = self.joints()
         report("joints", 1.0)
-        return self.unpacked(states)
-
-    def unpacked(self, states: Array) -> Array:
-        """Convert PlaCo's states (T, n) to joint positions (T, J).
-
-        A joint that turns for ever is held as the cosine and sine of its angle; here it does not
-        jump at half a turn.
-        """
-        q = states[:, list(self.columns.values())]
-        for number, (name, column) in enumerate(self.columns.items()):
-            if self._robot.get_joint_size(name) == 2:
-                q[:, number] = np.unwrap(np.arctan2(states[:, column + 1], states[:, column]))
+        q[:, self._turning] = np.unwrap(q[:, self._turning], axis=0)
         return q
 
 

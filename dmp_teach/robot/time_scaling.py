@@ -7,7 +7,7 @@ unlimited places the clock changes its rate smoothly; how it does is ours.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from itertools import pairwise
 
 import numpy as np
@@ -25,8 +25,6 @@ EASING = 0.1
 
 # The part of SPEED_SHARE that is aimed at: the joints are solved anew on the new clock.
 _SPARE = 0.995
-# So many slowed places are described.
-_DESCRIBED = 3
 
 
 class TimeScaling:
@@ -39,7 +37,6 @@ class TimeScaling:
         self._path = path
         self._names = joint_names
         self._needed = np.ones((path.rests[-1] + 1, len(joint_names)))
-        self._late: list[Array] = [np.zeros(segment.steps + 1) for segment in path.segments]
         self.samples = np.arange(path.rests[-1] + 1.0)
         """Which sample of the unhurried plan is due at each sample, in fractions too, (T,)."""
 
@@ -58,52 +55,20 @@ class TimeScaling:
             np.maximum.at(self._needed, (beside.astype(int), joints), wanted)
         needed = self._needed.max(axis=1)
         rests = self._path.rests
-        self._late = [compute_lateness(needed[start : stop + 1]) for start, stop in pairwise(rests)]
         parts = [
-            start + find_due_samples(late)
-            for start, late in zip(rests[:-1], self._late, strict=True)
+            start + find_due_samples(compute_lateness(needed[start : stop + 1]))
+            for start, stop in pairwise(rests)
         ]
         self.samples = np.concatenate([*(part[:-1] for part in parts), parts[-1][-1:]])
         return True
 
     @property
     def notes(self) -> tuple[str, ...]:
-        """What was slowed, by which joint, and from what to what: one sentence, or none."""
-        places = sorted(self._places(), reverse=True)
-        if not places:
-            return ()
+        """From what to what the plan was slowed, and by which joints: one sentence, or none."""
         worst = self._needed.max(axis=0)
         names = ", ".join(self._names[joint] for joint in np.argsort(-worst) if worst[joint] > 1)
-        told = ", ".join(text for *_, text in places[:_DESCRIBED])
-        more = f" and {len(places) - _DESCRIBED} more places" if len(places) > _DESCRIBED else ""
         before, after = self._path.rests[-1] / MOTION_RATE, (len(self.samples) - 1) / MOTION_RATE
-        return (
-            f"slowed from {before:.2f} s to {after:.2f} s: {names}, so that none goes faster than "
-            f"{SPEED_SHARE} of its limit. Slower is {told}{more}",
-        )
-
-    def _places(self) -> Iterator[tuple[float, str]]:
-        """Yield every slowed place: what it costs in samples, and in words."""
-        strokes = 0
-        for segment, start, late in zip(
-            self._path.segments, self._path.rests[:-1], self._late, strict=True
-        ):
-            where = f"stroke {strokes}" if segment.down else f"the air before stroke {strokes}"
-            strokes += segment.down
-            if segment is self._path.segments[-1]:
-                where = "the last lift"
-            for (run,) in find_objects(label(late > 0)[0]):
-                needed = self._needed[start + run.start : start + run.stop].max(axis=0)
-                ends = np.interp(
-                    [start + run.start, start + run.stop - 1],
-                    self.samples,
-                    np.arange(len(self.samples)),
-                )
-                yield (
-                    float(late[run].sum()),
-                    f"{where} from {ends[0] / MOTION_RATE:.2f} s to {ends[1] / MOTION_RATE:.2f} s "
-                    f"(up to {1 + late[run].max():.1f} times, for {self._names[needed.argmax()]})",
-                )
+        return (f"slowed from {before:.2f} s to {after:.2f} s: {names}",) if names else ()
 
 
 def compute_lateness(needed: Array) -> Array:

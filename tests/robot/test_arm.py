@@ -43,7 +43,7 @@ def test_too_fast_is_slowed_and_said(letter, faster, page):
     hasty = tuple(Trajectory(s.t / faster, s.position) for s in letter)
     motion = Fetch().write(hasty, page, size=ink.fitting(hasty, page))
     assert_sound(motion)
-    hurried = motion.duration > connect_strokes(motion.strokes).plan().duration
+    hurried = motion.duration > connect_strokes(motion.strokes).plan().t[-1]
     assert hurried == any(note.startswith("slowed from ") for note in motion.notes)
     if hurried:
         assert f"to {motion.duration:.2f} s: " in motion.notes[0]
@@ -53,10 +53,7 @@ def test_too_fast_is_slowed_and_said(letter, faster, page):
 def test_a_hasty_large_letter_is_slowed():
     hasty = tuple(Trajectory(s.t / 6, s.position) for s in LETTER)
     motion = Fetch().write(hasty, Page.table(), size=0.2)
-    words = re.match(
-        r"slowed from (\d\.\d\d) s to (\d\.\d\d) s: (\w+), .* Slower is stroke 0 from ",
-        motion.notes[0],
-    )
+    words = re.match(r"slowed from (\d\.\d\d) s to (\d\.\d\d) s: (\w+)", motion.notes[0])
     assert float(words[1]) < float(words[2]) == pytest.approx(motion.duration, abs=0.006)
     assert words[3] in JOINTS
     assert all("its motor gives" in note for note in motion.notes[1:])
@@ -96,10 +93,9 @@ def test_the_arm_starts_and_ends_at_rest():
     assert speed[[0, -1]].max() < 0.02
 
 
-def test_the_base_and_the_torso_stay():
+def test_the_torso_stays():
     motion = Fetch().write(LETTER, Page.table())
     assert np.ptp(motion.q[:, JOINTS.index("torso_lift_joint")]) == 0
-    np.testing.assert_array_equal(get_solver().base(), np.eye(4))
 
 
 def test_the_same_input_gives_the_same_motion_whatever_was_written_before():
@@ -217,14 +213,14 @@ def test_the_posture_comes_to_rest():
 
 
 def test_joints_that_turn_for_ever_do_not_jump_at_half_a_turn():
-    solver = get_solver()
-    turns = np.linspace(3, 10, 500)
-    states = np.zeros((500, solver.state_size))
-    column = solver.columns["forearm_roll_joint"]
-    states[:, column], states[:, column + 1] = np.cos(turns), np.sin(turns)
-    np.testing.assert_allclose(
-        solver.unpacked(states)[:, JOINTS.index("forearm_roll_joint")], turns
-    )
+    solver, roll = get_solver(), JOINTS.index("forearm_roll_joint")
+    start = (0.386, -0.11, -0.45, -0.37, 1.53, -3.1, 0.9, 0.8)
+    solver.stand(start, np.array([0.0, 0, 1]), torso=False)
+    X = solver.pen().copy()
+    path = X[:3, 3] + np.linspace(0, 1, 240)[:, None] * [0, -0.1, 0]
+    q = solver.follow(start, -X[:3, 2], path, lambda step, part: None)
+    assert q[:, roll].min() < -np.pi < q[:, roll].max()
+    assert np.abs(np.diff(q, axis=0)).max() < 0.05
 
 
 def test_without_placo_the_sentence_says_what_to_do_and_the_rest_goes_on(monkeypatch):

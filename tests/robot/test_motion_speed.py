@@ -1,5 +1,3 @@
-import re
-
 import numpy as np
 import pytest
 from hypothesis import strategies as st
@@ -72,26 +70,22 @@ def test_a_piece_of_few_samples_can_be_slowed_too(length):
     np.testing.assert_allclose(np.diff(samples), np.diff(samples)[0])
 
 
-def test_a_clock_heeds_the_joint_that_hurries_and_says_where():
+def test_a_clock_heeds_the_joint_that_hurries_where_it_does():
     way = connect_strokes(lay_out(LETTER, Page.table()))
-    clock = TimeScaling(way, ("slow", "fast"))
+    clock, hurry = TimeScaling(way, ("slow", "fast")), way.rests[1] + 100
     assert not clock.slow_down(np.full((way.rests[-1], 2), SPEED_SHARE))
     assert clock.notes == ()
     speeds = np.zeros((way.rests[-1], 2))
-    speeds[way.rests[1] + 100, 1] = 2 * SPEED_SHARE
+    speeds[hurry, 1] = 2 * SPEED_SHARE
     assert clock.slow_down(speeds)
-    (note,) = clock.notes
-    assert note.startswith(
+    assert clock.notes == (
         f"slowed from {way.rests[-1] / MOTION_RATE:.2f} s to "
-        f"{(len(clock.samples) - 1) / MOTION_RATE:.2f} s: fast,"
+        f"{(len(clock.samples) - 1) / MOTION_RATE:.2f} s: fast",
     )
-    start, end, times = map(
-        float,
-        re.search(r"stroke 0 from (.*) s to (.*) s \(up to (.*) times, for fast\)", note).groups(),
-    )
-    assert start < (way.rests[1] + 100) / MOTION_RATE < end
-    assert 2.0 <= times < 2.2
-    assert "slow," not in note
+    pace = np.diff(clock.samples)
+    assert 2.0 <= 1 / pace.min() < 2.2
+    slowed = clock.samples[:-1][pace < 1 - 1e-6]
+    assert hurry - 2 * REACH - 2 < slowed.min() < hurry < slowed.max() < hurry + 2 * REACH + 2
 
 
 @law(examples=8, letter=ink.letters(), faster=st.floats(2, 8))
@@ -117,33 +111,18 @@ def test_slowed_ink_is_the_same_ink_at_rest_at_both_ends_of_every_stroke(letter,
 
 def test_far_from_a_hurry_the_pace_stays_and_the_ink_is_nowhere_else():
     motion = Fetch().write(hasty(2), Page.table(), size=0.19)
-    (note,) = motion.notes
-    (start, end), *more = [
-        tuple(map(float, span)) for span in re.findall(r"from (\d[\d.]*) s to ([\d.]+) s \(", note)
-    ]
-    assert not more
     plain, position = connect_strokes(motion.strokes).plan(), motion.page.to_page(motion.target)
-    before, after = (
-        int(start * MOTION_RATE) - 1,
-        len(motion.t) - int(np.ceil(end * MOTION_RATE)) - 1,
-    )
+    before = np.argmax(np.abs(position[: len(plain.t)] - plain.position).max(axis=1) > 1e-9)
+    after = np.argmax(np.abs(position[::-1][: len(plain.t)] - plain.position[::-1]).max(1) > 1e-9)
     assert before > 50
     assert after > 200
-    np.testing.assert_allclose(position[:before], plain.position[:before], atol=1e-12)
-    np.testing.assert_allclose(position[-after:], plain.position[-after:], atol=1e-12)
     np.testing.assert_array_equal(motion.pen_down[-after:], plain.pen_down[-after:])
     fine = connect_strokes(motion.strokes).plan(np.arange(0, len(plain.t) - 0.99, 0.05)).position
     missed = [np.linalg.norm(fine - spot, axis=1).min() for spot in position]
     assert max(missed) < 1e-4
     speed = np.abs(np.diff(motion.q, axis=0)).max(axis=0) * MOTION_RATE
-    hurried = JOINTS.index(note.partition(": ")[2].split(", ")[0])
+    hurried = JOINTS.index(motion.notes[0].partition(": ")[2].split(", ")[0])
     assert speed[hurried] > 0.95 * SPEED_SHARE * LIMITS[hurried].velocity
-
-
-def test_slowing_locally_costs_less_than_slowing_all_of_it():
-    motion = Fetch().write(hasty(4), Page.table(), size=0.19)
-    times = max(map(float, re.findall(r"up to ([\d.]+) times", motion.notes[0])))
-    assert motion.duration < 0.6 * times * connect_strokes(motion.strokes).plan().t[-1]
 
 
 def test_a_slowed_motion_is_the_same_bit_for_bit_when_it_is_planned_again():
