@@ -18,6 +18,7 @@ from dmp_teach.errors import SetupError
 from dmp_teach.launcher.lab import (
     ROOT,
     WINDOWS,
+    WORK,
     answer_signals,
     clean_environment,
     end_family,
@@ -59,6 +60,14 @@ def main(arguments=None):
     lab_parser = commands.add_parser("lab", help="open the notebooks in JupyterLab")
     lab_parser.add_argument("--no-browser", action="store_true", help="only say where it is")
     lab_parser.add_argument("--port", type=int, help="the port to use, instead of any free one")
+    lab_parser.add_argument("--work", type=Path, default=WORK, help="the folder of your copies")
+    lab_parser.add_argument(
+        "--fresh",
+        nargs="*",
+        metavar="LESSON",
+        help="begin lessons anew, such as 03, or all; what you changed is moved to work/earlier",
+    )
+    lab_parser.add_argument("--full", action="store_true", help="show all of JupyterLab")
     commands.add_parser(
         "test",
         help="run every test; --quick: in a minute; whatever else follows goes to pytest",
@@ -72,7 +81,15 @@ def main(arguments=None):
         python = prepare()
         if options.command == "test":
             return run_tests(python, rest)
-        return lab(python, options.port, not options.no_browser)
+        fresh = () if options.fresh is None else options.fresh or ("",)
+        return lab(
+            python,
+            options.port,
+            not options.no_browser,
+            work=options.work.resolve(),
+            fresh=fresh,
+            full=options.full,
+        )
     except SetupError as error:
         print(error, file=sys.stderr)
         return 1

@@ -17,11 +17,16 @@ import urllib.request
 from pathlib import Path
 
 from dmp_teach.errors import SetupError
+from dmp_teach.launcher.work import copy_lessons
 
 ROOT = Path(__file__).resolve().parent.parent.parent
 # Jupyter's settings, tabs and log: ours, so that a user's own are neither read nor changed.
 STATE = ROOT / ".jupyter"
-FIRST_NOTEBOOK = "notebooks/00_start_here.ipynb"
+NOTEBOOKS = ROOT / "notebooks"
+# Copies of the notebooks: beside ours, where a teacher finds them, and unseen by git.
+WORK = ROOT / "work"
+FIRST_NOTEBOOK = "00_start_here.ipynb"
+EXTENSIONS = Path(__file__).resolve().parent / "labextensions"
 WINDOWS = os.name == "nt"
 
 # Ends a process and its children; run by the environment's Python, which has psutil.
@@ -57,16 +62,25 @@ def say(line):
     print(line, flush=True)
 
 
-def lab(python, port=None, browser=True):
-    """Run JupyterLab until it is ended, and return the exit code."""
+def lab(python, port=None, browser=True, *, work=WORK, fresh=(), full=False):
+    """Run JupyterLab on copies of the lessons until it is ended, and return the exit code.
+
+    See `copy_lessons` for `work` and `fresh`; `full` shows all of JupyterLab around a lesson.
+    """
     port = free_port(port)
     token = secrets.token_urlsafe(24)
+    start = ("/lab/tree/" if full else "/doc/tree/") + FIRST_NOTEBOOK
+    prepare_work(work, fresh)
     STATE.mkdir(exist_ok=True)
     say("Starting JupyterLab ...")
     with open(str(STATE / "lab.log"), "w+b") as log:
         process = subprocess.Popen(
-            [*lab_command(python, ROOT, port), "--ServerApp.open_browser={}".format(browser)],
-            cwd=str(ROOT),
+            [
+                *lab_command(python, work, port),
+                "--LabApp.default_url={}".format(start),
+                "--ServerApp.open_browser={}".format(browser),
+            ],
+            cwd=str(work),
             env=lab_environment(STATE, token),
             stdin=subprocess.DEVNULL,
             stdout=log,
@@ -74,7 +88,7 @@ def lab(python, port=None, browser=True):
             **apart(),
         )
         try:
-            return watch(process, port, token)
+            return watch(process, port, start, token)
         except KeyboardInterrupt:
             say("Ending JupyterLab ...")
             return 0
@@ -82,6 +96,17 @@ def lab(python, port=None, browser=True):
             # A second Ctrl-C must not leave kernels behind.
             answer_signals(signal.SIG_IGN)
             end_family(python, process)
+
+
+def prepare_work(work, fresh=()):
+    """Copy the lessons, and name those that stay as somebody has changed them."""
+    try:
+        behind = copy_lessons(NOTEBOOKS, work, fresh)
+    except OSError as error:
+        raise SetupError("The lessons cannot be copied to {}: {}.".format(work, error)) from error
+    if behind:
+        names = ", ".join(behind)
+        say("There is a newer version of {}. Yours stays; lab --fresh begins anew.".format(names))
 
 
 def lab_command(python, root, port):
@@ -95,7 +120,7 @@ def lab_command(python, root, port):
         "ServerApp.allow_root": True,
         "ServerApp.kernel_websocket_connection_class": "dmp_teach.launcher.server.PromptConnection",
         "FileContentsManager.pre_save_hook": "dmp_teach.launcher.notebook_privacy.without_ink",
-        "LabApp.default_url": "/lab/tree/" + FIRST_NOTEBOOK,
+        "LabApp.extra_labextensions_path": EXTENSIONS,
         # The default manager queries an index on the network.
         "LabApp.extension_manager": "readonly",
         "LabApp.check_for_updates_class": "jupyterlab.NeverCheckForUpdate",
@@ -118,8 +143,17 @@ def lab_environment(state, token):
         "page_config.json",
         {"disabledExtensions": off, "buildCheck": False, "buildAvailable": False},
     )
-    widgets = {"@jupyter-widgets/jupyterlab-manager:plugin": {"saveState": True}}
-    settle(state, "default_setting_overrides.json", widgets)
+    settle(
+        state,
+        "default_setting_overrides.json",
+        {
+            "@jupyter-widgets/jupyterlab-manager:plugin": {"saveState": True},
+            # With subshells, panels are deaf after a restart that another window asked for.
+            "@jupyterlab/apputils-extension:kernels-settings": {"commsOverSubshells": "disabled"},
+            "@jupyterlab/docmanager-extension:plugin": {"autosaveInterval": 20},
+            "@jupyterlab/notebook-extension:tracker": {"scrollPastEnd": False},
+        },
+    )
     return clean_environment(
         JUPYTER_CONFIG_DIR=str(state),
         JUPYTER_TOKEN=token,
@@ -128,22 +162,20 @@ def lab_environment(state, token):
 
 
 def settle(state, name, content):
-    """Write a file of JupyterLab's settings, unless there is one."""
+    """Write a file of JupyterLab's settings; those that stand in it already stay."""
     file = Path(str(state)) / "labconfig" / name
-    if not file.exists():
-        file.parent.mkdir(parents=True, exist_ok=True)
-        file.write_text(json.dumps(content))
+    file.parent.mkdir(parents=True, exist_ok=True)
+    own = json.loads(file.read_text()) if file.exists() else {}
+    file.write_text(json.dumps(dict(content, **own)))
 
 
-def watch(process, port, token):
+def watch(process, port, start, token):
     """Print where JupyterLab is and its errors, until it ends by itself."""
     said = False
     with open(str(STATE / "lab.log"), errors="replace") as errors:
         while process.poll() is None:
             if not said and is_up(port):
-                address = "http://127.0.0.1:{}/lab/tree/{}?token={}".format(
-                    port, FIRST_NOTEBOOK, token
-                )
+                address = "http://127.0.0.1:{}{}?token={}".format(port, start, token)
                 say("JupyterLab is at {}  (Ctrl-C ends it)".format(address))
                 said = True
             show_errors(errors)

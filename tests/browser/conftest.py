@@ -182,13 +182,13 @@ def open_notebook(chromium, lab, shot):
     """Open a notebook of the copy in JupyterLab, run its cells, and watch it to the end."""
     pages = []
 
-    def open_it(name, run=True, **context):
+    def open_it(name, run=True, view="lab", **context):
         surroundings = {"viewport": {"width": 1280, "height": 1400}, **context}
         page = chromium.new_context(**surroundings).new_page()
         listen(page)
         pages.append(page)
         page.set_default_timeout(PATIENCE / 4)
-        page.goto(f"{lab.url}/lab/tree/notebooks/{name}?reset&token={TOKEN}")
+        page.goto(f"{lab.url}/{view}/tree/notebooks/{name}?reset&token={TOKEN}")
         try:
             page.wait_for_function(f"() => ({STATE})()?.status === 'idle'", timeout=PATIENCE)
             if run:

@@ -174,7 +174,15 @@ def test_what_the_installer_says_is_passed_on(clone):
 
 
 @pytest.mark.parametrize(
-    "name", ["__init__.py", "__main__.py", "errors.py", "launcher/__init__.py", "launcher/lab.py"]
+    "name",
+    [
+        "__init__.py",
+        "__main__.py",
+        "errors.py",
+        "launcher/__init__.py",
+        "launcher/lab.py",
+        "launcher/work.py",
+    ],
 )
 def test_an_old_python_understands_the_launcher(name):
     tree = ast.parse(
@@ -192,11 +200,12 @@ def test_an_old_python_understands_the_launcher(name):
 class Server:
     """`lab --no-browser` as somebody would type it, in the environment that the tests run in."""
 
-    def __init__(self, state):
+    def __init__(self, home, *options):
+        arguments = ["lab", "--no-browser", "--work", str(home / "work"), *options]
         words = (
             "import sys, pathlib, dmp_teach.__main__ as launcher, dmp_teach.launcher.lab as lab; "
-            f"lab.STATE = pathlib.Path({str(state)!r}); launcher.prepare = lambda: sys.executable; "
-            "sys.exit(launcher.main(['lab', '--no-browser']))"
+            f"lab.STATE = pathlib.Path({str(home)!r}); launcher.prepare = lambda: sys.executable; "
+            f"sys.exit(launcher.main({arguments!r}))"
         )
         self.process = subprocess.Popen(
             [sys.executable, "-c", words],
@@ -213,7 +222,7 @@ class Server:
         self.address, self.token = self.line.split()[3].split("?token=")
 
     def ask(self, path, data=None, token=None):
-        request = urllib.request.Request(self.address.split("/lab/")[0] + path, data=data)
+        request = urllib.request.Request(self.address.split("/doc/")[0] + path, data=data)
         request.add_header("Authorization", f"token {token or self.token}")
         opener = urllib.request.build_opener(urllib.request.ProxyHandler({}))
         return json.loads(opener.open(request, timeout=20).read())
@@ -229,7 +238,8 @@ class Server:
 def test_the_lab_says_where_it_is_and_ends_with_all_its_children(tmp_path, how):
     server = Server(tmp_path)
     try:
-        assert server.address.endswith("/lab/tree/notebooks/00_start_here.ipynb")
+        assert server.address.endswith("/doc/tree/00_start_here.ipynb")
+        assert server.ask("/api/contents/00_start_here.ipynb?content=0")["path"]
         assert len(server.token) >= 32
         with pytest.raises(urllib.error.HTTPError, match="403"):
             server.ask("/api/contents", token="somebody-else")
@@ -267,6 +277,20 @@ def test_a_server_that_cannot_start_is_explained(tmp_path, monkeypatch, capsys):
     assert "[C no such thing]" in capsys.readouterr().err
 
 
+def test_full_shows_all_of_jupyterlab_and_a_folder_that_cannot_be_made_is_explained(
+    tmp_path, monkeypatch, capsys
+):
+    monkeypatch.setattr(lab, "STATE", tmp_path)
+    words = "import sys; print('[C ' + ' '.join(sys.argv)); exit(1)"
+    monkeypatch.setattr(lab, "lab_command", lambda *a: [sys.executable, "-c", words])
+    for options, start in (((), "/doc/tree/"), (("--full",), "/lab/tree/")):
+        assert launcher.main(["lab", "--no-browser", "--work", str(tmp_path / "w"), *options]) == 1
+        assert f"--LabApp.default_url={start}00_start_here.ipynb" in capsys.readouterr().err
+    (tmp_path / "file").touch()
+    assert launcher.main(["lab", "--work", str(tmp_path / "file" / "work")]) == 1
+    assert "lessons cannot be copied to" in capsys.readouterr().err
+
+
 def test_jupyters_settings_are_our_own_and_those_that_somebody_has_changed_stay(tmp_path):
     around = lab.lab_environment(tmp_path, "secret")
     assert (around["JUPYTER_CONFIG_DIR"], around["JUPYTER_TOKEN"]) == (str(tmp_path), "secret")
@@ -277,19 +301,19 @@ def test_jupyters_settings_are_our_own_and_those_that_somebody_has_changed_stay(
     assert json.loads(page.read_text())["disabledExtensions"] == {
         "@jupyterlab/apputils-extension:announcements": True
     }
-    assert json.loads(widgets.read_text()) == {
-        "@jupyter-widgets/jupyterlab-manager:plugin": {"saveState": True}
-    }
+    settings = json.loads(widgets.read_text())
+    assert settings["@jupyter-widgets/jupyterlab-manager:plugin"] == {"saveState": True}
     command = lab.lab_command("python", tmp_path, 1)
     assert (
         "--FileContentsManager.pre_save_hook=dmp_teach.launcher.notebook_privacy.without_ink"
         in command
     )
-    page.write_text("{}")
-    widgets.unlink()
+    page.unlink()
+    own = {"@jupyter-widgets/jupyterlab-manager:plugin": {"saveState": False}, "another": {}}
+    widgets.write_text(json.dumps(own))
     lab.lab_environment(tmp_path, "secret")
-    assert page.read_text() == "{}"
-    assert widgets.exists()
+    assert page.exists()
+    assert json.loads(widgets.read_text()) == settings | own
 
 
 def test_a_port_in_use_is_refused():

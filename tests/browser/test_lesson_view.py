@@ -1,0 +1,96 @@
+"""What a pupil lands in: one lesson, its panel awake, the strip of lessons, and no Jupyter."""
+
+import json
+import urllib.request
+
+import pytest
+
+from tests.browser.conftest import PATIENCE, TOKEN, run_all
+from tests.browser.test_lab import notebook_of
+
+START = "00_start_here.ipynb"
+OTHER = "01_an_other_lesson.ipynb"
+PANEL = ".dt-explore[data-dt-drawing]"
+JUPYTERS = ".jp-NotebookPanel-toolbar, #jp-menu-panel, #jp-top-panel, .jp-SideBar, #jp-bottom-panel"
+
+
+@pytest.fixture
+def lesson(lab, open_notebook):
+    """Open a lesson as the launcher does, beside another one of a cell that is not ours."""
+    other = lab.folder / OTHER
+    other.write_text(notebook_of("import os\nstarted = True"))
+    yield lambda name, **context: open_notebook(name, run=False, view="doc", **context)
+    other.unlink()
+
+
+@pytest.mark.parametrize(("width", "height"), [(1366, 768), (1280, 800), (820, 1180)])
+def test_a_lesson_wakes_by_itself_and_stands_alone_until_the_menus_are_wanted(
+    lesson, shot, width, height
+):
+    page = lesson(START, viewport={"width": width, "height": height})
+    page.wait_for_selector(PANEL, timeout=PATIENCE)
+    shot(page, f"lesson_view_{width}")
+    assert page.locator(JUPYTERS).locator("visible=true").count() == 0
+    here = page.get_by_role("navigation", name="Lessons").locator("[aria-current=page]")
+    assert here.inner_text().split("\n") == ["00", "Start here"]
+    menus = page.get_by_role("button", name="Menus")
+    menus.click()
+    page.get_by_role("menuitem", name="Kernel").wait_for()
+    assert menus.get_attribute("aria-pressed") == "true"
+    menus.click()
+    page.get_by_role("menuitem", name="Kernel").wait_for(state="hidden")
+    assert page.locator(JUPYTERS).locator("visible=true").count() == 0
+
+
+def test_a_panel_lives_on_when_its_page_is_loaded_anew(lesson, ask):
+    page = lesson(START)
+    page.wait_for_selector(PANEL, timeout=PATIENCE)
+    page.get_by_role("radio", name="the letter D, capital").check(force=True)
+    page.wait_for_function("document.querySelectorAll('.dt-goal').length === 2")
+    page.wait_for_function("!jupyterapp.shell.currentWidget.context.model.dirty")
+    page.reload()
+    page.wait_for_selector(PANEL, timeout=PATIENCE)
+    assert page.locator(".dt-goal").count() == 2
+    assert ask(page, "len(Out)") == "1"
+
+
+def test_a_link_opens_a_lesson_in_which_only_a_press_runs_what_is_not_ours(lesson, ask):
+    page = lesson(START)
+    page.wait_for_selector(PANEL, timeout=PATIENCE)
+    page.get_by_role("link", name="01 An other lesson").click()
+    page.wait_for_url("**/01_an_other_lesson.ipynb*")
+    page.get_by_role("link", name="01 An other lesson").and_(
+        page.locator("[aria-current=page]")
+    ).wait_for()
+    ready = "jupyterapp.shell.currentWidget.sessionContext.session?.kernel.status === 'idle'"
+    page.wait_for_function(ready)
+    page.wait_for_timeout(2000)
+    assert ask(page, "'started' in globals()") == "False"
+    page.get_by_role("button", name="Run").click()
+    page.wait_for_function("jupyterapp.shell.currentWidget.content.widgets[0].model.executionCount")
+    assert ask(page, "started") == "True"
+
+
+def test_panels_answer_after_a_restart_from_elsewhere(lab, open_notebook, ask):
+    page = open_notebook(START)
+    page.wait_for_selector(PANEL)
+    kernel = page.evaluate("jupyterapp.shell.currentWidget.sessionContext.session.kernel.id")
+    urllib.request.urlopen(
+        urllib.request.Request(
+            f"{lab.url}/api/kernels/{kernel}/restart",
+            method="POST",
+            headers={"Authorization": f"token {TOKEN}"},
+        )
+    )
+    page.wait_for_timeout(1000)
+    run_all(page)
+    page.wait_for_selector(PANEL)
+    slider = page.get_by_role("slider", name="How many bumps")
+    for bumps in (13, 14):
+        slider.press("ArrowRight")
+        page.wait_for_function(
+            f"document.querySelector('.dt-knobs output')?.textContent.trim() === '{bumps}'"
+        )
+        page.wait_for_timeout(1000)
+        assert page.get_by_text("The robot does not answer").locator("visible=true").count() == 0
+        assert json.loads(ask(page, "_.n_kernels")) == bumps
