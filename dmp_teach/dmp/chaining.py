@@ -115,9 +115,8 @@ def _blend(part: _Part, following: _Part, t: float, h: float) -> tuple[Array, fl
     """Blend two movements, while the one ends and the other begins.
 
     The share a of the second rises by 10 p^3 - 15 p^4 + 6 p^5, without a jump in its first two
-    derivatives. A path that passes from y_1 to y_2 by these shares is accelerated by
-    a'' (y_2 - y_1) + 2 a' (y_2' - y_1') more than the two, and is faster by a' (y_2 - y_1), which
-    the damper would brake: that is what the moving goal needs.
+    derivatives. A path from y_1 to y_2 by these shares is accelerated by a'' (y_2 - y_1) + 2 a'
+    (y_2' - y_1') more than the two, and is faster by a' (y_2 - y_1), which the damper would brake.
     """
     a, b = sorted((following.begin, part.end))
     one, K, D = part.attraction(t, h)

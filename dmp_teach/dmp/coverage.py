@@ -15,13 +15,7 @@ NAMED_GAPS = 3
 
 
 def note_gaps(kernels: Cells | Overlap, settings: Settings, duration: float) -> tuple[str, ...]:
-    """Return a note, and give a `SettingWarning`, that say when f is 0 for want of a kernel.
-
-    Args:
-        kernels: Laid over the steps of the movement.
-        settings: Where the cure is looked for.
-        duration: Of the movement [s].
-    """
+    """Note, and warn of (`SettingWarning`), when f is 0 for want of a kernel, and the cure."""
     if isinstance(kernels, Cells) and kernels.psi is None:
         # Touching boxes.
         return ()

@@ -79,17 +79,10 @@ class Integrator(NamedChoice):
         return [1.0, -(a + d), a * d - b * c], (e, b * f - d * e), b
 
     def step(self, K: float, D: float, h: float, u: Array, states: Array) -> Array:
-        """Take one step.
+        """Take one step of length h under the input u (D,).
 
-        Args:
-            K: Stiffness.
-            D: Damping.
-            h: How long the step is.
-            u: The input, shape (D,).
-            states: z and z' one step earlier, and now; NaN earlier than the start. (2, 2, D).
-
-        Returns:
-            z and z' now, and after the step, shape (2, 2, D).
+        `states` (2, 2, D) are z and z' one step earlier, NaN earlier than the start, and now; those
+        of now and after the step are returned.
         """
         A, B = self.system(K, D, h)
         return np.array([states[1], A @ states[1] + np.outer(B, u)])
@@ -217,10 +210,8 @@ class Spring:
     def follow(self, u: Array, start_velocity: Array | float = 0.0) -> Array:
         """Draw the path from z = 0 under the input u (M, D), shape (M + 1, D).
 
-        Args:
-            u: The input.
-            start_velocity: Per movement, shape (D,). Velocities beyond those of the D coordinates
-                start paths of their own, which have no input: they are the columns after D.
+        Velocities (per movement) beyond those of the D coordinates start paths of their own, which
+        have no input: they are the columns after D.
         """
         recursion, (now, before), kick = self.integrator.recursion(
             self.K, self.alpha, 1 / self.steps
@@ -237,12 +228,7 @@ class Spring:
         return lfilter([1.0], recursion, drive.T).T
 
     def needed(self, z: Array, derivatives: str = "inverse") -> tuple[Array, Array]:
-        """Return the input (M, D) under which `follow` draws z (M + 1, D), and its start velocity.
-
-        Args:
-            z: The path.
-            derivatives: "inverse" or "central"; see `DERIVATIVES`.
-        """
+        """Return the input (M, D) by which `follow` draws z (M + 1, D), and its start velocity."""
         return DERIVATIVES[derivatives](self, z)
 
     def kick(self) -> Array:

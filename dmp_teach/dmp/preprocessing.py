@@ -20,16 +20,10 @@ LEAST_SMOOTHING_SAMPLES = 20
 def prepare_demonstration(
     trajectory: Trajectory, cutoff: float | None, least_steps: float
 ) -> tuple[Array, tuple[str, ...]]:
-    """Return the path of a demonstration at even times.
+    """Return the path of a demonstration at even times, (M + 1, D), and notes on what was done.
 
-    Args:
-        trajectory: The demonstration.
-        cutoff: Where smoothing begins [Hz], or None.
-        least_steps: How many steps the path must have at least.
-
-    Returns:
-        Positions, shape (M + 1, D) with M a multiple of the demonstration's own steps, and notes on
-        what was done or could not be done. First and last sample are the demonstrated ones.
+    M is a multiple of the demonstration's own steps, at least `least_steps`; smoothing begins at
+    `cutoff` [Hz], or never. First and last sample are the demonstrated ones.
     """
     # Each coordinate in one piece of memory: what is done to it then runs along the whole path.
     path, steps = np.asfortranarray(trajectory.position), len(trajectory) - 1

@@ -19,13 +19,13 @@ from dmp_teach.trajectory import Array
 
 @dataclass(frozen=True, eq=False)
 class Plan:
-    """The input that a pen will have on its way, if nothing disturbs it.
+    """The input that a pen will have on its way, if nothing disturbs it; per movement.
 
     Args:
-        inputs: The input of the spring at each step, per movement, shape (M, D).
+        inputs: The input of the spring at each step, shape (M, D).
         offset: From start to goal, shape (D,) [m].
         start: y0, shape (D,) [m].
-        start_velocity: Per movement, shape (D,) [m].
+        start_velocity: Shape (D,) [m].
         duration: T [s].
         spring: The left side of the equation.
     """
@@ -45,11 +45,7 @@ class Plan:
         goal: ArrayLike | None = None,
         duration: float | None = None,
     ) -> Self:
-        """Return the plan of a primitive, as `DMP.rollout` would draw it.
-
-        Raises:
-            TrajectoryError, SettingError: As `DMP.rollout`.
-        """
+        """Return the plan of a primitive, as `DMP.rollout` would draw it, with the same errors."""
         p, D = primitive, len(primitive.start)
         start = p.start if start is None else check_point("start", start, D)
         goal = p.goal if goal is None else check_point("goal", goal, D)
@@ -79,9 +75,8 @@ class Plan:
     def waiting_input_at(self, clock: float, pace: float) -> Array:
         """Return the input for a clock that runs at this `pace`, so that the pen keeps its path.
 
-        K y + D y' + y'' is what the path needs at full pace; at another its speed is pace y', its
-        acceleration pace^2 y'': without that a spring whose clock is slow would leave the path, and
-        the clock would never recover.
+        At another pace than 1 its speed is pace y', its acceleration pace^2 y'': without that a
+        spring whose clock is slow would leave the path, and the clock would never recover.
         """
         u = self.input_at(clock)
         if pace == 1:

@@ -43,12 +43,7 @@ class Transformation(NamedChoice):
     def needed_forcing(self, u: Array, offset: Array, K: float, s: Array, divide: bool) -> Array:
         """Return the f (M, D) that gives the input u (M, D): `input`, solved for f.
 
-        Args:
-            u: The input that a demonstration needs.
-            offset: Its goal offset, shape (D,).
-            K: Stiffness.
-            s: Phases, shape (M, 1).
-            divide: Whether f is divided by what multiplies it in the equation.
+        With `divide` it is divided by what multiplies it in the equation.
         """
         if divide:
             return u / K - _attraction(offset, s)
@@ -136,12 +131,7 @@ class Similarity(Transformation):
         _refuse_closed(path[-1] - path[0], float(np.ptp(path)))
 
     def check_goal(self, offset: Array, new: Array, path: Array) -> None:
-        """Raise where no turn and scale carries one offset onto the other.
-
-        Raises:
-            SettingError: The stroke is closed; it was learned with another transformation.
-            TrajectoryError: It is to end where it begins.
-        """
+        """Raise for a closed stroke, and for one that is to end where it begins."""
         _refuse_closed(offset, float(np.ptp(path)))
         if np.linalg.norm(new) <= _SAME_POINT * np.linalg.norm(offset):
             raise TrajectoryError(

@@ -22,12 +22,10 @@ def imitate_strokes(
 ) -> tuple[DMP, ...]:
     """Learn one primitive for each stroke.
 
-    Args:
-        strokes: The demonstration.
-        settings: Of every stroke. None takes `Settings.star()`, whose 12 kernels a second and
-            smoothing suit the paper's writers; a stroke whose rollout is farther than 2 % of the
-            letter's size from the demonstration, such as an a written in 0.4 s, gets twice as many
-            kernels and twice the cutoff frequency, until it is near.
+    Without settings it takes `Settings.star()`, whose 12 kernels a second and smoothing suit the
+    paper's writers; a stroke whose rollout is farther than 2 % of the letter's size from the
+    demonstration, such as an a written in 0.4 s, gets twice as many kernels and twice the cutoff
+    frequency, until it is near.
     """
     if settings is not None:
         return tuple(DMP.imitate(stroke, settings) for stroke in strokes)

@@ -29,12 +29,7 @@ def learn_alike(
 
     The fit is linear in the demonstration where these agree, so the mean of such letters' weights
     draws the mean of the letters. Their middles are moved together, and their heights scaled to the
-    geometric mean, or kept.
-
-    Args:
-        letters: At least two, of one class.
-        settings: `Settings.star()` unless given.
-        same_size: Whether size is taken away.
+    geometric mean unless size is kept.
 
     Raises:
         LetterError: Fewer than two letters, or letters that are not made of the same strokes.
@@ -65,7 +60,7 @@ def learn_alike(
 
 
 def letter_to_row(letter: Letter) -> Array:
-    """Return a letter as a row of numbers in which its rollout is linear but for time, shape (P,).
+    """Return a letter as a row of numbers in which its rollout is linear but for time, (P,).
 
     Of each stroke the weights, biases, start, goal and start velocity times duration [m]; then the
     logarithms of all durations, and of the lifts [s].
@@ -76,12 +71,7 @@ def letter_to_row(letter: Letter) -> Array:
 
 
 def letter_from_row(row: Array, kind: Letter) -> Letter:
-    """Return the letter that a row stands for.
-
-    Args:
-        row: Shape (P,).
-        kind: Any letter that was learned alike: its kernels, samples and settings.
-    """
+    """Return the letter that a row (P,) stands for, with the kernels and settings of `kind`."""
     count, primitives, begin = len(kind.primitives), [], 0.0
     clock = np.exp(row[len(row) - 2 * count + 1 :])
     durations, lifts = clock[:count], np.append(clock[count:], 0.0)

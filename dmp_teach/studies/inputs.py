@@ -19,13 +19,7 @@ PAPER_LETTERS = "abeDBmM"
 
 @dataclass(frozen=True)
 class Written:
-    """One letter, cut into its strokes.
-
-    Args:
-        character: The letter, or "?".
-        writer: The writer's pseudonym, or a number.
-        strokes: As they were written, 2-D [m].
-    """
+    """A letter of a writer (a pseudonym, or a number), cut into its 2-D strokes [m]."""
 
     character: str
     writer: str
@@ -57,11 +51,7 @@ def own_recordings(letters: str = PAPER_LETTERS) -> tuple[Recording, ...]:
 
 
 def list_recordings(recordings: Any = None) -> tuple:
-    """Return what was given as a tuple, files read; our own letters where nothing was.
-
-    Raises:
-        RecordingError: Something that no letter can be read from, or nothing at all.
-    """
+    """Return what was given as a tuple, files read; our own letters where nothing was."""
     if recordings is None:
         return own_recordings()
     if isinstance(recordings, Recording | Trajectory | Written | str | os.PathLike):
@@ -81,11 +71,9 @@ def list_recordings(recordings: Any = None) -> tuple:
 
 
 def list_letters(recordings: Any = None) -> tuple[Written, ...]:
-    """Return every letter, cut into its strokes.
+    """Return every letter, cut into its strokes, of `Recording`s, files of them, or strokes.
 
-    Args:
-        recordings: `Recording`s, files of them, or strokes (`Trajectory`, or a tuple of them for a
-            letter); None takes our own alphabets.
+    Strokes are a `Trajectory`, or a tuple of them for a letter; None takes our own alphabets.
 
     Raises:
         RecordingError: Something that no letter can be read from, or nothing at all.

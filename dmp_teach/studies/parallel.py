@@ -26,17 +26,11 @@ def run(
     executor: Executor | None = None,
     progress: Progress | None = None,
 ) -> list:
-    """Return `work` of every piece, in the order of the pieces.
+    """Return `work` (a function that can be pickled) of every piece, in the order of the pieces.
 
     What still waits is cancelled when a piece raises. Warnings about settings are silenced: gaps
-    between kernels are what is studied.
-
-    Args:
-        work: A function that can be pickled.
-        pieces: What it is called with, one at a time.
-        executor: Any `concurrent.futures.Executor`; None works in this thread.
-        progress: Called as `progress(done, total)` after every piece of work, in this thread, such
-            as `progress_bar("widths")`. It may raise to stop.
+    between kernels are what is studied. `progress(done, total)` is called in this thread; it may
+    raise to stop.
     """
     pieces = list(pieces)
     results: list = []

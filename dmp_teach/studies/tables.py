@@ -54,11 +54,9 @@ class Tabled:
 
 
 def text_table(rows: TableRows, widths: Mapping[str, int]) -> str:
-    """Return rows in aligned columns.
+    """Return rows with the same keys in aligned columns.
 
-    Args:
-        rows: With the same keys.
-        widths: Where the words of a column are broken; with any, an empty line parts the rows.
+    Where `widths` has any, columns are broken there, and an empty line parts the rows.
     """
     if not rows:
         return "(no rows)"

@@ -9,7 +9,7 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 import dmp_teach
-from dmp_teach.dmp.presets import PRESET_NAMES
+from dmp_teach.dmp.presets import PRESETS
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.responses import Responses
 from dmp_teach.dmp.settings import Settings
@@ -52,7 +52,7 @@ def same(path, drawn, size):
 
 
 @settings(max_examples=60, **calm)
-@given(letters(), st.sampled_from(PRESET_NAMES), numbers)
+@given(letters(), st.sampled_from(list(PRESETS)), numbers)
 def test_every_preset_is_affine_in_its_goal_and_in_its_weights(demo, name, rng):
     keeps_the_law(learned(demo, getattr(Settings, name)()), rng)
 

@@ -4,12 +4,14 @@ import json
 import os
 import pickle
 from contextlib import suppress
+from dataclasses import fields
 
 import numpy as np
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import LetterError, PathError
 from dmp_teach.ink.alphabet import recording_of
@@ -113,84 +115,27 @@ def test_a_file_that_was_changed_is_refused(tmp_path, content):
     assert len(Letter.load(tmp_path / "l.json").strokes) == 2
     (tmp_path / "l.json").write_text(text.replace('"duration": 0.5', '"duration": 0.6', 1))
     with pytest.raises(
-        LetterError, match=r"l\.json: check is .*it was changed after it was saved; save again"
+        LetterError, match=r"l\.json: it was changed after it was saved, or damaged; save again"
     ):
         Letter.load(tmp_path / "l.json")
 
 
 FORGED = {
-    "version": (
-        ("version",),
-        2,
-        "version is 2, but this program reads version 1; update dmp_teach",
-    ),
+    "version": (("version",), 2, "version is 2, but this program reads version 1; update"),
     "format": (("format",), "font", "this is not a dmp_teach letter"),
-    "units": (("units",), {"t": "ms"}, "units is {'t': 'ms'}, but must be"),
-    "no strokes": (
-        ("strokes",),
-        [],
-        "strokes is [], but must be a list, with a primitive for each",
-    ),
-    "flat stroke": (
-        ("strokes", 0),
-        [[0.0, 1.0]],
-        "strokes[0] is [[0.0, 1.0]], but must be finite numbers, any x 3",
-    ),
-    "time stands still": (
-        ("strokes", 0),
-        [[0.0, 1.0, 1.0]] * 3,
-        "t[1] is 0.0 s and does not come after",
-    ),
-    "text": (
-        ("primitives", 0, "goal"),
-        [0.0, "1"],
-        "primitives[0].goal is [0.0, '1'], but must be finite numbers, 2",
-    ),
-    "no weights": (
-        ("primitives", 1, "weights"),
-        [],
-        "primitives[1].weights is [], but must be finite numbers, 6 x 2",
-    ),
-    "ragged": (("primitives", 1, "weights"), [[1.0], [1.0, 2.0]], "primitives[1].weights is"),
-    "biases": (("primitives", 0, "biases"), [[1.0, 2.0]], "primitives[0].biases is [[1.0, 2.0]]"),
-    "huge": (("primitives", 0, "start"), [10**400, 0.0], "primitives[0].start is"),
-    "a step too few": (("primitives", 0, "steps"), 3, "primitives[0].path is"),
-    "steps": (
-        ("primitives", 0, "steps"),
-        1.5,
-        "primitives[0].steps is 1.5, but must be a whole number of steps",
-    ),
-    "duration": (
-        ("primitives", 0, "duration"),
-        -1.0,
-        "primitives[0].duration is -1.0, but must be a time longer",
-    ),
-    "times": (("primitives", 0, "times"), [0.0, 0.0], "t[1] is 0.0 s and does not come after"),
-    "notes": (("primitives", 0, "notes"), "x", "primitives[0].notes is 'x', but must be sentences"),
-    "a field": (("primitives", 0, "code"), "import os", "primitives[0] is {"),
-    "a setting": (
-        ("primitives", 0, "settings", "phase"),
-        "moon",
-        "phase is 'moon', but it must be one of",
-    ),
-    "a setting more": (("primitives", 0, "settings", "name"), "Kim", "primitives[0].settings is {"),
-    "alpha": (
-        ("primitives", 0, "settings", "alpha"),
-        None,
-        "but must be complete: n_kernels and alpha are numbers",
-    ),
-    "kernels": (("primitives", 0, "settings", "n_kernels"), 7, "primitives[0].weights is"),
-    "led": (
-        ("led_to",),
-        {"7": [0.0, 0.0]},
-        "led_to is {'7': [0.0, 0.0]}, but must be a goal by the number",
-    ),
-    "made": (("made_of",), [1], "made_of is [1], but must be a list of names"),
+    "units": (("units",), {"t": "ms"}, "it was changed after it was saved"),
+    "time stands still": (("strokes", 0), [[0.0, 1.0, 1.0]] * 3, "does not come after"),
+    "text": (("primitives", 0, "goal"), [0.0, "x"], "no letter as Letter.save writes it"),
+    "ragged": (("primitives", 1, "weights"), [[1.0], [1.0, 2.0]], "no letter as Letter.save"),
+    "a step too few": (("primitives", 0, "steps"), 3, "one row of positions for every time"),
+    "a field": (("primitives", 0, "code"), "import os", "unexpected keyword argument 'code'"),
+    "a setting": (("primitives", 0, "settings", "phase"), "moon", "phase is 'moon', but it must"),
+    "a setting more": (("primitives", 0, "settings", "name"), "Kim", "keyword argument 'name'"),
 }
 
 
 @pytest.mark.parametrize("fault", FORGED)
-def test_a_forged_field_is_named_even_with_its_sum_made_again(tmp_path, content, fault):
+def test_a_forged_field_is_refused_even_with_its_sum_made_again(tmp_path, content, fault):
     keys, value, sentence = FORGED[fault]
     with pytest.raises(LetterError) as caught:
         Letter.load(forged(content, tmp_path / "l.json", *keys, value=value))
@@ -210,7 +155,7 @@ def test_a_missing_field_is_refused(tmp_path, content, field):
 @settings(max_examples=60, deadline=None, suppress_health_check=list(HealthCheck))
 @given(
     keys=st.sampled_from(
-        [("primitives", 0, name) for name in (*saved.PRIMITIVE_FIELDS, "path")]
+        [("primitives", 0, name) for name in (*(each.name for each in fields(DMP)), "path")]
         + [(f,) for f in saved.LETTER_FIELDS[2:7]]
     ),
     value=st.recursive(

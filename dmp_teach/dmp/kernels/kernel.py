@@ -59,13 +59,7 @@ class Kernel(NamedChoice):
 
     @classmethod
     def check(cls, width: float, sigma: float, sides: str) -> None:
-        """Raise a SettingError where kernel settings do not go with this kernel.
-
-        Args:
-            width: `kernel_width` [1/N].
-            sigma: `kernel_sigma` [1/N]; infinite where there is none.
-            sides: `kernel_sides`.
-        """
+        """Raise a SettingError where width, sigma and sides do not go with this kernel."""
         if math.isinf(width) and not cls.endless:
             raise SettingError(
                 f"kernel is {cls.name!r} and kernel_width is inf, but {cls._noun()} falls to 0 at "

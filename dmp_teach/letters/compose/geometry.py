@@ -28,11 +28,7 @@ def is_upright(path: Array) -> bool:
 
 
 def resample_evenly(path: Array, points: int) -> tuple[Array, Array]:
-    """Resample a path (T, 2) at equal arc length, shape (points, 2).
-
-    Returns:
-        The points, and the fractional row of `path` where each of them is, shape (points,).
-    """
+    """Resample a path (T, 2) at equal arc length: the points, and the fractional row of each."""
     arc = arc_lengths(path)
     even = np.linspace(0, arc[-1], points)
     resampled = np.column_stack([np.interp(even, arc, axis) for axis in path.T])
@@ -42,8 +38,8 @@ def resample_evenly(path: Array, points: int) -> tuple[Array, Array]:
 def find_corners(stroke: Trajectory) -> tuple[int, ...]:
     """Find the samples at which a stroke turns sharply: the foot of an n, the waist of a B.
 
-    A turn is the angle between the chords into a point and out of it, `CORNER_REACH` of the
-    stroke's size long each.
+    A turn is the angle between the chords into a point and out of it, `CORNER_REACH` of the size
+    long.
     """
     path = stroke.position
     size, total = float(np.ptp(path, axis=0).max()), path_length(path)

@@ -14,11 +14,7 @@ STROKE_ENDS = STROKE_PLACES[:4]
 
 
 def point_at(path: Array, place: float | str) -> Array:
-    """Return a point of a path (T, 2), shape (2,) [m]; `Piece.at` says which places there are.
-
-    Raises:
-        LetterError: No such place.
-    """
+    """Return a point of a path (T, 2), shape (2,) [m]; `Piece.at` says which places there are."""
     if isinstance(place, str) and place in STROKE_PLACES[:-1]:
         return path[sample_at(path, place)].copy()
     part = 0.5 if place == "middle" else place

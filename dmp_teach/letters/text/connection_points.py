@@ -64,8 +64,7 @@ def split_marks(
 ) -> tuple[tuple[Trajectory, ...], tuple[Trajectory, ...]]:
     """Split a letter into the strokes that are connected and the marks that follow the word.
 
-    A mark is short, or leads back to the left as the second stroke of an x does. Capitals and
-    digits have none.
+    A mark is short, or leads back to the left, as in an x. Capitals and digits have none.
     """
     if not character.islower():
         return tuple(strokes), ()
@@ -100,13 +99,7 @@ def can_arrive(character: str, body: Sequence[Trajectory], x_height: float) -> b
 
 @dataclass(frozen=True)
 class Meeting:
-    """The point where a pen meets the next stroke.
-
-    Args:
-        sample: Of that stroke.
-        back: Whether the pen follows the stroke backwards to its start first.
-        rests: Whether it comes to rest there.
-    """
+    """A sample where a pen meets a stroke, going `back` to its start first, or resting there."""
 
     sample: int
     back: bool = False

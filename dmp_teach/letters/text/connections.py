@@ -31,13 +31,7 @@ CONNECTION_POINTS = 240
 
 
 def link_strokes(before: Trajectory, after: Trajectory, x_height: float) -> Trajectory:
-    """Link two strokes to one.
-
-    Args:
-        before: The stroke so far.
-        after: The stroke of the next letter; its clock is moved so that it follows.
-        x_height: The height of a small letter without a stem [m].
-    """
+    """Link a stroke to the next letter's, whose clock is moved so that it follows."""
     a = leaving_sample(before, x_height)
     here = before.position[a]
     meeting = find_meeting(here, after, x_height)
@@ -97,8 +91,8 @@ def _timed(
         q(t) = the quintic with given speeds, but no acceleration, at its ends
         dq   = (curvature + 1/4 / x_height)^(1/3) ds
 
-    so that the speed follows the two-thirds power law and has the `velocities` of both letters,
-    (2,) each [m/s].
+    so that the speed follows the two-thirds power law and has the `velocities` of both letters
+    [m/s].
     """
     arc = arc_lengths(path)
     turn = np.abs(np.gradient(np.unwrap(headings(path))))

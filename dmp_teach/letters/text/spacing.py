@@ -48,13 +48,9 @@ def letter_spacing(
     x_height: float,
     white: float = LETTER_WHITE,
 ) -> float:
-    """Return how far right the strokes `right` are moved to follow `left`; may be negative [m].
+    """Return how far right a letter is moved to follow another; may be negative [m].
 
-    Args:
-        left: A letter on the writing line y = 0.
-        right: The next one, on the same line.
-        x_height: The height of a small letter without a stem [m].
-        white: The mean distance that they get, in x-heights.
+    Both stand on the line y = 0; `white` is the mean distance that they get, in x-heights.
     """
     right_edge, left_edge = _edge(tuple(left), x_height, 1), _edge(tuple(right), x_height, -1)
     apart = -left_edge - right_edge
@@ -74,11 +70,8 @@ def connected_spacing(
 ) -> float:
     """Return the same for two connected letters, between which the way must not be too steep.
 
-    Args:
-        glyphs: The two letters, with dots, crosses and accents.
-        bodies: The strokes of each that are connected: the last of the one to the first of the
-            other.
-        x_height: As in `letter_spacing`.
+    `bodies` are the strokes of each glyph that are connected: the last of the one to the first of
+    the other.
     """
     end, start = bodies[0][-1], bodies[1][0]
     a = leaving_sample(end, x_height)
@@ -100,11 +93,7 @@ def word_spacing(
 ) -> float:
     """Return the same for two words: a space more, and white that no overhanging letter fills.
 
-    Args:
-        left: A word on the writing line y = 0.
-        right: The next one.
-        x_height: As in `letter_spacing`.
-        lean: Of the hand, x gained for each y: the white between words leans as the words do.
+    The white between words leans as the words do: `lean` is the x gained for each y.
     """
     right_edge, left_edge = _edge(tuple(left), x_height, 1), _edge(tuple(right), x_height, -1)
     across = x_height * _overlap(right_edge, left_edge, WORD_VIEW)
@@ -117,11 +106,7 @@ def sign_spacing(
 ) -> float:
     """Return the same where one is a sign: beside what is at its height, else after all of it.
 
-    Args:
-        left: As in `letter_spacing`.
-        right: As in `letter_spacing`.
-        x_height: As in `letter_spacing`.
-        lean: As in `word_spacing`; an apostrophe is past an o along it.
+    An apostrophe is past an o along the lean of the hand.
     """
     right_edge, left_edge = _edge(tuple(left), x_height, 1), _edge(tuple(right), x_height, -1)
     if np.isfinite(_overlap(right_edge, left_edge, SIGN_NEIGHBOURHOOD)):

@@ -26,7 +26,7 @@ class Text(tuple[Trajectory, ...]):
     """Strokes of a text, in the order of writing, where they stand on the page.
 
     `Fetch().write(text, page, at=text.middle)` writes them there; without `at` they come to the
-    middle of the page.
+    middle.
     """
 
     __slots__ = ()
@@ -94,13 +94,9 @@ def write_word(
 def place_words(
     words: Sequence[Strokes], spots: Sequence[tuple[float, float]], scale: float, tempo: float
 ) -> Text:
-    """Place words on the sheet, one stroke after the other from 0 s on.
+    """Place words, in the size of the alphabet, on the sheet, one stroke after the other.
 
-    Args:
-        words: Each from x = 0 on, in the size of the alphabet.
-        spots: The left end of each on its line [m].
-        scale: How much larger than that they are to be.
-        tempo: As in `write_word`.
+    Each begins at its spot [m], `scale` times as large; `tempo` is that of `write_word`.
     """
     if isinstance(tempo, bool) or not isinstance(tempo, int | float) or not 0 <= tempo <= 1:
         raise LetterError(

@@ -104,11 +104,7 @@ class Attributions(Tabled):
         return iter(self.items)
 
     def __getitem__(self, question: str) -> Answers:
-        """Return one question.
-
-        Raises:
-            SettingError: It was not asked; names those that were.
-        """
+        """Return one question, or raise a SettingError that names those that were asked."""
         for each in self.items:
             if each.question == question:
                 return each
@@ -135,11 +131,8 @@ def permutation_luck(
 ) -> float:
     """Return how often permuted names are hit as often as the true ones, or more often.
 
-    Args:
-        hits: How many answers are right if letter k bears the name of letter order[k], where order
-            has shape (L,).
-        strata: Names are permuted among letters with the same number here, shape (L,).
-        seed: Of the permutations.
+    `hits(order)` is how many answers are right if letter k bears the name of letter order[k]; names
+    are permuted among letters of the same stratum, shape (L,).
     """
     groups = np.asarray(strata, dtype=int)
     if not len(groups):
@@ -158,8 +151,7 @@ def permutation_luck(
 def takes_luck(answers: Sequence[tuple[int, str, str | None]]) -> float:
     """Return the same with the takes' names permuted; all that is made of one take stays together.
 
-    Args:
-        answers: The number of a take, who wrote it, and who was named.
+    An answer is the number of a take, who wrote it, and who was named.
     """
     whose = {take: writer for take, writer, _ in answers}
     names = sorted(set(whose.values()))

@@ -53,10 +53,7 @@ class _Bowl:
     made: Array
 
     def neighbours(self) -> NDArray[np.bool_]:
-        """Return which real bowls a made one may be given to: not its source, if there is another.
-
-        Shape (T, T).
-        """
+        """Return which bowls a made one may be given to (T, T): not its source, unless alone."""
         whose = np.array(self.writers)
         several = (whose[:, None] == whose).sum(axis=1) > 1
         return ~(np.eye(len(whose), dtype=bool) & several)

@@ -102,11 +102,7 @@ def shape_features(strokes: Sequence[Trajectory]) -> Array:
 
 
 def distinct_takes(takes: Sequence[Written]) -> list[Written]:
-    """Return one writer's takes of one letter without repeats, such as one exported in two ways.
-
-    Raises:
-        LetterError: A letter that is not flat, or all in one place.
-    """
+    """Return one writer's takes of one letter without repeats, such as one exported in two ways."""
     for each in takes:
         to_strokes(each.strokes, each.name)
     if len(takes) < 2:

@@ -28,23 +28,17 @@ PAGE_AXES = np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0]])
 
 @dataclass(frozen=True, eq=False)
 class ArmAtTable:
-    """The arm over a table.
+    """The arm over a table: shares of the joints' limits by x and y of the page, shape (7, 2) each.
 
-    Args:
-        speed: Shares of the joints' speed limits for a pen velocity of 1 m/s along x or y of the
-            page, shape (7, 2).
-        effort: Shares of their torque limits for a pen acceleration of 1 m/s2, shape (7, 2).
+    Of the speed limits for a pen velocity of 1 m/s, of the torque limits for an acceleration of 1
+    m/s2.
     """
 
     speed: Array
     effort: Array
 
     def demand(self, path: Trajectory) -> tuple[float, float]:
-        """Return the greatest share of any joint's speed limit, and of any torque limit.
-
-        Args:
-            path: On the page, 2-D [m].
-        """
+        """Return the greatest shares of any joint's speed and torque limits along a path [m]."""
         velocity, acceleration = _derivatives(path)
         speed, effort = velocity @ self.speed.T, acceleration @ self.effort.T
         return float(np.abs(speed).max()), float(np.abs(effort).max())

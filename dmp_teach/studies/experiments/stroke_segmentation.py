@@ -27,12 +27,7 @@ STEADY_THRESHOLDS = (
 
 @dataclass(frozen=True)
 class RuleResult:
-    """The strokes that one rule finds in one recording.
-
-    Args:
-        strokes: How many they are.
-        right: Whether that count and every end is right, to 0.05 s.
-    """
+    """How many strokes one rule finds, and whether that and every end is right, to 0.05 s."""
 
     strokes: int
     right: bool
@@ -45,8 +40,7 @@ class SegmentationCase:
     Args:
         name: Letter and writer.
         strokes: How many strokes it has.
-        known: Whether the strokes are known from the source or cut by hand; else they are those of
-            the local rule, which is then right by definition.
+        known: Whether they are known from the source or cut by hand; else the local rule is right.
         foot: By the rule of the local foot.
         authors: By the paper's rule with its second inequality turned round.
         printed: By the paper's rule to the letter.

@@ -68,11 +68,7 @@ class Claims(Tabled):
         return len(self.items)
 
     def __getitem__(self, key: int | str) -> Claim:
-        """Return a row by its place or its name.
-
-        Raises:
-            SettingError: No claim of that name; names those that there are.
-        """
+        """Return a row by its place or its name; a SettingError names those that there are."""
         if not isinstance(key, str):
             return self.items[key]
         for each in self.items:
@@ -89,12 +85,7 @@ class Claims(Tabled):
 def claim(
     name: str, words: str
 ) -> Callable[[Callable[[Evidence], tuple[str, str, str]]], Callable[..., Claim]]:
-    """Make a claim of a function that returns verdict, figure and what the verdict depends on.
-
-    Args:
-        name: Of the claim.
-        words: What the paper says.
-    """
+    """Make a claim (name, what the paper says) of a function of verdict, figure and why."""
 
     def decorate(judge: Callable[[Evidence], tuple[str, str, str]]) -> Callable[..., Claim]:
         def judged(recordings: Any = None) -> Claim:
@@ -111,10 +102,7 @@ def claim(
 
 
 def verdict_over(cases: Mapping[str, bool]) -> tuple[str, str]:
-    """Return the verdict over several cases, and on what it depends.
-
-    HOLDS if it holds in every case, DOES NOT HOLD if in none, else DEPENDS ON.
-    """
+    """Return HOLDS, DOES NOT HOLD or DEPENDS ON over several cases, and on what it depends."""
     held = [name for name, holds in cases.items() if holds]
     failed = [name for name, holds in cases.items() if not holds]
     if not failed:
