@@ -1,5 +1,7 @@
 """The view as a file: opened from disk, with the network cut."""
 
+from time import monotonic
+
 import pytest
 
 from dmp_teach.views.scene.view import view
@@ -125,3 +127,31 @@ def test_without_webgl_the_letter_is_still_written_on_the_small_page(chromium, f
     assert lengths[1] == 0
     shot(page, "scene_flat")
     context.close()
+
+
+def test_on_a_slow_machine_a_motion_takes_no_longer_than_it_lasts(opened):
+    page = opened()
+    page.wait_for_selector(f"{ROOT}[data-dt-state='ready']")
+    page.evaluate(
+        """() => {
+            const draw = window.requestAnimationFrame.bind(window);
+            window.requestAnimationFrame = (next) => setTimeout(() => draw(next), 300);
+        }"""
+    )
+    page.get_by_role("slider", name="Time").press("Home")
+    page.get_by_role("button", name="Play").press("Space")
+    page.wait_for_selector(f"{ROOT}[data-dt-state='playing']")
+    began = monotonic()
+    page.wait_for_selector(f"{ROOT}[data-dt-state='ready']")
+    assert monotonic() - began < 5, "of 2.4 s, in pictures of 0.1 s at most: 7 s and more"
+
+
+def test_in_a_wide_low_picture_the_letter_is_large_and_the_arm_is_not_under_it(opened, shot):
+    page = opened(viewport={"width": 1200, "height": 560}, reduced_motion="reduce")
+    picture = page.locator(".dts-picture").bounding_box()
+    assert picture["width"] > 3 * picture["height"]
+    small = page.locator(".dts-inset").bounding_box()
+    drawn = page.locator(".dts-box").bounding_box()
+    assert page.locator(".dts-ink").bounding_box()["height"] > picture["height"] / 3
+    assert drawn["x"] + drawn["width"] <= small["x"] + 1
+    shot(page, "wide")

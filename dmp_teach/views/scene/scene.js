@@ -245,8 +245,9 @@ class View {
 
   tick(/** @type {number} */ now) {
     this.frame = requestAnimationFrame((next) => this.tick(next));
-    const passed = this.before === null ? 0 : Math.min(0.1, (now - this.before) / 1000);
-    this.before = now;
+    const passed = this.before === null ? 0 : (now - this.before) / 1000;
+    // The first picture takes long, and a hidden page draws none: neither counts.
+    this.before = this.picture.hasDrawn() && !document.hidden ? now : null;
     this.show(this.time + passed * this.model.get("speed"));
     this.model.set("time", this.time);
     if (this.time >= this.facts.duration) this.finish();

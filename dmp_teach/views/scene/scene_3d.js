@@ -47,6 +47,7 @@ export class Picture {
     this.viewer = null;
     /** @type {number | null} the next frame, if it is to be drawn */
     this.waiting = null;
+    this.drawn = false;
     this.seen = false;
     this.gone = false;
   }
@@ -249,7 +250,13 @@ export class Picture {
     this.waiting = requestAnimationFrame(() => {
       this.waiting = null;
       this.viewer?.render();
+      this.drawn = true;
     });
+  }
+
+  /** Whether the first picture is there, if there is to be one. */
+  hasDrawn() {
+    return this.drawn || !this.viewer;
   }
 
   /** Give the WebGL context back; `wake` builds the same picture again. */
@@ -258,6 +265,7 @@ export class Picture {
     if (!this.viewer) return;
     const { viewer } = this;
     this.viewer = null;
+    this.drawn = false;
     cancelAnimationFrame(this.waiting);
     this.waiting = null;
     for (const [type, listener, options] of this.listeners) {
