@@ -1,0 +1,106 @@
+"""Bets: what a pupil predicts before the truth is laid over it. None is called wrong."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from dmp_teach.classroom.lesson.check import Value
+from dmp_teach.errors import SettingError
+from dmp_teach.trajectory import Array
+
+KeptBet = str | list[list[float]]
+"""The name of an option, or the places of handles."""
+
+
+@dataclass(frozen=True)
+class DrawnBet:
+    """Handles on a picture, which the pupil moves or draws a line for.
+
+    Args:
+        question: What to predict.
+        part: "sheet", or the name of a plot.
+        handles: Where they begin, shape (N, 2).
+        labels: What each is called, for who does not see it.
+        axis: "y" where a handle moves up and down only, else "xy".
+        step: Of an arrow key; on a logarithmic axis the factor is 10**step.
+        unit: Of the heights of handles; empty on the sheet.
+    """
+
+    question: str
+    part: str
+    handles: Array
+    labels: Sequence[str]
+    axis: str = "y"
+    step: float = 0.001
+    unit: str = ""
+
+    def checked(self, bet: object) -> KeptBet:
+        """Return a bet with a place for each handle.
+
+        Raises:
+            SettingError: Other places than handles, or one that is no place.
+        """
+        places = np.array(bet, dtype=float) if isinstance(bet, list) else np.empty(0)
+        if places.shape != self.handles.shape or not np.all(np.isfinite(places)):
+            raise SettingError(f"A bet here has {len(self.handles)} places, but got {bet!r:.60}.")
+        return [[float(x), float(y)] for x, y in places]
+
+    def described(self) -> dict[str, object]:
+        """Return it as the browser reads it."""
+        places = [[float(x), float(y)] for x, y in self.handles]
+        how = {"axis": self.axis, "step": self.step, "unit": self.unit}
+        where = {"part": self.part, "handles": places, "labels": list(self.labels)}
+        return {"question": self.question, **where, **how}
+
+
+@dataclass(frozen=True)
+class ChosenBet:
+    """One of several answers.
+
+    Args:
+        question: What to predict.
+        options: The name of each answer, and its words.
+    """
+
+    question: str
+    options: Mapping[str, str] = field(default_factory=dict)
+
+    def checked(self, bet: object) -> KeptBet:
+        """Return a bet that is one of the options.
+
+        Raises:
+            SettingError: It is none of them.
+        """
+        if not isinstance(bet, str) or bet not in self.options:
+            names = ", ".join(self.options)
+            raise SettingError(f"The bet is {bet!r:.60}, but must be one of: {names}.")
+        return bet
+
+    def described(self) -> dict[str, object]:
+        """Return it as the browser reads it."""
+        return {"question": self.question, "options": list(self.options.items())}
+
+
+Bet = DrawnBet | ChosenBet
+
+
+@dataclass(frozen=True)
+class LessonState:
+    """What a lesson draws.
+
+    Args:
+        values: What is set, one for each knob.
+        step: "bet", "try" or "challenge".
+        bet: The pupil's, once there is one.
+        is_revealed: Whether the truth may be seen.
+        tried: The values that were set before, the oldest first.
+    """
+
+    values: dict[str, Value]
+    step: str = "bet"
+    bet: KeptBet | None = None
+    is_revealed: bool = False
+    tried: tuple[dict[str, Value], ...] = ()

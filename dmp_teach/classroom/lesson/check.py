@@ -1,0 +1,130 @@
+"""Conditions of a challenge, and the verdict on an answer: plain values, without a browser."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+
+from dmp_teach.texts import gettext as _
+
+Value = float | int | str | bool
+Answer = dict[str, Value]
+"""What a pupil has set, by the names of `Lesson.settable`."""
+
+
+@dataclass(frozen=True)
+class Condition:
+    """A number that must lie between two limits.
+
+    Args:
+        name: What it is, as the pupil reads it: "the e", "bumps".
+        value: The number.
+        low: The least that will do.
+        high: The most that will do.
+        unit: Of the number and its limits, "mm".
+    """
+
+    name: str
+    value: float
+    low: float = -math.inf
+    high: float = math.inf
+    unit: str = ""
+
+    @property
+    def is_met(self) -> bool:
+        """Whether the number lies between the limits; one that is not finite does not."""
+        return math.isfinite(self.value) and self.low <= self.value <= self.high
+
+    @property
+    def shown(self) -> str:
+        """The number with its unit, with so many digits that it does not hide the verdict."""
+        limits = [limit for limit in (self.low, self.high) if math.isfinite(limit)]
+        words = f"{self.value:.0f}" if abs(self.value) >= 10 else f"{self.value:.1f}"
+        for digits in (1, 2, 3):
+            if all((float(words) <= limit) == (self.value <= limit) for limit in limits):
+                break
+            words = f"{self.value:.{digits}f}"
+        return f"{words.replace('-', '−')} {self.unit}".strip()
+
+    @property
+    def rule(self) -> str:
+        """What is asked: "at most 1 mm"."""
+        low, high = (f"{limit:g} {self.unit}".strip() for limit in (self.low, self.high))
+        if self.low == self.high:
+            return _("exactly {limit}").format(limit=low)
+        if math.isinf(self.low):
+            return _("at most {limit}").format(limit=high)
+        if math.isinf(self.high):
+            return _("at least {limit}").format(limit=low)
+        return _("from {low} to {high}").format(low=f"{self.low:g}", high=high)
+
+    @property
+    def shortfall(self) -> str:
+        """What is missing, in a sentence with the number."""
+        name = self.name[:1].upper() + self.name[1:]
+        words = _("{name}: {shown}. It must be {rule}.")
+        return words.format(name=name, shown=self.shown, rule=self.rule)
+
+
+def at_most(name: str, value: float, limit: float, unit: str = "") -> Condition:
+    """Return the condition that a number is at most a limit."""
+    return Condition(name, value, high=limit, unit=unit)
+
+
+def at_least(name: str, value: float, limit: float, unit: str = "") -> Condition:
+    """Return the condition that a number is at least a limit."""
+    return Condition(name, value, low=limit, unit=unit)
+
+
+def between(name: str, value: float, low: float, high: float, unit: str = "") -> Condition:
+    """Return the condition that a number lies between two limits."""
+    return Condition(name, value, low, high, unit)
+
+
+def exactly(name: str, value: float, wanted: float, unit: str = "") -> Condition:
+    """Return the condition that a number is the wanted one."""
+    return Condition(name, value, wanted, wanted, unit)
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What a check says of one answer.
+
+    Args:
+        done: Whether the challenge is met.
+        reason: Why, of this answer.
+        hint: The next one; empty when done.
+        conditions: Each with its number.
+    """
+
+    done: bool
+    reason: str
+    hint: str = ""
+    conditions: tuple[Condition, ...] = ()
+
+    def __str__(self) -> str:
+        """Return the reason, and the hint on a line of its own."""
+        return "\n".join(line for line in (self.reason, self.hint) if line)
+
+
+def judge(
+    conditions: Sequence[Condition],
+    mistakes: Sequence[tuple[bool, str]],
+    praise: Callable[[], str],
+    hint: str,
+) -> Verdict:
+    """Return the verdict: the first mistake that was made, or else the first shortfall.
+
+    Args:
+        conditions: All must be met.
+        mistakes: Whether one was made, and what is then said, the most telling first. An answer
+            with a mistake is not done, whatever its numbers.
+        praise: Returns what is said when all is well.
+        hint: Given when it is not.
+    """
+    made = [words for is_made, words in mistakes if is_made]
+    missing = [each.shortfall for each in conditions if not each.is_met]
+    if made or missing:
+        return Verdict(False, (made + missing)[0], hint, tuple(conditions))
+    return Verdict(True, praise(), "", tuple(conditions))

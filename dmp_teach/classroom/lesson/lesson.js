@@ -1,0 +1,211 @@
+// A lesson: its steps, the card of the step, the pictures, and the knobs. What a lesson shows comes
+// from Python as a picture; what is drawn by hand here waits for nobody.
+
+import { choice, hear, keepKeys, make, save } from "../../views/dom.js";
+import { t, useTexts } from "../../views/texts.js";
+import { bump, LOG, sentence, slider } from "../panels/controls.js";
+import {
+  asleepBox,
+  drawOlder,
+  letRobotWrite,
+  robotTable,
+  showRobot,
+  watch,
+} from "../panels/robot.js";
+import { drawWork, tellWork } from "../panels/work.js";
+import { Card } from "./card.js";
+import { Stage } from "./stage.js";
+
+/** @typedef {import("../../views/dom.js").Model} Model */
+/** @typedef {Record<string, any>} Values */
+
+/** @param {import("../../views/dom.js").Widget} widget */
+function render({ model, el, host, signal }) {
+  useTexts(model.get("texts"));
+  const root = keepKeys(make("div", { class: "dt-panel dt-lesson" }));
+  const lesson = new LessonView(model);
+  const { parts } = lesson;
+  root.append(parts.head, parts.card.node, parts.stage.node, parts.middle, parts.knobs);
+  el.append(root);
+  const redraw = () => {
+    lesson.redraw();
+    root.setAttribute("data-dt-drawing", model.get("drawing"));
+  };
+  hear(model, {
+    "drawing progress": redraw,
+    values: () => lesson.takeValues(),
+    work: () => {
+      parts.stage.showRobot(model.get("work").state !== "idle");
+      drawWork(model, parts);
+      tellWork(model, parts);
+    },
+    older: () => drawOlder(model, parts),
+  });
+  const stopWatching = watch(model, root, parts);
+  lesson.takeUp();
+  redraw();
+  drawWork(model, parts);
+  drawOlder(model, parts);
+  showRobot(model, host, parts.robotHost, signal);
+  if (model.get("scene")) parts.stage.showRobot(true);
+  return stopWatching;
+}
+
+class LessonView {
+  constructor(/** @type {Model} */ model) {
+    this.model = model;
+    this.spec = model.get("spec");
+    /** @type {Values} what is set, in the hand, too */
+    this.values = { ...model.get("values") };
+    const says = sentence();
+    const asleep = asleepBox(t("The robot does not answer."));
+    const robot = robotTable();
+    const send = (/** @type {object} */ message) => this.send(message);
+    const letters = make("div");
+    this.steps = choice({
+      legend: t("Step of the lesson"),
+      kind: "dt-choice dt-step-bar",
+      options: [
+        { value: "bet", label: t("1 Bet") },
+        { value: "try", label: t("2 Try") },
+        { value: "challenge", label: t("3 Challenge") },
+      ],
+      onChange: (step) => send({ kind: "step", step }),
+    });
+    const write = () => letRobotWrite(model, this.parts);
+    const card = new Card(this.spec, { send, write, bet: () => this.stage.bet });
+    this.stage = new Stage(this.spec, robot, {
+      onBet: (bet) => send({ kind: "bet", bet }),
+      onValues: (changes, isDone) => this.set(changes, isDone),
+    });
+    const title = make("span", { class: "dt-question" }, this.spec.question);
+    const head = make("div", { class: "dt-head" }, this.steps.node, title);
+    const middle = make("div", { class: "dt-says" }, says.node, asleep);
+    this.knobs = knobsOf(this.spec.knobs, (name, value, isDone) =>
+      this.set({ [name]: value }, isDone),
+    );
+    const knobs = make(
+      "div",
+      { class: "dt-knobs" },
+      ...Object.values(this.knobs).map(({ node }) => node),
+    );
+    const { stage } = this;
+    this.parts = { head, card, stage, middle, knobs, says, asleep, letters, ...robot };
+    this.parts.write = card.write;
+  }
+
+  /** Tell Python, if it is there; the bet and the knobs in the hand stay without it. */
+  send(/** @type {object} */ message) {
+    this.parts.waits();
+    try {
+      this.model.send(message);
+    } catch (error) {
+      console.warn(error);
+    }
+  }
+
+  /**
+   * Turn knobs. Those that are drawn here tell Python on release alone.
+   * @param {Values} changes
+   * @param {boolean} isDone
+   */
+  set(changes, isDone) {
+    Object.assign(this.values, changes);
+    const isHere = Object.keys(changes).every((name) => this.spec.knobs[name].is_drawn_here);
+    this.drawPictures();
+    if (isHere && !isDone) return;
+    save(this.model, { values: { ...this.values }, asked: this.model.get("asked") + 1 });
+  }
+
+  takeValues() {
+    this.values = { ...this.model.get("values") };
+    this.drawPictures();
+  }
+
+  drawPictures() {
+    for (const [name, knob] of Object.entries(this.knobs)) knob.show(this.values[name]);
+    this.stage.draw(this.model.get("picture"), this.values);
+  }
+
+  redraw() {
+    const progress = this.model.get("progress");
+    this.steps.show(progress.step);
+    this.parts.card.show(progress, this.model.get("card"));
+    this.stage.take(progress);
+    this.drawPictures();
+    this.parts.says.show(this.model.get("message"));
+    this.parts.knobs.hidden = progress.step === "bet";
+    this.keep(progress);
+  }
+
+  // Work outlives a restart of the kernel, and goes with the tab.
+
+  get place() {
+    return `dmp_teach ${location.pathname} ${this.spec.key} ${this.spec.pupil}`;
+  }
+
+  keep(/** @type {Values} */ progress) {
+    const work = { values: this.model.get("values"), progress };
+    sessionStorage.setItem(this.place, JSON.stringify(work));
+  }
+
+  takeUp() {
+    const work = sessionStorage.getItem(this.place);
+    if (work && this.model.get("progress").bet === null)
+      this.send({ kind: "restore", work: JSON.parse(work) });
+  }
+}
+
+/**
+ * A slider or a bar for each knob.
+ * @param {Record<string, any>} knobs
+ * @param {(name: string, value: any, isDone: boolean) => void} onSet
+ */
+function knobsOf(knobs, onSet) {
+  /** @type {Record<string, { node: HTMLElement, show(value: any): void }>} */
+  const made = {};
+  for (const [name, knob] of Object.entries(knobs)) {
+    if (knob.kind === "choice") {
+      const options = knob.options.map((/** @type {string[]} */ [value, label]) => ({
+        value,
+        label,
+      }));
+      const bar = choice({
+        legend: knob.label,
+        options,
+        onChange: (value) => onSet(name, value, true),
+      });
+      const label = make("span", { class: "dt-knob-name", "aria-hidden": "true" }, knob.label);
+      made[name] = {
+        node: make("div", { class: "dt-knob-choice" }, label, bar.node),
+        show: bar.show,
+      };
+    } else made[name] = knobSlider(knob, (value, isDone) => onSet(name, value, isDone));
+  }
+  return made;
+}
+
+/**
+ * @param {Values} knob
+ * @param {(value: number, isDone: boolean) => void} onSet
+ */
+function knobSlider(knob, onSet) {
+  const figure = (/** @type {number} */ value) => {
+    const digits = knob.digits ?? (Math.abs(value) < 1 ? 2 : Math.abs(value) < 10 ? 1 : 0);
+    return value.toFixed(digits).replace("-", "−");
+  };
+  const text = (/** @type {number} */ value) => `${figure(value)} ${knob.unit}`.trim();
+  const made = slider({
+    ...{ label: knob.label, term: knob.term, low: knob.low, high: knob.high, step: knob.step },
+    text,
+    spoken: text,
+    scale: knob.is_log ? LOG : undefined,
+    icons: knob.icons?.map(bump),
+    onInput: (value) => onSet(value, false),
+  });
+  const scale = knob.is_log ? LOG.value : Number;
+  made.input.addEventListener("change", () => onSet(scale(Number(made.input.value)), true));
+  return made;
+}
+
+export default { render };

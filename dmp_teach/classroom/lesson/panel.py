@@ -1,0 +1,218 @@
+"""The panel of a lesson: its steps, its knobs and its card, whatever the lesson."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import traitlets
+
+from dmp_teach.classroom.lesson.bets import ChosenBet, DrawnBet, KeptBet, LessonState
+from dmp_teach.classroom.lesson.check import Answer, Verdict
+from dmp_teach.classroom.lesson.knobs import check_answer
+from dmp_teach.classroom.lesson.lesson import Affine, Lesson, Pick, Picture
+from dmp_teach.classroom.panels.kept import forget, kept
+from dmp_teach.classroom.panels.robot_panel import RobotPanel
+from dmp_teach.errors import SettingError
+from dmp_teach.files import join_modules, join_styles
+from dmp_teach.texts import gettext as _
+from dmp_teach.views import STYLE_TOKENS
+
+_HERE = Path(__file__).parent
+_PANELS = _HERE.parent / "panels"
+STEPS = ("bet", "try", "challenge")
+# So many of the pupil's settings are drawn as tried.
+MOST_TRIED = 200
+HINTS_AFTER_MISSES = 2
+
+
+class LessonPanel(RobotPanel):
+    """A lesson as a pupil sees it.
+
+    `values` are the knobs, which may be set from Python, too; `answer` is what `teach.check` takes.
+    The browser keeps `progress` while the page is open; the kernel keeps it while it lives.
+    """
+
+    _esm = join_modules(_HERE / "lesson.js")
+    _css = join_styles(
+        STYLE_TOKENS,
+        *(_PANELS / f"{name}.css" for name in ("panel", "paper", "plot")),
+        _HERE / "lesson.css",
+    )
+
+    # Any, here and below: JSON for the browser.
+    spec: traitlets.Dict[str, Any] = traitlets.Dict().tag(sync=True)
+    values: traitlets.Dict[str, Any] = traitlets.Dict().tag(sync=True)
+    asked = traitlets.Int(0).tag(sync=True)
+    picture: traitlets.Dict[str, Any] = traitlets.Dict().tag(sync=True)
+    progress: traitlets.Dict[str, Any] = traitlets.Dict().tag(sync=True)
+    card: traitlets.Dict[str, Any] = traitlets.Dict().tag(sync=True)
+
+    def __init__(self, lesson: Lesson):
+        self.lesson = lesson
+        self._key = f"lesson {lesson.key} {lesson.pupil or ''}"
+        self._kept = kept(self._key)
+        self._tried: list[Answer] = []
+        super().__init__(spec=_describe(lesson))
+        self._restore(dict(self._kept))
+
+    @property
+    def answer(self) -> Answer:
+        """What is set now: the answer that `teach.check` judges."""
+        return dict(self.values)
+
+    # What is kept ---------------------------------------------------------------------------------
+
+    def _restore(self, work: dict[str, Any]) -> None:
+        """Take up work where it was left; what does not fit the lesson begins afresh."""
+        fresh = {"step": "bet", "bet": None, "revealed": False, "done": []}
+        fresh |= {"hints": 0, "misses": 0, "verdict": None, "passed": False}
+        progress = {name: work.get("progress", {}).get(name, fresh[name]) for name in fresh}
+        values = work.get("values", self.lesson.start)
+        try:
+            values = check_answer(self.lesson.knobs, values)
+            if progress["bet"] is not None:
+                progress["bet"] = self.lesson.bet.checked(progress["bet"])
+        except SettingError:
+            progress, values = fresh, dict(self.lesson.start)
+        if progress["step"] not in STEPS:
+            progress["step"] = "bet"
+        self._tried = [each for each in work.get("tried", []) if isinstance(each, dict)]
+        with self.hold_sync(), self.hold_trait_notifications():
+            self.values = values
+            self.progress = progress
+        self._redraw()
+
+    def _keep(self) -> None:
+        """Keep the work as it is now."""
+        self._kept.update(values=self.values, progress=self.progress, tried=self._tried)
+
+    # What the browser asks for --------------------------------------------------------------------
+
+    # Any: as in the base class.
+    def _hear(self, _widget: object, message: dict[str, Any], buffers: list[memoryview]) -> None:
+        """Do what a button of the lesson asks for, or what one of the robot does."""
+        kind = message.get("kind")
+        if kind == "bet":
+            self._change(bet=self.lesson.bet.checked(message["bet"]))
+        elif kind == "reveal" and self.progress["bet"] is not None:
+            self._change(revealed=True)
+        elif kind == "step" and message["step"] in STEPS:
+            self._change(step=message["step"], verdict=None)
+        elif kind == "check":
+            self._check()
+        elif kind == "hint":
+            self._change(hints=min(self.progress["hints"] + 1, len(self.lesson.hints)))
+        elif kind == "restore" and not self._kept.get("progress", {}).get("bet"):
+            self._restore(message["work"])
+        elif kind == "forget":
+            forget(self._key)
+            self._restore({})
+        else:
+            super()._hear(_widget, message, buffers)
+
+    def _check(self) -> None:
+        """Judge what is set, and count a miss."""
+        verdict = self.lesson.check(self.answer, self.progress["hints"])
+        misses = self.progress["misses"] + (not verdict.done)
+        passed = self.progress["passed"] or verdict.done
+        self._change(verdict=_pack_verdict(verdict), misses=misses, passed=passed)
+
+    # Any: as `progress`.
+    def _change(self, **changes: Any) -> None:
+        """Change the progress, and show it."""
+        self.progress = self.progress | changes
+        self._redraw()
+
+    @traitlets.validate("values")
+    def _refuse_other_values(self, proposal: dict[str, Any]) -> dict[str, Any]:
+        """Return values, every one on its knob, or raise a SettingError that says what is not."""
+        return check_answer(self.lesson.knobs, proposal["value"])
+
+    @traitlets.observe("values")
+    def _try_values(self, _change: object) -> None:
+        """Draw anew; a verdict was on other values, and a task may be done."""
+        if not self.progress:
+            return
+        if self.progress["step"] != "bet":
+            self._tried = [*self._tried, dict(self.values)][-MOST_TRIED:]
+        done = set(self.progress["done"])
+        if self.progress["step"] == "try":
+            done |= {i for i, task in enumerate(self.lesson.tasks) if task.is_done(self.values)}
+        self._change(done=sorted(done), verdict=None)
+
+    @traitlets.observe("asked")
+    def _answer(self, _change: object) -> None:
+        """Say that what was asked for is drawn."""
+        self.answered = self.asked
+
+    # What is shown --------------------------------------------------------------------------------
+
+    def _redraw(self) -> None:
+        """Draw the lesson as it stands, and its card."""
+        progress = self.progress
+        state = LessonState(
+            self.answer,
+            progress["step"],
+            progress["bet"],
+            progress["revealed"],
+            tuple(self._tried),
+        )
+        picture = self.lesson.draw(state)
+        with self.hold_sync():
+            self.picture = pack({"sheet": picture.sheet, "plots": picture.plots})
+            self.message = picture.says
+            self.card = self._write_card(picture)
+            self._show_strokes(picture.strokes)
+            self.drawing += 1
+        self._keep()
+
+    def _write_card(self, picture: Picture) -> dict[str, Any]:
+        """Return the words of the step."""
+        lesson, progress = self.lesson, self.progress
+        conditions = lesson.conditions(self.answer) if progress["step"] == "challenge" else ()
+        hints = list(lesson.hints[: progress["hints"]])
+        bet = lesson.tell_bet(progress["bet"]) if progress["revealed"] else ""
+        offered = progress["misses"] >= HINTS_AFTER_MISSES and len(hints) < len(lesson.hints)
+        return {
+            "bet": bet,
+            "rows": [[each.name, each.shown, each.rule, each.is_met] for each in conditions],
+            "hints": hints,
+            "offersHint": offered and not progress["passed"],
+        }
+
+
+def _describe(lesson: Lesson) -> dict[str, Any]:
+    """Return what of a lesson does not change, for the browser."""
+    return {
+        "key": lesson.key,
+        "pupil": lesson.pupil or "",
+        "question": lesson.question,
+        "knobs": {name: knob.described() for name, knob in lesson.knobs.items()},
+        "bet": lesson.bet.described(),
+        "tasks": [task.text for task in lesson.tasks],
+        "challenge": lesson.challenge,
+    }
+
+
+def _pack_verdict(verdict: Verdict) -> dict[str, Any]:
+    """Return a verdict as the browser shows it."""
+    return {"done": verdict.done, "reason": verdict.reason}
+
+
+# Any: whatever a picture holds.
+def pack(value: Any) -> Any:
+    """Return a picture with its points as float64 bytes, for the browser."""
+    if isinstance(value, np.ndarray):
+        return np.ascontiguousarray(value, dtype="<f8").tobytes()
+    if isinstance(value, Affine):
+        return {"base": pack(value.base), "terms": pack(value.terms)}
+    if isinstance(value, Pick):
+        return {"pick": value.knob, "pictures": pack(list(value.pictures))}
+    if isinstance(value, dict):
+        return {name: pack(each) for name, each in value.items()}
+    if isinstance(value, list | tuple):
+        return [pack(each) for each in value]
+    return value.item() if isinstance(value, np.generic) else value

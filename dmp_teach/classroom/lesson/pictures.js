@@ -1,0 +1,71 @@
+// What a lesson draws, made of the arrays that the kernel sends once: a knob that is drawn here
+// needs no answer.
+
+/** @typedef {Record<string, any>} Values what is set, by the names of the knobs */
+
+/** @type {WeakMap<DataView, Float64Array>} */
+const read = new WeakMap();
+
+/** The numbers in bytes of float64. */
+export function numbers(/** @type {DataView} */ view) {
+  let found = read.get(view);
+  if (!found) {
+    const { buffer, byteOffset, byteLength } = view;
+    found = new Float64Array(buffer.slice(byteOffset, byteOffset + byteLength));
+    read.set(view, found);
+  }
+  return found;
+}
+
+/**
+ * Points [x, y]; one that is not a number breaks a line and comes as null.
+ * @param {DataView} base
+ * @param {Record<string, DataView>} terms
+ * @param {Values} values
+ */
+export function points(base, terms, values) {
+  const sum = Float64Array.from(numbers(base));
+  for (const [name, term] of Object.entries(terms)) {
+    const value = Number(values[name]);
+    const each = numbers(term);
+    if (value) for (let i = 0; i < sum.length; i++) sum[i] += value * each[i];
+  }
+  return Array.from({ length: sum.length / 2 }, (_, i) => {
+    const place = [sum[2 * i], sum[2 * i + 1]];
+    return place.every(Number.isFinite) ? place : null;
+  });
+}
+
+/**
+ * A picture with the knobs as they are now.
+ * @param {any} drawing
+ * @param {Values} values
+ * @param {Record<string, any>} knobs
+ * @returns {any}
+ */
+export function resolve(drawing, values, knobs) {
+  if (drawing instanceof DataView) return points(drawing, {}, values);
+  if (Array.isArray(drawing)) return drawing.map((each) => resolve(each, values, knobs));
+  if (!drawing || typeof drawing !== "object") return drawing;
+  if (drawing.base instanceof DataView) return points(drawing.base, drawing.terms, values);
+  if (drawing.pick) return resolve(picked(drawing, values, knobs), values, knobs);
+  const parts = Object.entries(drawing).map(([name, each]) => [
+    name,
+    resolve(each, values, knobs),
+  ]);
+  return Object.fromEntries(parts);
+}
+
+/**
+ * @param {{ pick: string, pictures: any[] }} drawing
+ * @param {Values} values
+ * @param {Record<string, any>} knobs
+ */
+function picked({ pick, pictures }, values, knobs) {
+  const { kind, options, low } = knobs[pick];
+  const place =
+    kind === "choice"
+      ? options.findIndex((/** @type {string[]} */ [value]) => value === values[pick])
+      : Math.round(values[pick] - low);
+  return pictures[Math.min(Math.max(place, 0), pictures.length - 1)];
+}
