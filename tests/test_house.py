@@ -37,7 +37,7 @@ ORDER = [
     "dmp",
     "letters",
 ]
-ORDER += ["robot", "ros", "studies", "views", "classroom", "launcher"]
+ORDER += ["robot", "ros", "studies", "views", "classroom", "lessons", "launcher"]
 FACES = [room for room in ORDER if (PACKAGE / room / "__init__.pyi").exists()]
 EVERYWHERE = {"numpy", "scipy", "dmp_teach", "lazy_loader", "tqdm"}
 ROOMS = {  # where a library from elsewhere may be imported

@@ -27,7 +27,8 @@ class Slider:
         digits: How many are shown behind the point; None: two figures.
         is_log: Equal ways are equal factors.
         is_drawn_here: What it changes is drawn in the browser; the kernel hears of it on release.
-        ends: A word for each end.
+        icons: The drawings at its ends, "narrow", "one", "many".
+        is_view: It changes what is looked at, and is no part of the answer.
     """
 
     label: str
@@ -39,7 +40,8 @@ class Slider:
     digits: int | None = 0
     is_log: bool = False
     is_drawn_here: bool = False
-    ends: tuple[str, str] = ("", "")
+    icons: tuple[str, ...] = ()
+    is_view: bool = False
 
     @classmethod
     def of(cls, setting: str, low: float, high: float, **more: object) -> Self:
@@ -80,10 +82,14 @@ class Choice:
     Args:
         label: What is chosen.
         options: The value of each, and its words.
+        is_drawn_here: What it changes is drawn in the browser.
+        is_view: It changes what is looked at, and is no part of the answer.
     """
 
     label: str
     options: Mapping[str, str]
+    is_drawn_here: bool = False
+    is_view: bool = False
 
     @property
     def allowed(self) -> tuple[str, ...]:
@@ -106,7 +112,7 @@ class Choice:
 
     def described(self) -> dict[str, object]:
         """Return it as the browser reads it."""
-        return {"kind": "choice", "label": self.label, "options": list(self.options.items())}
+        return {"kind": "choice", **asdict(self), "options": list(self.options.items())}
 
 
 Knobs = Mapping[str, Slider | Choice]

@@ -12,7 +12,7 @@ import traitlets
 from dmp_teach.classroom.lesson.bets import ChosenBet, DrawnBet, KeptBet, LessonState
 from dmp_teach.classroom.lesson.check import Answer, Verdict
 from dmp_teach.classroom.lesson.knobs import check_answer
-from dmp_teach.classroom.lesson.lesson import Affine, Lesson, Pick, Picture
+from dmp_teach.classroom.lesson.content import Affine, LessonContent, Pick, Picture
 from dmp_teach.classroom.panels.kept import forget, kept
 from dmp_teach.classroom.panels.robot_panel import RobotPanel
 from dmp_teach.errors import SettingError
@@ -50,7 +50,7 @@ class LessonPanel(RobotPanel):
     progress: traitlets.Dict[str, Any] = traitlets.Dict().tag(sync=True)
     card: traitlets.Dict[str, Any] = traitlets.Dict().tag(sync=True)
 
-    def __init__(self, lesson: Lesson):
+    def __init__(self, lesson: LessonContent):
         self.lesson = lesson
         self._key = f"lesson {lesson.key} {lesson.pupil or ''}"
         self._kept = kept(self._key)
@@ -61,7 +61,7 @@ class LessonPanel(RobotPanel):
     @property
     def answer(self) -> Answer:
         """What is set now: the answer that `teach.check` judges."""
-        return dict(self.values)
+        return {name: self.values[name] for name in self.lesson.settable}
 
     # What is kept ---------------------------------------------------------------------------------
 
@@ -154,7 +154,7 @@ class LessonPanel(RobotPanel):
         """Draw the lesson as it stands, and its card."""
         progress = self.progress
         state = LessonState(
-            self.answer,
+            dict(self.values),
             progress["step"],
             progress["bet"],
             progress["revealed"],
@@ -184,7 +184,7 @@ class LessonPanel(RobotPanel):
         }
 
 
-def _describe(lesson: Lesson) -> dict[str, Any]:
+def _describe(lesson: LessonContent) -> dict[str, Any]:
     """Return what of a lesson does not change, for the browser."""
     return {
         "key": lesson.key,

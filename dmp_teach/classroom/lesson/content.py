@@ -1,0 +1,166 @@
+"""A lesson as a value: what can be set, a bet, tasks, a challenge that is checked, and a picture."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from functools import partial
+from zlib import crc32
+
+import numpy as np
+
+from dmp_teach.classroom.lesson.bets import Bet, LessonState
+from dmp_teach.classroom.lesson.check import Answer, Condition, Value, Verdict, judge
+from dmp_teach.classroom.lesson.knobs import Knobs, check_answer
+from dmp_teach.classroom.panels.messages import Message
+from dmp_teach.errors import SettingError
+from dmp_teach.ink import check_pseudonym
+from dmp_teach.trajectory import Array, Trajectory
+
+
+@dataclass(frozen=True)
+class Affine:
+    """Points that follow knobs without the kernel: base + sum of value times term.
+
+    Args:
+        base: Shape (N, 2).
+        terms: By the name of a knob, shape (N, 2): what one unit of it adds.
+    """
+
+    base: Array
+    terms: dict[str, Array] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class Pick:
+    """One of several pictures, by the place of a choice's value among its options.
+
+    Args:
+        knob: The name of the choice, or of a slider of whole numbers from its low end.
+        pictures: One for each option.
+    """
+
+    knob: str
+    pictures: Sequence[object]
+
+
+# Arrays, `Affine` and `Pick` may stand at any depth; the rest is plain JSON.
+Drawing = dict[str, object]
+
+
+@dataclass(frozen=True)
+class Picture:
+    """What a lesson shows.
+
+    Args:
+        says: One number and one sentence.
+        sheet: Of the letter: box, demo, robot, and what else `lesson.js` draws on paper.
+        plots: Of each plot by its name: caption, note, and a scene of `plot.js`.
+        strokes: What the robot writes when it is asked.
+    """
+
+    says: Message
+    sheet: Drawing | None = None
+    plots: dict[str, Drawing] = field(default_factory=dict)
+    strokes: tuple[Trajectory, ...] = ()
+
+
+@dataclass(frozen=True)
+class Task:
+    """Something to try, and whether it was done.
+
+    Args:
+        text: What to do, and what to look for.
+        is_done: Called with what is set.
+    """
+
+    text: str
+    is_done: Callable[[dict[str, Value]], bool]
+
+
+class LessonContent:
+    """What a lesson says, draws and judges.
+
+    A lesson is a subclass of `Lesson` that says what varies with the pupil (`vary`), what can be
+    set (`knobs`, `start`, `solution`), and its texts. Texts are properties, so that they come in
+    the language of the moment.
+
+    Args:
+        pupil: A pseudonym, from which letters, targets and starts follow; None: the first variant.
+    """
+
+    key: str
+    slug: str
+
+    def __init__(self, pupil: str | None = None):
+        self.pupil = None if pupil is None else check_pseudonym(pupil)
+        seed = crc32(f"{self.key} {self.pupil or ''}".encode())
+        self.vary(None if pupil is None else np.random.default_rng(seed))
+
+    def __repr__(self) -> str:
+        """Return one line."""
+        pupil = "" if self.pupil is None else f", pupil {self.pupil}"
+        return f"Lesson({self.key} {self.question!r}{pupil})"
+
+    def vary(self, random: np.random.Generator | None) -> None:
+        """Set what differs between pupils; None is the first variant."""
+
+    question: str
+    """The title."""
+    knobs: Knobs
+    """What a pupil can turn, by name; computed once a panel."""
+    start: Answer
+    """What is set when the panel opens."""
+    solution: Answer
+    """One answer that meets the challenge."""
+    bet: Bet
+    tasks: Sequence[Task]
+    challenge: str
+    """The task that is checked."""
+    hints: tuple[str, str, str]
+    """Each more direct; the solution in the third alone."""
+
+    @property
+    def settable(self) -> dict[str, tuple[Value, ...]]:
+        """What a pupil can set: the name, and (low, high) or the choices."""
+        return {name: knob.allowed for name, knob in self._answer_knobs.items()}
+
+    @property
+    def _answer_knobs(self) -> Knobs:
+        """The knobs that belong to the answer."""
+        return {name: knob for name, knob in self.knobs.items() if not knob.is_view}
+
+    def draw(self, state: LessonState) -> Picture:
+        """Return what is seen; quick, since it is called while a slider moves."""
+        raise NotImplementedError
+
+    def conditions(self, answer: Answer) -> Sequence[Condition]:
+        """Return what the challenge asks for, each with the number of this answer."""
+        raise NotImplementedError
+
+    def mistakes(self, answer: Answer) -> Sequence[tuple[bool, str]]:
+        """Return whether each usual mistake was made, and what is then said of this answer."""
+        return ()
+
+    def praise(self, answer: Answer) -> str:
+        """Return what is said when the challenge is met."""
+        raise NotImplementedError
+
+    def tell_bet(self, bet: str | list[list[float]]) -> str:
+        """Return how far off a bet was, when the truth is laid over it; never that it is wrong."""
+        raise NotImplementedError
+
+    def check(self, answer: object, hints: int = 0) -> Verdict:
+        """Judge an answer, without a browser.
+
+        Args:
+            answer: What a panel's `.answer` holds: a value for each name of `settable`.
+            hints: How many hints were seen; the next is given.
+        """
+        hint = self.hints[min(max(hints, 0), 2)]
+        try:
+            good = check_answer(self._answer_knobs, answer)
+        except SettingError as error:
+            return Verdict(False, str(error), hint)
+        praise = partial(self.praise, good)
+        return judge(self.conditions(good), self.mistakes(good), praise, hint)

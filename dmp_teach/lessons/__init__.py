@@ -1,0 +1,5 @@
+"""The lessons, a module each, in the frame of `dmp_teach.classroom`."""
+
+import lazy_loader
+
+__getattr__, __dir__, __all__ = lazy_loader.attach_stub(__name__, __file__)

@@ -1,0 +1,3 @@
+from .all import check as check
+from .all import lesson as lesson
+from .all import lessons as lessons

@@ -1,0 +1,286 @@
+"""Lesson 03: how wide a kernel should be (the paper's figures on kernel types, width and 'a')."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from collections.abc import Sequence
+from functools import lru_cache
+
+import numpy as np
+
+from dmp_teach.classroom import (
+    Answer,
+    Choice,
+    Condition,
+    DrawnBet,
+    Knobs,
+    Lesson,
+    LessonState,
+    Picture,
+    Slider,
+    Task,
+    at_most,
+)
+from dmp_teach.dmp import Settings
+from dmp_teach.errors import SettingWarning
+from dmp_teach.ink import recording_of
+from dmp_teach.lessons.drawing import (
+    bumps_over_time,
+    draw_sheet,
+    error_axis,
+    error_of,
+    millimetres,
+    paths_of,
+)
+from dmp_teach.letters import Letter
+from dmp_teach.texts import gettext as _
+
+NARROWEST, WIDEST = 0.25, 20.0
+BET_WIDTHS = (0.25, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0)
+CURVE_WIDTHS = np.unique([*np.geomspace(NARROWEST, WIDEST, 40), 0.98, 1.0])
+PAIRS = ("aD", "eB", "gR", "mP", "hS", "dG")
+
+
+@lru_cache(maxsize=2048)
+def learn(character: str, kernel: str, width: float, fit: str) -> Letter:
+    """Learn a letter of our alphabet with kernels of one shape and width [1/N]."""
+    shape = {"kernel_width": width, "kernel_sigma": math.inf}
+    if kernel == "cut":
+        shape["kernel_sigma"] = max(0.2, width / 3)
+    elif kernel == "bell":
+        shape = {"kernel_width": math.inf, "kernel_sigma": max(0.2, width / 3)}
+    preset = Settings.joint if fit == "joint" else Settings.star
+    name = "mollifier" if kernel == "smooth" else "gaussian"
+    # The panel's sentence tells of gaps.
+    with warnings.catch_warnings(action="ignore", category=SettingWarning):
+        return Letter.learn(recording_of(character), preset(kernel=name, sharpen=False, **shape))
+
+
+def error_mm(character: str, answer: Answer) -> float:
+    """Return how far off a letter is with these settings, on average [mm]."""
+    width = float(answer["kernel_width"])
+    return 1000 * error_of(learn(character, str(answer["kernel"]), width, str(answer["fit"])))
+
+
+class BumpWidth(Lesson):
+    """How wide should each bump be?"""
+
+    key = "03"
+    slug = "bump_width"
+
+    def vary(self, random: np.random.Generator | None) -> None:
+        """Choose the two letters and the shape of the bumps."""
+        self.pair = PAIRS[0] if random is None else PAIRS[random.integers(len(PAIRS))]
+        self.kernel = "box" if random is None else ("box", "cut")[random.integers(2)]
+        best = {"kernel_width": 1.1, "kernel": self.kernel, "fit": "lwr"}
+        self.limit = math.ceil(18 * max(error_mm(each, best) for each in self.pair)) / 10
+        self.start = {**best, "kernel_width": 10.0, "letter": self.pair[0]}
+        self.solution = {**best, "letter": self.pair[0]}
+
+    @property
+    def question(self) -> str:
+        """The title."""
+        return _("How wide should each bump be?")
+
+    @property
+    def knobs(self) -> Knobs:
+        """What a pupil can set."""
+        kernels = {"box": _("box"), "cut": _("cut bell"), "smooth": _("soft bell")}
+        return {
+            "kernel_width": Slider.of(
+                "kernel_width", NARROWEST, WIDEST, is_log=True, icons=("narrow", "one")
+            ),
+            "letter": Choice(_("Letter"), {each: each for each in self.pair}, is_view=True),
+            "kernel": Choice(_("Shape"), {**kernels, "bell": _("bell without ends")}),
+            "fit": Choice(
+                _("Learned"), {"lwr": _("one bump at a time"), "joint": _("all together")}
+            ),
+        }
+
+    @property
+    def bet(self) -> DrawnBet:
+        """The curve of errors."""
+        question = _(
+            "The robot’s {letter} has gone soft: its bumps are ten times too wide. How far off is "
+            "it at other widths? Pull the dots to where you think."
+        )
+        places = np.array([[width, 3.0] for width in BET_WIDTHS])
+        labels = [_("How far off at width {width:g}").format(width=each) for each in BET_WIDTHS]
+        asked = question.format(letter=self.pair[0])
+        return DrawnBet(asked, "curve", places, labels, step=0.1, unit="mm")
+
+    @property
+    def tasks(self) -> Sequence[Task]:
+        """What to try."""
+        return (
+            Task(
+                _("Make the bumps wider and wider. What melts first?"),
+                lambda v: v["kernel_width"] > 12,
+            ),
+            Task(
+                _("Now go below 1. What happens between the bumps?"),
+                lambda v: v["kernel_width"] < 0.8,
+            ),
+            Task(
+                _("Learn all together, and make them wide again. Is the letter still soft?"),
+                lambda v: v["fit"] == "joint" and v["kernel_width"] > 3,
+            ),
+        )
+
+    @property
+    def challenge(self) -> str:
+        """What is checked."""
+        shape = {"box": _("boxes"), "cut": _("cut bells")}[self.kernel]
+        words = _(
+            "With {shape}, learned one at a time: find one width that keeps both {first} and "
+            "{second} within {limit} mm of the person’s."
+        )
+        first, second = self.pair
+        return words.format(shape=shape, first=first, second=second, limit=self.limit)
+
+    @property
+    def hints(self) -> tuple[str, str, str]:
+        """Each more direct."""
+        return (
+            _("Look at the bumps in time. Do they leave gaps, just touch, or pile up?"),
+            _("Wide bumps average their neighbours. Go left, but stop before gaps open."),
+            _("At width 1 the bumps just touch. Try 1.1."),
+        )
+
+    def conditions(self, answer: Answer) -> Sequence[Condition]:
+        """Return the error of each letter."""
+        return [at_most(each, error_mm(each, answer), self.limit, "mm") for each in self.pair]
+
+    def mistakes(self, answer: Answer) -> Sequence[tuple[bool, str]]:
+        """Return what is wrong with the width, the shape or the fit."""
+        width, kernel = float(answer["kernel_width"]), answer["kernel"]
+        worst = max(self.pair, key=lambda each: error_mm(each, answer))
+        facts = {"width": f"{width:.2g}", "letter": worst, "mm": f"{error_mm(worst, answer):.1f}"}
+        facts |= {"share": f"{100 * (1 - width):.0f}", "limit": self.limit}
+        together = _(
+            "All together each bump is told what the others do, so width {width} hardly matters: "
+            "{letter} is {mm} mm off. The challenge is for bumps that learn one at a time."
+        )
+        endless = _(
+            "A bell without ends leaves no gap however narrow it is: at width {width} {letter} is "
+            "{mm} mm off. The challenge is for another shape."
+        )
+        other = _("At width {width} {letter} is {mm} mm off, but this is another shape of bump.")
+        gaps = _(
+            "Width {width} leaves gaps: for {share} % of the time no bump is awake, and the pen "
+            "drifts. {letter} is {mm} mm off."
+        )
+        piled = _(
+            "At width {width} each bump averages what {width} places need, so bends melt. "
+            "{letter} is {mm} mm off; the limit is {limit}."
+        )
+        found = [
+            (answer["fit"] == "joint", together),
+            (kernel == "bell", endless),
+            (kernel != self.kernel, other),
+            (width < 1, gaps),
+            (error_mm(worst, answer) > self.limit, piled),
+        ]
+        return [(is_made, words.format(**facts)) for is_made, words in found]
+
+    def praise(self, answer: Answer) -> str:
+        """Return what was found."""
+        words = _("Width {width:.2g} keeps both: {errors}. Bumps that just touch are enough.")
+        errors = [f"{each} {error_mm(each, answer):.2f} mm" for each in self.pair]
+        return words.format(width=answer["kernel_width"], errors=", ".join(errors))
+
+    def tell_bet(self, bet: str | list[list[float]]) -> str:
+        """Return where the bet was near, and where it was far off."""
+        assert isinstance(bet, list)
+        truth = [error_mm(self.pair[0], self.start | {"kernel_width": x}) for x, _y in bet]
+        ratios = [y / true for (_x, y), true in zip(bet, truth, strict=True)]
+        far = int(np.argmax(np.abs(np.log(ratios))))
+        near = int(np.argmin(np.abs(np.log(ratios))))
+        words = _(
+            "You were nearest at width {near:g}: you said {near_said} mm, it is {near_true}. The "
+            "surprise is at width {far:g}: you said {far_said}, it is {far_true} mm."
+        )
+        said = [millimetres(y / 1000) for _x, y in bet]
+        true = [millimetres(each / 1000) for each in truth]
+        return words.format(
+            near=bet[near][0],
+            near_said=said[near],
+            near_true=true[near],
+            far=bet[far][0],
+            far_said=said[far],
+            far_true=true[far],
+        )
+
+    def draw(self, state: LessonState) -> Picture:
+        """Draw the letter, the curve of what was tried, and the bumps over time."""
+        values = state.values
+        character, kernel = str(values["letter"]), str(values["kernel"])
+        width, fit = float(values["kernel_width"]), str(values["fit"])
+        letter = learn(character, kernel, width, fit)
+        written = letter.write()
+        error = error_mm(character, values)
+        sheet = draw_sheet(
+            letter.strokes,
+            paths_of(written),
+            caption=_("On paper"),
+            note=_("width {width:.2g}").format(width=width),
+        )
+        plots = {"curve": self._draw_curve(state, error), "strip": self._draw_bumps(letter)}
+        return Picture(self._say(error, width, fit, kernel), sheet, plots, written)
+
+    def _draw_curve(self, state: LessonState, error: float) -> dict[str, object]:
+        """Draw the errors that were tried; the whole curve where the truth is revealed."""
+        values = state.values
+        of = {"letter": values["letter"], "kernel": values["kernel"], "fit": values["fit"]}
+        tried = sorted(
+            (float(each["kernel_width"]), error_mm(self.pair[0], each))
+            for each in state.tried
+            if all(each.get(name) == value for name, value in of.items())
+        )
+        ticks = [[0.25, "¼"], [1, _("1 just touching")], [4, "4"], [20, "20"]]
+        x = {"label": _("how wide each bump is"), "low": NARROWEST, "high": WIDEST}
+        lines = [{"points": np.array(tried), "kind": "quiet"}] if len(tried) > 1 else []
+        if state.is_revealed:
+            true = [
+                [each, error_mm(str(values["letter"]), values | {"kernel_width": each})]
+                for each in map(float, CURVE_WIDTHS)
+            ]
+            lines = [{"points": np.array(true), "kind": "truth", "label": _("the robot")}]
+        dots = [{"at": [float(values["kernel_width"]), error], "kind": "robot"}]
+        return {
+            "caption": _("How far off"),
+            "note": _("your bet, and the truth") if state.is_revealed else _("the widths you tried"),
+            "x": x | {"log": True, "ticks": ticks},
+            "y": error_axis(),
+            "lines": lines,
+            "dots": dots,
+        }
+
+    def _draw_bumps(self, letter: Letter) -> dict[str, object]:
+        """Draw the bumps of the longest stroke over time."""
+        primitive = max(letter.primitives, key=lambda each: each.duration)
+        bumps = bumps_over_time(primitive)
+        return {
+            "caption": _("The bumps, one after the other in time"),
+            "note": _("{n} bumps").format(n=len(bumps)),
+            "x": {"label": _("time [s]"), "low": 0.0, "high": primitive.duration},
+            "y": {"label": "", "low": 0.0, "high": 1.15, "ticks": []},
+            "fills": [{"points": each} for each in bumps],
+        }
+
+    def _say(self, error: float, width: float, fit: str, kernel: str) -> dict[str, str]:
+        """Return the number and the sentence."""
+        if kernel != "bell" and width < 0.99:
+            text, strong = _("Between the bumps the robot sleeps. "), _("The pen drifts in the gaps.")
+        elif fit == "joint":
+            text, strong = _("Each bump knows its neighbours. "), _("Its width hardly matters.")
+        elif width > 1.5:
+            text = _("Each bump covers the places of {width:.2g}. ").format(width=width)
+            strong = _("Each part of the letter is an average of its neighbours.")
+        else:
+            text, strong = _("The bumps just touch. "), _("The line sits on the dots.")
+        return {"number": millimetres(error / 1000), "unit": "mm", "text": text} | {
+            "strong": strong,
+            "after": "",
+        }
