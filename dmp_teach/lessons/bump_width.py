@@ -64,7 +64,7 @@ def error_mm(character: str, answer: Answer) -> float:
 
 
 class BumpWidth(Lesson):
-    """How wide should each bump be?"""
+    """A width that touches, between gaps and mush."""
 
     key = "03"
     slug = "bump_width"
@@ -250,7 +250,9 @@ class BumpWidth(Lesson):
         dots = [{"at": [float(values["kernel_width"]), error], "kind": "robot"}]
         return {
             "caption": _("How far off"),
-            "note": _("your bet, and the truth") if state.is_revealed else _("the widths you tried"),
+            "note": _("your bet, and the truth")
+            if state.is_revealed
+            else _("what you tried"),
             "x": x | {"log": True, "ticks": ticks},
             "y": error_axis(),
             "lines": lines,
@@ -272,7 +274,10 @@ class BumpWidth(Lesson):
     def _say(self, error: float, width: float, fit: str, kernel: str) -> dict[str, str]:
         """Return the number and the sentence."""
         if kernel != "bell" and width < 0.99:
-            text, strong = _("Between the bumps the robot sleeps. "), _("The pen drifts in the gaps.")
+            text, strong = (
+                _("Between the bumps the robot sleeps. "),
+                _("The pen drifts in the gaps."),
+            )
         elif fit == "joint":
             text, strong = _("Each bump knows its neighbours. "), _("Its width hardly matters.")
         elif width > 1.5:

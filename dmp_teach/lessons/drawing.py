@@ -48,13 +48,13 @@ def bumps_over_time(primitive: DMP) -> list[Array]:
     A bump is drawn only where it is awake.
     """
     kernels, duration = primitive.kernels, primitive.duration
-    t = np.linspace(0, 1, max(400, BUMP_POINTS * kernels.number))
+    t = np.linspace(0, 1, max(1000, BUMP_POINTS * kernels.number))
     heights = kernels.heights(kernels.phase.at(1 - t))
     outlines = []
     for height in heights.T[::-1]:
         awake = np.flatnonzero(height > 0.004)
         if len(awake):
-            span = slice(awake[0], awake[-1] + 1)
+            span = np.unique(np.linspace(awake[0], awake[-1], BUMP_POINTS).astype(int))
             path = np.column_stack([t[span] * duration, height[span]])
             ends = np.array([[path[0, 0], 0.0], [path[-1, 0], 0.0]])
             outlines.append(np.vstack([ends[:1], path, ends[1:]]))

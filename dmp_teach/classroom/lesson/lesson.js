@@ -31,6 +31,9 @@ function render({ model, el, host, signal }) {
     lesson.redraw();
     root.setAttribute("data-dt-drawing", model.get("drawing"));
   };
+  const showScene = () => {
+    if (model.get("scene")) showRobot(model, host, parts.robotHost, signal);
+  };
   hear(model, {
     "drawing progress": redraw,
     values: () => lesson.takeValues(),
@@ -40,14 +43,14 @@ function render({ model, el, host, signal }) {
       tellWork(model, parts);
     },
     older: () => drawOlder(model, parts),
+    scene: showScene,
   });
   const stopWatching = watch(model, root, parts);
   lesson.takeUp();
   redraw();
   drawWork(model, parts);
   drawOlder(model, parts);
-  showRobot(model, host, parts.robotHost, signal);
-  if (model.get("scene")) parts.stage.showRobot(true);
+  showScene();
   return stopWatching;
 }
 

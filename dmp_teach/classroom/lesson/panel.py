@@ -2,22 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import traitlets
 
-from dmp_teach.classroom.lesson.bets import ChosenBet, DrawnBet, KeptBet, LessonState
+from dmp_teach.classroom.lesson.bets import LessonState
 from dmp_teach.classroom.lesson.check import Answer, Verdict
-from dmp_teach.classroom.lesson.knobs import check_answer
 from dmp_teach.classroom.lesson.content import Affine, LessonContent, Pick, Picture
+from dmp_teach.classroom.lesson.knobs import check_answer
 from dmp_teach.classroom.panels.kept import forget, kept
 from dmp_teach.classroom.panels.robot_panel import RobotPanel
 from dmp_teach.errors import SettingError
 from dmp_teach.files import join_modules, join_styles
-from dmp_teach.texts import gettext as _
 from dmp_teach.views import STYLE_TOKENS
 
 _HERE = Path(__file__).parent

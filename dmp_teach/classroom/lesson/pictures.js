@@ -1,20 +1,16 @@
 // What a lesson draws, made of the arrays that the kernel sends once: a knob that is drawn here
 // needs no answer.
 
+import { affinePoints, unpack } from "../panels/affine.js";
+
 /** @typedef {Record<string, any>} Values what is set, by the names of the knobs */
 
 /** @type {WeakMap<DataView, Float64Array>} */
-const read = new WeakMap();
+const unpacked = new WeakMap();
 
-/** The numbers in bytes of float64. */
-export function numbers(/** @type {DataView} */ view) {
-  let found = read.get(view);
-  if (!found) {
-    const { buffer, byteOffset, byteLength } = view;
-    found = new Float64Array(buffer.slice(byteOffset, byteOffset + byteLength));
-    read.set(view, found);
-  }
-  return found;
+function numbers(/** @type {DataView} */ view) {
+  if (!unpacked.has(view)) unpacked.set(view, unpack(view));
+  return unpacked.get(view);
 }
 
 /**
@@ -23,17 +19,10 @@ export function numbers(/** @type {DataView} */ view) {
  * @param {Record<string, DataView>} terms
  * @param {Values} values
  */
-export function points(base, terms, values) {
-  const sum = Float64Array.from(numbers(base));
-  for (const [name, term] of Object.entries(terms)) {
-    const value = Number(values[name]);
-    const each = numbers(term);
-    if (value) for (let i = 0; i < sum.length; i++) sum[i] += value * each[i];
-  }
-  return Array.from({ length: sum.length / 2 }, (_, i) => {
-    const place = [sum[2 * i], sum[2 * i + 1]];
-    return place.every(Number.isFinite) ? place : null;
-  });
+function points(base, terms, values) {
+  const each = Object.entries(terms).map(([name, term]) => [name, numbers(term)]);
+  const places = affinePoints(numbers(base), Object.fromEntries(each), values);
+  return places.map((place) => (place.every(Number.isFinite) ? place : null));
 }
 
 /**

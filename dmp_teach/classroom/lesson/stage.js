@@ -3,8 +3,8 @@
 
 import { choice, make } from "../../views/dom.js";
 import { t } from "../../views/texts.js";
-import { Paper } from "../panels/paper.js";
 import { Plot } from "../panels/plot.js";
+import { LessonPaper } from "./lesson_paper.js";
 import { resolve } from "./pictures.js";
 
 /** @typedef {Record<string, any>} Values */
@@ -30,7 +30,7 @@ export class Stage {
     this.isBetting = true;
     this.picture = {};
     this.values = {};
-    this.paper = new Paper({
+    this.paper = new LessonPaper({
       onPick() {},
       onHome: (i) => this.moveRing(i, this.rings[i].home, true),
       onGoal: (i, place, isDone) => this.moveRing(i, place, isDone),
@@ -147,15 +147,17 @@ export class Stage {
       this.column.append(node);
     }
     one.words.show(caption, note);
-    one.plot.draw({ title: caption, ...scene, ...this.handlesOf(name) });
+    const { bet, ...handles } = this.handlesOf(name);
+    const kept = bet ? [{ points: bet, kind: "bet", label: t("your bet") }] : [];
+    const lines = [...(scene.lines ?? []), ...kept];
+    one.plot.draw({ title: caption, ...scene, ...handles, lines });
   }
 
   /** The handles of the bet, and afterwards its line, where it is drawn on this part. */
   handlesOf(/** @type {string} */ part) {
     const { bet } = this.spec;
     if (bet.part !== part || !this.bet) return {};
-    if (!this.isBetting)
-      return this.isMoved ? { bet: this.bet } : {};
+    if (!this.isBetting) return this.isMoved ? { bet: this.bet } : {};
     const handles = this.bet.map((at, i) => ({
       at,
       label: bet.labels[i],
@@ -163,7 +165,7 @@ export class Stage {
       axis: bet.axis,
       step: bet.step,
     }));
-    return { handles, isFresh: !this.isMoved };
+    return { handles };
   }
 }
 

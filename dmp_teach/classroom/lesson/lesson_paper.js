@@ -1,0 +1,41 @@
+// The sheet of a lesson: more lines than a letter has, and the bet that is drawn on it.
+
+import { make } from "../../views/dom.js";
+import { Handles } from "../panels/handles.js";
+import { Paper, pixels } from "../panels/paper.js";
+
+/** @typedef {import("../panels/layout.js").Place} Place */
+
+export class LessonPaper extends Paper {
+  /** @param {any} listeners those of `Paper`, and `onHandle` of the bet */
+  constructor(listeners) {
+    super(listeners);
+    this.extras = make("g");
+    this.kept = make("path", { class: "dt-bet-line" });
+    this.bet = new Handles({ onHandle: listeners.onHandle });
+    this.node.insertBefore(this.extras, this.robot);
+    this.node.append(this.kept, this.bet.node);
+  }
+
+  redraw() {
+    if (!this.size[0] || !this.scene) return;
+    super.redraw();
+    const view = this.view();
+    const { extras = [], bet = [], handles = [] } = /** @type {any} */ (this.scene);
+    const path = (/** @type {Place[]} */ places) =>
+      places.length > 1 ? `M${pixels(places, view).join("L")}` : "";
+    this.extras.replaceChildren(
+      ...extras.map((/** @type {{ points: Place[], kind: string }} */ { points, kind }) =>
+        make("path", { class: `dt-extra dt-${kind}`, d: path(points) }),
+      ),
+    );
+    this.kept.setAttribute("d", path(bet));
+    this.bet.draw(handles, { ...view, area: [16, 16, view.w - 16, view.h - 16] });
+  }
+
+  /** A sheet may have no goal. */
+  drawRings(/** @type {any} */ view) {
+    if (this.scene.goals.length) super.drawRings(view);
+    else this.rings.replaceChildren();
+  }
+}
