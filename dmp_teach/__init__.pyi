@@ -1,5 +1,7 @@
 from dmp_teach import errors as errors
 from dmp_teach import studies as studies
+from dmp_teach.classroom import Lesson as Lesson
+from dmp_teach.classroom import Verdict as Verdict
 from dmp_teach.classroom import explore as explore
 from dmp_teach.classroom import pad as pad
 from dmp_teach.dmp import DMP as DMP
@@ -25,6 +27,8 @@ from dmp_teach.formats import read_recordings as read_recordings
 from dmp_teach.formats import write_recording as write_recording
 from dmp_teach.ink import Recording as Recording
 from dmp_teach.ink import recording_of as recording_of
+from dmp_teach.lessons import check as check
+from dmp_teach.lessons import lesson as lesson
 from dmp_teach.letters import Letter as Letter
 from dmp_teach.letters import Piece as Piece
 from dmp_teach.letters import Shelf as Shelf

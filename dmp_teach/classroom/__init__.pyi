@@ -1,6 +1,7 @@
 from .lesson.bets import Bet as Bet
 from .lesson.bets import ChosenBet as ChosenBet
 from .lesson.bets import DrawnBet as DrawnBet
+from .lesson.bets import KeptBet as KeptBet
 from .lesson.bets import LessonState as LessonState
 from .lesson.check import Answer as Answer
 from .lesson.check import Condition as Condition
@@ -14,12 +15,11 @@ from .lesson.content import Drawing as Drawing
 from .lesson.content import Pick as Pick
 from .lesson.content import Picture as Picture
 from .lesson.content import Task as Task
-from .lesson.knobs import Choice as Choice
 from .lesson.knobs import Knobs as Knobs
+from .lesson.knobs import OneOf as OneOf
 from .lesson.knobs import Slider as Slider
 from .lesson.lesson import Lesson as Lesson
 from .lesson.panel import LessonPanel as LessonPanel
 from .panels.explore import explore as explore
 from .panels.pad import pad as pad
 from .panels.resting import RESTING_SCRIPT as RESTING_SCRIPT
-from .panels.sheets import fit_goal_sheet as fit_goal_sheet

@@ -11,12 +11,13 @@ import numpy as np
 
 from dmp_teach.classroom import (
     Answer,
-    Choice,
     Condition,
     DrawnBet,
+    KeptBet,
     Knobs,
     Lesson,
     LessonState,
+    OneOf,
     Picture,
     Slider,
     Task,
@@ -39,22 +40,22 @@ from dmp_teach.texts import gettext as _
 NARROWEST, WIDEST = 0.25, 20.0
 BET_WIDTHS = (0.25, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0)
 CURVE_WIDTHS = np.unique([*np.geomspace(NARROWEST, WIDEST, 40), 0.98, 1.0])
-PAIRS = ("aD", "eB", "gR", "mP", "hS", "dG")
+PAIRS = (("a", "D"), ("e", "B"), ("g", "R"), ("m", "P"), ("h", "S"), ("d", "G"))
 
 
 @lru_cache(maxsize=2048)
 def learn(character: str, kernel: str, width: float, fit: str) -> Letter:
     """Learn a letter of our alphabet with kernels of one shape and width [1/N]."""
-    shape = {"kernel_width": width, "kernel_sigma": math.inf}
-    if kernel == "cut":
-        shape["kernel_sigma"] = max(0.2, width / 3)
-    elif kernel == "bell":
-        shape = {"kernel_width": math.inf, "kernel_sigma": max(0.2, width / 3)}
     preset = Settings.joint if fit == "joint" else Settings.star
-    name = "mollifier" if kernel == "smooth" else "gaussian"
+    settings = preset(
+        kernel="mollifier" if kernel == "smooth" else "gaussian",
+        kernel_width=math.inf if kernel == "bell" else width,
+        kernel_sigma=max(0.2, width / 3) if kernel in ("cut", "bell") else math.inf,
+        sharpen=False,
+    )
     # The panel's sentence tells of gaps.
     with warnings.catch_warnings(action="ignore", category=SettingWarning):
-        return Letter.learn(recording_of(character), preset(kernel=name, sharpen=False, **shape))
+        return Letter.learn(recording_of(character), settings)
 
 
 def error_mm(character: str, answer: Answer) -> float:
@@ -73,7 +74,7 @@ class BumpWidth(Lesson):
         """Choose the two letters and the shape of the bumps."""
         self.pair = PAIRS[0] if random is None else PAIRS[random.integers(len(PAIRS))]
         self.kernel = "box" if random is None else ("box", "cut")[random.integers(2)]
-        best = {"kernel_width": 1.1, "kernel": self.kernel, "fit": "lwr"}
+        best: Answer = {"kernel_width": 1.1, "kernel": self.kernel, "fit": "lwr"}
         self.limit = math.ceil(18 * max(error_mm(each, best) for each in self.pair)) / 10
         self.start = {**best, "kernel_width": 10.0, "letter": self.pair[0]}
         self.solution = {**best, "letter": self.pair[0]}
@@ -91,9 +92,9 @@ class BumpWidth(Lesson):
             "kernel_width": Slider.of(
                 "kernel_width", NARROWEST, WIDEST, is_log=True, icons=("narrow", "one")
             ),
-            "letter": Choice(_("Letter"), {each: each for each in self.pair}, is_view=True),
-            "kernel": Choice(_("Shape"), {**kernels, "bell": _("bell without ends")}),
-            "fit": Choice(
+            "letter": OneOf(_("Letter"), {each: each for each in self.pair}, is_view=True),
+            "kernel": OneOf(_("Shape"), {**kernels, "bell": _("bell without ends")}),
+            "fit": OneOf(
                 _("Learned"), {"lwr": _("one bump at a time"), "joint": _("all together")}
             ),
         }
@@ -156,8 +157,12 @@ class BumpWidth(Lesson):
         """Return what is wrong with the width, the shape or the fit."""
         width, kernel = float(answer["kernel_width"]), answer["kernel"]
         worst = max(self.pair, key=lambda each: error_mm(each, answer))
-        facts = {"width": f"{width:.2g}", "letter": worst, "mm": f"{error_mm(worst, answer):.1f}"}
-        facts |= {"share": f"{100 * (1 - width):.0f}", "limit": self.limit}
+        facts: Answer = {
+            "width": f"{width:.2g}",
+            "letter": worst,
+            "mm": f"{error_mm(worst, answer):.1f}",
+        }
+        facts |= {"share": f"{100 * (1 - width):.0f}"}
         together = _(
             "All together each bump is told what the others do, so width {width} hardly matters: "
             "{letter} is {mm} mm off. The challenge is for bumps that learn one at a time."
@@ -190,9 +195,8 @@ class BumpWidth(Lesson):
         errors = [f"{each} {error_mm(each, answer):.2f} mm" for each in self.pair]
         return words.format(width=answer["kernel_width"], errors=", ".join(errors))
 
-    def tell_bet(self, bet: str | list[list[float]]) -> str:
+    def tell_bet(self, bet: KeptBet) -> str:
         """Return where the bet was near, and where it was far off."""
-        assert isinstance(bet, list)
         truth = [error_mm(self.pair[0], self.start | {"kernel_width": x}) for x, _y in bet]
         ratios = [y / true for (_x, y), true in zip(bet, truth, strict=True)]
         far = int(np.argmax(np.abs(np.log(ratios))))
@@ -250,9 +254,7 @@ class BumpWidth(Lesson):
         dots = [{"at": [float(values["kernel_width"]), error], "kind": "robot"}]
         return {
             "caption": _("How far off"),
-            "note": _("your bet, and the truth")
-            if state.is_revealed
-            else _("what you tried"),
+            "note": _("your bet, and the truth") if state.is_revealed else _("what you tried"),
             "x": x | {"log": True, "ticks": ticks},
             "y": error_axis(),
             "lines": lines,

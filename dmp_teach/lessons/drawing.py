@@ -6,7 +6,7 @@ from collections.abc import Iterable, Sequence
 
 import numpy as np
 
-from dmp_teach.classroom import Drawing, fit_goal_sheet
+from dmp_teach.classroom import Drawing
 from dmp_teach.dmp import DMP
 from dmp_teach.letters import Letter, rms_distance
 from dmp_teach.texts import gettext as _
@@ -36,7 +36,9 @@ def draw_sheet(
     demonstration: Sequence[Trajectory], robot: Sequence[object], **more: object
 ) -> Drawing:
     """Return a sheet with a person's letter and the robot's lines over it."""
-    box = fit_goal_sheet(demonstration)
+    points = np.concatenate(paths_of(demonstration))
+    margin = 0.12 * np.ptp(points, axis=0).max()
+    box = [*(points.min(axis=0) - margin), *(points.max(axis=0) + margin)]
     title = _("The person’s letter, and the robot’s over it.")
     sheet: Drawing = {"box": box, "title": title, "demo": paths_of(demonstration)}
     return sheet | {"robot": list(robot)} | more
@@ -70,4 +72,4 @@ def error_axis() -> Drawing:
         (100.0, _("a hand")),
     ]
     ticks = [[value, f"{value:g} mm {word}"] for value, word in words]
-    return {"label": _("how far off"), "low": 0.1, "high": 100.0, "log": True, "ticks": ticks}
+    return {"label": "", "low": 0.1, "high": 100.0, "log": True, "ticks": ticks}

@@ -4,14 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
-from dmp_teach.classroom.lesson.check import Value
+from dmp_teach.classroom.lesson.check import Answer
 from dmp_teach.errors import SettingError
 from dmp_teach.trajectory import Array
 
-KeptBet = str | list[list[float]]
+# Any: which of the two, the kind of bet knows.
+KeptBet = Any
 """The name of an option, or the places of handles."""
 
 
@@ -99,8 +101,8 @@ class LessonState:
         tried: The values that were set before, the oldest first.
     """
 
-    values: dict[str, Value]
+    values: Answer
     step: str = "bet"
     bet: KeptBet | None = None
     is_revealed: bool = False
-    tried: tuple[dict[str, Value], ...] = ()
+    tried: tuple[Answer, ...] = ()

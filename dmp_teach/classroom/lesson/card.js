@@ -6,7 +6,8 @@ import { button, ICONS, icon, put, spokenBox } from "../panels/controls.js";
 
 /** @typedef {Record<string, any>} Values */
 
-const BULB = "M9 18h6M10 21h4M12 3a6 6 0 0 1 4 10.5c-1 1-1 1.5-1 2.5H9c0-1 0-1.5-1-2.500A6 6 0 0 1 12 3";
+const BULB =
+  "M9 18h6M10 21h4M12 3a6 6 0 0 1 4 10.5c-1 1-1 1.5-1 2.5H9c0-1 0-1.5-1-2.500A6 6 0 0 1 12 3";
 
 export class Card {
   /**
@@ -60,10 +61,11 @@ export class Card {
     const { step, verdict } = progress;
     const isDone = Boolean(verdict?.done);
     change(this.node, { class: `dt-card dt-${isDone ? "passed" : step}` });
-    const draw = { bet: this.drawBet, try: this.drawTry, challenge: this.drawChallenge }[step];
+    /** @type {Record<string, (progress: Values, card: Values) => Element[]>} */
+    const draws = { bet: this.drawBet, try: this.drawTry, challenge: this.drawChallenge };
     const focused = this.buttons.contains(document.activeElement);
     for (const each of [...this.all(), this.write]) each.hidden = true;
-    this.words.replaceChildren(...draw.call(this, progress, card));
+    this.words.replaceChildren(...draws[step].call(this, progress, card));
     /** @type {HTMLElement | null} */
     const first = this.buttons.querySelector(".dt-button:not([hidden])");
     if (focused && /** @type {HTMLElement} */ (document.activeElement).hidden) first?.focus();
@@ -88,7 +90,9 @@ export class Card {
 
   drawTry(/** @type {Values} */ { done }) {
     const { tasks } = this.spec;
-    const now = tasks.findIndex((/** @type {string} */ _, /** @type {number} */ i) => !done.includes(i));
+    const now = tasks.findIndex(
+      (/** @type {string} */ _, /** @type {number} */ i) => !done.includes(i),
+    );
     this.toChallenge.hidden = false;
     change(this.toChallenge, { class: now < 0 ? "dt-button dt-main" : "dt-button" });
     return [
@@ -128,7 +132,9 @@ export class Card {
     const told = hints.map((/** @type {string} */ words, /** @type {number} */ i) =>
       make("li", { class: i === hints.length - 1 ? "dt-newest" : "" }, words),
     );
-    const badge = isDone ? make("span", { class: "dt-badge-done" }, icon(ICONS.tick), t("Done")) : null;
+    const badge = isDone
+      ? make("span", { class: "dt-badge-done" }, icon(ICONS.tick), t("Done"))
+      : null;
     return [
       make("p", { class: "dt-ask" }, badge, isDone ? verdict.reason : this.spec.challenge),
       make("ul", { class: "dt-rows" }, ...list),

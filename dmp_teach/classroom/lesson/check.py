@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 from dmp_teach.texts import gettext as _
 
-Value = float | int | str | bool
-Answer = dict[str, Value]
+# Any: a number for a slider, a word for a choice.
+Answer = dict[str, Any]
 """What a pupil has set, by the names of `Lesson.settable`."""
 
 

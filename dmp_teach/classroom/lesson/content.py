@@ -1,4 +1,4 @@
-"""A lesson as a value: what can be set, a bet, tasks, a challenge that is checked, and a picture."""
+"""A lesson as a value: what can be set, a bet, tasks, a challenge with its check, and a picture."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from zlib import crc32
 
 import numpy as np
 
-from dmp_teach.classroom.lesson.bets import Bet, LessonState
-from dmp_teach.classroom.lesson.check import Answer, Condition, Value, Verdict, judge
+from dmp_teach.classroom.lesson.bets import Bet, KeptBet, LessonState
+from dmp_teach.classroom.lesson.check import Answer, Condition, Verdict, judge
 from dmp_teach.classroom.lesson.knobs import Knobs, check_answer
 from dmp_teach.classroom.panels.messages import Message
 from dmp_teach.errors import SettingError
@@ -75,7 +75,7 @@ class Task:
     """
 
     text: str
-    is_done: Callable[[dict[str, Value]], bool]
+    is_done: Callable[[Answer], bool]
 
 
 class LessonContent:
@@ -93,7 +93,9 @@ class LessonContent:
     slug: str
 
     def __init__(self, pupil: str | None = None):
-        self.pupil = None if pupil is None else check_pseudonym(pupil)
+        if pupil is not None:
+            check_pseudonym(pupil)
+        self.pupil = pupil
         seed = crc32(f"{self.key} {self.pupil or ''}".encode())
         self.vary(None if pupil is None else np.random.default_rng(seed))
 
@@ -105,23 +107,43 @@ class LessonContent:
     def vary(self, random: np.random.Generator | None) -> None:
         """Set what differs between pupils; None is the first variant."""
 
-    question: str
-    """The title."""
-    knobs: Knobs
-    """What a pupil can turn, by name; computed once a panel."""
     start: Answer
     """What is set when the panel opens."""
     solution: Answer
     """One answer that meets the challenge."""
-    bet: Bet
-    tasks: Sequence[Task]
-    challenge: str
-    """The task that is checked."""
-    hints: tuple[str, str, str]
-    """Each more direct; the solution in the third alone."""
 
     @property
-    def settable(self) -> dict[str, tuple[Value, ...]]:
+    def question(self) -> str:
+        """The title."""
+        raise NotImplementedError
+
+    @property
+    def knobs(self) -> Knobs:
+        """What a pupil can turn, by name."""
+        raise NotImplementedError
+
+    @property
+    def bet(self) -> Bet:
+        """What is predicted before the truth is seen."""
+        raise NotImplementedError
+
+    @property
+    def tasks(self) -> Sequence[Task]:
+        """What to try, one after the other."""
+        raise NotImplementedError
+
+    @property
+    def challenge(self) -> str:
+        """The task that is checked."""
+        raise NotImplementedError
+
+    @property
+    def hints(self) -> tuple[str, str, str]:
+        """Each more direct; the solution in the third alone."""
+        raise NotImplementedError
+
+    @property
+    def settable(self) -> dict[str, tuple[float, ...] | tuple[str, ...]]:
         """What a pupil can set: the name, and (low, high) or the choices."""
         return {name: knob.allowed for name, knob in self._answer_knobs.items()}
 
@@ -146,7 +168,7 @@ class LessonContent:
         """Return what is said when the challenge is met."""
         raise NotImplementedError
 
-    def tell_bet(self, bet: str | list[list[float]]) -> str:
+    def tell_bet(self, bet: KeptBet) -> str:
         """Return how far off a bet was, when the truth is laid over it; never that it is wrong."""
         raise NotImplementedError
 

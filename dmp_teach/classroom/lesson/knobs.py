@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from dataclasses import asdict, dataclass
 from typing import Self
 
-from dmp_teach.classroom.lesson.check import Value
+from dmp_teach.classroom.lesson.check import Answer
 from dmp_teach.dmp import knob_of
 from dmp_teach.errors import SettingError
 from dmp_teach.texts import gettext as _
@@ -76,7 +76,7 @@ class Slider:
 
 
 @dataclass(frozen=True)
-class Choice:
+class OneOf:
     """One of several.
 
     Args:
@@ -115,10 +115,10 @@ class Choice:
         return {"kind": "choice", **asdict(self), "options": list(self.options.items())}
 
 
-Knobs = Mapping[str, Slider | Choice]
+Knobs = Mapping[str, Slider | OneOf]
 
 
-def check_answer(knobs: Knobs, answer: object) -> dict[str, Value]:
+def check_answer(knobs: Knobs, answer: object) -> Answer:
     """Return an answer with one good value for every knob.
 
     Raises:

@@ -35,7 +35,7 @@ function render({ model, el, host, signal }) {
     if (model.get("scene")) showRobot(model, host, parts.robotHost, signal);
   };
   hear(model, {
-    "drawing progress": redraw,
+    drawing: redraw,
     values: () => lesson.takeValues(),
     work: () => {
       parts.stage.showRobot(model.get("work").state !== "idle");
@@ -93,6 +93,7 @@ class LessonView {
       ...Object.values(this.knobs).map(({ node }) => node),
     );
     const { stage } = this;
+    /** @type {any} as `Parts` of a panel, and the lesson's own */
     this.parts = { head, card, stage, middle, knobs, says, asleep, letters, ...robot };
     this.parts.write = card.write;
   }

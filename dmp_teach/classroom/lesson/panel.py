@@ -20,7 +20,7 @@ from dmp_teach.views import STYLE_TOKENS
 
 _HERE = Path(__file__).parent
 _PANELS = _HERE.parent / "panels"
-STEPS = ("bet", "try", "challenge")
+LESSON_STEPS = ("bet", "try", "challenge")
 # So many of the pupil's settings are drawn as tried.
 MOST_TRIED = 200
 HINTS_AFTER_MISSES = 2
@@ -65,7 +65,7 @@ class LessonPanel(RobotPanel):
 
     def _restore(self, work: dict[str, Any]) -> None:
         """Take up work where it was left; what does not fit the lesson begins afresh."""
-        fresh = {"step": "bet", "bet": None, "revealed": False, "done": []}
+        fresh: dict[str, Any] = {"step": "bet", "bet": None, "revealed": False, "done": []}
         fresh |= {"hints": 0, "misses": 0, "verdict": None, "passed": False}
         progress = {name: work.get("progress", {}).get(name, fresh[name]) for name in fresh}
         values = work.get("values", self.lesson.start)
@@ -75,13 +75,12 @@ class LessonPanel(RobotPanel):
                 progress["bet"] = self.lesson.bet.checked(progress["bet"])
         except SettingError:
             progress, values = fresh, dict(self.lesson.start)
-        if progress["step"] not in STEPS:
+        if progress["step"] not in LESSON_STEPS:
             progress["step"] = "bet"
         self._tried = [each for each in work.get("tried", []) if isinstance(each, dict)]
         with self.hold_sync(), self.hold_trait_notifications():
             self.values = values
-            self.progress = progress
-        self._redraw()
+        self._redraw(progress)
 
     def _keep(self) -> None:
         """Keep the work as it is now."""
@@ -97,7 +96,7 @@ class LessonPanel(RobotPanel):
             self._change(bet=self.lesson.bet.checked(message["bet"]))
         elif kind == "reveal" and self.progress["bet"] is not None:
             self._change(revealed=True)
-        elif kind == "step" and message["step"] in STEPS:
+        elif kind == "step" and message["step"] in LESSON_STEPS:
             self._change(step=message["step"], verdict=None)
         elif kind == "check":
             self._check()
@@ -121,8 +120,7 @@ class LessonPanel(RobotPanel):
     # Any: as `progress`.
     def _change(self, **changes: Any) -> None:
         """Change the progress, and show it."""
-        self.progress = self.progress | changes
-        self._redraw()
+        self._redraw(self.progress | changes)
 
     @traitlets.validate("values")
     def _refuse_other_values(self, proposal: dict[str, Any]) -> dict[str, Any]:
@@ -148,9 +146,9 @@ class LessonPanel(RobotPanel):
 
     # What is shown --------------------------------------------------------------------------------
 
-    def _redraw(self) -> None:
-        """Draw the lesson as it stands, and its card."""
-        progress = self.progress
+    # Any: as `progress`.
+    def _redraw(self, progress: dict[str, Any]) -> None:
+        """Draw the lesson at this progress, and its card."""
         state = LessonState(
             dict(self.values),
             progress["step"],
@@ -160,6 +158,7 @@ class LessonPanel(RobotPanel):
         )
         picture = self.lesson.draw(state)
         with self.hold_sync():
+            self.progress = progress
             self.picture = pack({"sheet": picture.sheet, "plots": picture.plots})
             self.message = picture.says
             self.card = self._write_card(picture)

@@ -38,10 +38,7 @@ export function resolve(drawing, values, knobs) {
   if (!drawing || typeof drawing !== "object") return drawing;
   if (drawing.base instanceof DataView) return points(drawing.base, drawing.terms, values);
   if (drawing.pick) return resolve(picked(drawing, values, knobs), values, knobs);
-  const parts = Object.entries(drawing).map(([name, each]) => [
-    name,
-    resolve(each, values, knobs),
-  ]);
+  const parts = Object.entries(drawing).map(([name, each]) => [name, resolve(each, values, knobs)]);
   return Object.fromEntries(parts);
 }
 

@@ -21,7 +21,7 @@ export class Stage {
     this.spec = spec;
     this.listeners = listeners;
     this.table = robot.table;
-    /** @type {Record<string, { node: HTMLElement, plot: Plot, words: HTMLElement[] }>} */
+    /** @type {Record<string, { node: HTMLElement, plot: Plot, words: ReturnType<typeof captionOf> }>} */
     this.plots = {};
     /** @type {number[][] | null} the bet in the hand, where it is drawn */
     this.bet = null;
@@ -30,11 +30,21 @@ export class Stage {
     this.isBetting = true;
     this.picture = {};
     this.values = {};
+    const moveHandle = (
+      /** @type {number} */ i,
+      /** @type {number[]} */ place,
+      /** @type {boolean} */ isDone,
+    ) => this.moveHandle(i, place, isDone);
+    const moveRing = (
+      /** @type {number} */ i,
+      /** @type {number[]} */ place,
+      /** @type {boolean} */ isDone,
+    ) => this.moveRing(i, place, isDone);
     this.paper = new LessonPaper({
       onPick() {},
-      onHome: (i) => this.moveRing(i, this.rings[i].home, true),
-      onGoal: (i, place, isDone) => this.moveRing(i, place, isDone),
-      onHandle: (i, place, isDone) => this.moveHandle(i, place, isDone),
+      onHome: (/** @type {number} */ i) => this.moveRing(i, this.rings[i].home, true),
+      onGoal: moveRing,
+      onHandle: moveHandle,
     });
     this.caption = captionOf();
     this.left = make("div", { class: "dt-left" }, this.caption.node, this.paper.node);
@@ -122,6 +132,7 @@ export class Stage {
     this.rings = sheet.rings ?? [];
     this.paper.sheet(sheet.box);
     this.paper.draw({
+      title: "",
       demo: [],
       robot: [],
       stroke: 0,
@@ -133,7 +144,8 @@ export class Stage {
     });
   }
 
-  drawPlot(/** @type {string} */ name, /** @type {Values} */ { caption, note, ...scene }) {
+  drawPlot(/** @type {string} */ name, /** @type {Values} */ drawing) {
+    const { caption, note, ...scene } = drawing;
     let one = this.plots[name];
     if (!one) {
       const words = captionOf();
@@ -150,7 +162,7 @@ export class Stage {
     const { bet, ...handles } = this.handlesOf(name);
     const kept = bet ? [{ points: bet, kind: "bet", label: t("your bet") }] : [];
     const lines = [...(scene.lines ?? []), ...kept];
-    one.plot.draw({ title: caption, ...scene, ...handles, lines });
+    one.plot.draw(/** @type {any} */ ({ title: caption, ...scene, ...handles, lines }));
   }
 
   /** The handles of the bet, and afterwards its line, where it is drawn on this part. */
