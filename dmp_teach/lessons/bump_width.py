@@ -157,12 +157,9 @@ class BumpWidth(Lesson):
         """Return what is wrong with the width, the shape or the fit."""
         width, kernel = float(answer["kernel_width"]), answer["kernel"]
         worst = max(self.pair, key=lambda each: error_mm(each, answer))
-        facts: Answer = {
-            "width": f"{width:.2g}",
-            "letter": worst,
-            "mm": f"{error_mm(worst, answer):.1f}",
-        }
-        facts |= {"share": f"{100 * (1 - width):.0f}"}
+        facts: Answer = {"width": f"{width:.2g}", "letter": worst, "limit": self.limit}
+        facts["mm"] = f"{error_mm(worst, answer):.1f}"
+        facts["share"] = f"{100 * (1 - width):.0f}"
         together = _(
             "All together each bump is told what the others do, so width {width} hardly matters: "
             "{letter} is {mm} mm off. The challenge is for bumps that learn one at a time."

@@ -48,6 +48,7 @@ class Slider:
         """Return a slider for a field of `Settings`, with its names."""
         knob = knob_of(setting)
         label = _(knob.label)
+        more = {"digits": None} | more if more.get("is_log") else more
         return cls(label[:1].upper() + label[1:], _(knob.term), low, high, **more)  # type: ignore[arg-type]
 
     @property
@@ -68,7 +69,8 @@ class Slider:
                     name=name, value=value, low=self.low, high=self.high
                 )
             )
-        return float(value)  # type: ignore[arg-type]
+        # As it came: an int that came back as a float would be sent to the browser again.
+        return value  # type: ignore[return-value]
 
     def described(self) -> dict[str, object]:
         """Return it as the browser reads it."""

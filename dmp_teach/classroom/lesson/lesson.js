@@ -208,8 +208,14 @@ function knobSlider(knob, onSet) {
     onInput: (value) => onSet(value, false),
   });
   const scale = knob.is_log ? LOG.value : Number;
-  made.input.addEventListener("change", () => onSet(scale(Number(made.input.value)), true));
-  return made;
+  const held = () => scale(Number(made.input.value));
+  made.input.addEventListener("change", () => onSet(held(), true));
+  // A value that comes back rounded must not pull the thumb back.
+  const show = (/** @type {number} */ value) => {
+    if (held() !== value) made.show(value);
+  };
+  made.show(knob.low);
+  return { node: made.node, show };
 }
 
 export default { render };

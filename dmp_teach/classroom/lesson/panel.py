@@ -142,7 +142,7 @@ class LessonPanel(RobotPanel):
     @traitlets.observe("asked")
     def _answer(self, _change: object) -> None:
         """Say that what was asked for is drawn."""
-        self.answered = self.asked
+        self.answered += 1
 
     # What is shown --------------------------------------------------------------------------------
 
@@ -164,6 +164,7 @@ class LessonPanel(RobotPanel):
             self.card = self._write_card(picture)
             self._show_strokes(picture.strokes)
             self.drawing += 1
+            self.answered += 1
         self._keep()
 
     def _write_card(self, picture: Picture) -> dict[str, Any]:
