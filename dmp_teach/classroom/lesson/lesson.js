@@ -38,7 +38,7 @@ function render({ model, el, host, signal }) {
     drawing: redraw,
     values: () => lesson.takeValues(),
     work: () => {
-      parts.stage.showRobot(model.get("work").state !== "idle");
+      if (model.get("work").state !== "idle") parts.stage.showRobot(true);
       drawWork(model, parts);
       tellWork(model, parts);
     },
@@ -82,7 +82,7 @@ class LessonView {
       onValues: (changes, isDone) => this.set(changes, isDone),
     });
     const title = make("span", { class: "dt-question" }, this.spec.question);
-    const head = make("div", { class: "dt-head" }, this.steps.node, title);
+    const head = make("div", { class: "dt-head" }, this.steps.node, this.stage.views.node, title);
     const middle = make("div", { class: "dt-says" }, says.node, asleep);
     this.knobs = knobsOf(this.spec.knobs, (name, value, isDone) =>
       this.set({ [name]: value }, isDone),

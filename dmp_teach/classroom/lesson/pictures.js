@@ -5,7 +5,7 @@ import { affinePoints, unpack } from "../panels/affine.js";
 
 /** @typedef {Record<string, any>} Values what is set, by the names of the knobs */
 
-/** @type {WeakMap<DataView, Float64Array>} */
+/** @type {WeakMap<DataView, ArrayLike<number>>} */
 const unpacked = new WeakMap();
 
 function numbers(/** @type {DataView} */ view) {

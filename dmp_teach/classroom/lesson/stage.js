@@ -60,7 +60,7 @@ export class Stage {
       onChange: (which) => this.showRobot(which === "robot"),
     });
     this.views.node.hidden = true;
-    this.right = make("div", { class: "dt-right" }, this.views.node, this.column, this.table);
+    this.right = make("div", { class: "dt-right" }, this.column, this.table);
     this.node = make("div", { class: "dt-stage" }, this.left, this.right);
     /** @type {any[]} */
     this.rings = [];
