@@ -78,79 +78,87 @@ class Attempt:
         return any(stroke.is_coarse for stroke in self.strokes)
 
     @property
+    def character(self) -> str:
+        """The letter that was to be written, "" for any."""
+        return "" if self.model is None else str(self.model.character)
+
+    @property
     def missing_strokes(self) -> int:
         """How many strokes the model has more."""
         return 0 if self.model is None else max(0, len(self.model.strokes()) - len(self.ink))
 
 
 class Attempts:
-    """Every attempt in order, the one on the sheet last; nothing of it is written anywhere.
+    """Every attempt in order, and the one on the sheet; nothing of it is written anywhere.
 
     An attempt that was brought back stays in its place, too: whatever is then done to the sheet,
     it is not lost.
     """
 
-    def __init__(self) -> None:
-        # None: the sheet is empty.
-        self._all: list[Attempt | None] = [None]
+    def __init__(self, before: list[Attempt] | None = None) -> None:
+        """Take an empty sheet; attempts are added to the list of those before."""
+        self._all = [] if before is None else before
+        self._now: Attempt | None = None
+        self._is_back = False
 
     @property
     def now(self) -> Attempt | None:
-        """What is on the sheet."""
-        return self._all[-1]
+        """What is on the sheet, or None while it is empty."""
+        return self._now
 
     @now.setter
     def now(self, value: Attempt | None) -> None:
         """Put something else on the sheet."""
-        self._all[-1] = value
+        at = len(self._all)
+        if self._now in self._all and not self._is_back:
+            at = self._all.index(self._now)
+        self._all[at : at + 1] = [] if value is None else [value]
+        self._now, self._is_back = value, False
 
     @property
     def newest(self) -> Attempt:
         """What is on the sheet, or the attempt before; a RecordingError while there is none."""
-        newest = next((each for each in reversed(self._all) if each is not None), None)
-        if newest is None:
-            raise RecordingError("Nothing is written on the pad yet: write a letter first.")
-        return newest
+        if self._now is not None or self._all:
+            return self._now or self._all[-1]
+        raise RecordingError("Nothing is written on the pad yet: write a letter first.")
 
     @property
     def recordings(self) -> tuple[Recording, ...]:
         """The ink of every attempt."""
-        return tuple(each.recording for each in self._list_once(self._all))
+        return tuple(each.recording for each in self._all)
 
     @property
     def is_back(self) -> bool:
         """Whether what is on the sheet is the attempt before, brought back and unchanged."""
-        return self.now is not None and self.now in self._all[:-1]
+        return self._is_back
 
     def take_a_new_sheet(self) -> None:
         """Leave the attempt on the sheet among the others."""
-        if self.is_back:
-            self.now = None
-        elif self.now is not None:
-            self._all.append(None)
+        self._now, self._is_back = None, False
 
-    def bring_back(self, model: Recording | None) -> None:
+    def bring_back(self, character: str) -> None:
         """Put the attempt before onto an empty sheet, if it is one at the same letter."""
-        before = self._all[-2] if len(self._all) > 1 else None
-        if before is not None and before.model is model:
-            self.now = before
+        if self._all and self._all[-1].character == character:
+            self._now, self._is_back = self._all[-1], True
 
     def name_the_newest(self, writer: str) -> Attempt:
         """Put the newest attempt under a pseudonym in the place of the one without."""
         newest = self.newest
         named = newest.named(writer)
-        self._all = [named if each is newest else each for each in self._all]
+        self._all[self._all.index(newest)] = named
+        if self._now is newest:
+            self._now = named
         return named
 
-    def scored(self, model: Recording | None, with_sheet: bool) -> list[Attempt]:
+    def scored(self, character: str, with_sheet: bool) -> list[Attempt]:
         """Return the attempts at one letter that have a score, with that on the sheet or not."""
-        attempts = self._list_once(self._all if with_sheet else self._all[:-1])
-        return [each for each in attempts if each.model is model and each.score is not None]
-
-    @staticmethod
-    def _list_once(attempts: list[Attempt | None]) -> list[Attempt]:
-        """Return every attempt once."""
-        return list(dict.fromkeys(each for each in attempts if each is not None))
+        return [
+            each
+            for each in self._all
+            if each.character == character
+            and each.score is not None
+            and (with_sheet or each is not self._now)
+        ]
 
 
 def list_rows(attempts: list[Attempt], first: int) -> list[dict[str, object]]:

@@ -6,6 +6,7 @@ import numpy as np
 
 from dmp_teach.ink import PadStroke
 from dmp_teach.scoring import LEVEL_WORDS, MOVEMENT_FAULTS, Score, leading_fault
+from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Trajectory
 
 _THINGS_IN_MM = (
@@ -198,6 +199,18 @@ def describe_sheet(character: str, strokes: int, sentence: str) -> str:
         return "Your sheet is empty."
     count = f"{strokes} stroke{'s' * (strokes > 1)}"
     return f"Your {character or 'ink'}, {count}. {sentence}".strip()
+
+
+def describe_forgotten(removed: list[str], left: list[str]) -> str:
+    """Return what *Forget* has done: files that are gone, and pads' files of other pupils."""
+    if removed:
+        said = _("Everything is forgotten, and {files} removed.").format(files=", ".join(removed))
+    else:
+        said = _("Everything is forgotten.")
+    if left:
+        others = _("Of other pupils there are still: {files}.").format(files=", ".join(left))
+        said = f"{said} {others}"
+    return said
 
 
 def _build_message(

@@ -11,10 +11,11 @@ import traitlets
 from numpy.typing import ArrayLike
 
 from dmp_teach.classroom.panels.attempts import Attempt, Attempts
-from dmp_teach.classroom.panels.messages import add_article, describe_stroke
+from dmp_teach.classroom.panels.kept import forget, kept
+from dmp_teach.classroom.panels.messages import add_article, describe_forgotten, describe_stroke
 from dmp_teach.classroom.panels.pad_view import describe_pad
 from dmp_teach.classroom.panels.robot_panel import RobotPanel, list_letter_choices, pack_points
-from dmp_teach.classroom.panels.saved_attempts import SavedAttempts
+from dmp_teach.classroom.panels.saved_attempts import SavedAttempts, list_files
 from dmp_teach.classroom.panels.sheets import (
     check_character,
     extend_sheet,
@@ -82,10 +83,10 @@ class Pad(RobotPanel):
         self, character: str | None = "a", page: Page | None = None, writer: str | None = None
     ):
         check_pseudonym(writer)
-        self.writer = writer
-        self._attempts = Attempts()
+        self._key = f"pad {writer or ''}".strip()
+        self.writer = writer or kept(self._key).get("writer")
+        self._take_kept()
         self._is_done = False
-        self._saved = SavedAttempts()
         self._model: Recording | None = None
         super().__init__(page)
         self.choices = [["", "any", "any letter", ""], *list_letter_choices()]
@@ -142,7 +143,7 @@ class Pad(RobotPanel):
         """Take the last stroke off the sheet, or bring the try before onto an empty one."""
         now = self._attempts.now
         if now is None:
-            self._attempts.bring_back(self._model)
+            self._attempts.bring_back(self.character)
             is_back = self._attempts.now is not None
             said = "The try before is on your sheet again." if is_back else "Nothing to undo."
         else:
@@ -191,22 +192,32 @@ class Pad(RobotPanel):
         """
         path = self._saved.save(self._attempts, self.writer)
         self.writer = self.writer or self.recording.writer
+        kept(self._key)["writer"] = self.writer
         self.kept = f"Saved as {path.name}, beside this notebook. Other tries are not kept."
         return path
 
     def forget(self) -> None:
-        """Remove every try from memory and every file that this pad has saved."""
+        """Remove every try from memory, and every file that this pupil's pads saved in this folder.
+
+        Files of other pseudonyms stay, and are named.
+        """
         if self._job:
             self._job.stop()
-        names = self._saved.forget()
-        self._attempts = Attempts()
+        names = self._saved.forget(self.writer)
+        forget(self._key)
+        self._take_kept()
         self.motion = None
         self._on_the_table = b""
         if self.scene is not None:
             self.scene.show(None)
         self.start_again()
-        removed = f", and {names} removed" if names else ""
-        self.kept = f"Everything is forgotten{removed}."
+        self.kept = describe_forgotten(names, [path.name for path in list_files(Path.cwd())])
+
+    def _take_kept(self) -> None:
+        """Go on with the tries of this pupil's pads before."""
+        held = kept(self._key)
+        self._attempts = Attempts(held.setdefault("attempts", []))
+        self._saved = SavedAttempts(held.setdefault("saved", {}))
 
     # Any: JSON from the browser.
     def _hear(self, _: object, message: dict[str, Any], buffers: list[memoryview]) -> None:
@@ -280,7 +291,7 @@ class Pad(RobotPanel):
         strokes = self._model.strokes() if self._model else ()
         if now is not None:
             strokes = now.written
-        shown = describe_pad(self._attempts, self._model, self.character, self._is_done)
+        shown = describe_pad(self._attempts, self.character, self._is_done)
         with self.hold_sync():
             for name, value in shown.items():
                 self.set_trait(name, value)

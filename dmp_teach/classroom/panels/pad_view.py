@@ -5,15 +5,12 @@ from __future__ import annotations
 from dmp_teach.classroom.panels import messages
 from dmp_teach.classroom.panels.attempts import Attempt, Attempts, list_rows
 from dmp_teach.classroom.panels.robot_panel import pack_points
-from dmp_teach.ink import Recording
 
 # All attempts are kept.
 MAX_SHOWN_ATTEMPTS = 6
 
 
-def describe_pad(
-    attempts: Attempts, model: Recording | None, character: str, is_done: bool
-) -> dict[str, object]:
+def describe_pad(attempts: Attempts, character: str, is_done: bool) -> dict[str, object]:
     """Return the traits of a pad that follow from what is on its sheet.
 
     `is_done` says that a letter with fewer strokes than the robot's is complete.
@@ -21,7 +18,7 @@ def describe_pad(
     now = attempts.now
     ink = now.ink if now else ()
     unfinished = now is not None and now.missing_strokes > 0 and not is_done
-    scored = attempts.scored(model, with_sheet=not unfinished)
+    scored = attempts.scored(character, with_sheet=not unfinished)
     before = [attempt for attempt in scored if attempt is not now]
     message, parts = _describe_attempt_now(now, before, character, unfinished)
     said = message["text"] + message["strong"] if now else ""

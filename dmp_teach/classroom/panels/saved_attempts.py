@@ -2,22 +2,26 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import replace
 from itertools import count
 from pathlib import Path
 
 from dmp_teach.classroom.panels.attempts import Attempts
-from dmp_teach.ink import Recording, write_json
+from dmp_teach.errors import TeachError
+from dmp_teach.ink import Recording, recording_from_json, write_json
 
 # Longer text, and other signs than letters, as "/", never stand in a file's name.
 MAX_CHARACTER_LENGTH = 8
+_FILE_NAME = re.compile(r"[^_]+_(?P<writer>.+?)(_\d+)?(-checkpoint)?")
 
 
 class SavedAttempts:
-    """The files that a pad has written, and which recording is in each."""
+    """The files that a pupil's pad has written, and which recording is in each."""
 
-    def __init__(self) -> None:
-        self._saved: dict[Path, Recording] = {}
+    def __init__(self, saved: dict[Path, Recording]) -> None:
+        """Go on with the files that are known."""
+        self._saved = saved
 
     def save(self, attempts: Attempts, writer: str | None) -> Path:
         """Write the newest attempt as JSON to where the notebook runs, once, under a pseudonym.
@@ -34,13 +38,33 @@ class SavedAttempts:
             self._saved[path] = attempts.name_the_newest(writer).recording
         return path
 
-    def forget(self) -> str:
-        """Remove every file; return their names, with commas."""
-        names = ", ".join(path.name for path in self._saved)
-        for path in self._saved:
+    def forget(self, writer: str | None) -> list[str]:
+        """Remove every file, also of the writer's earlier pads in this folder; return the names."""
+        gone = {*self._saved, *(list_files(Path.cwd(), writer) if writer else ())}
+        for path in gone:
             path.unlink(missing_ok=True)
-        self._saved = {}
-        return names
+        self._saved.clear()
+        return sorted(path.name for path in gone)
+
+
+def list_files(folder: Path, writer: str | None = None) -> list[Path]:
+    """Return the files of pads in a folder, of one writer or of all.
+
+    They are known by their name and by what is in them, so that nobody else's file is meant; a
+    copy that Jupyter has made of one is one, too.
+    """
+    found = []
+    for place in (folder, folder / ".ipynb_checkpoints"):
+        for path in sorted(place.glob("*_*.json")):
+            name = _FILE_NAME.fullmatch(path.stem)
+            if name and path.is_file() and writer in (None, name["writer"]):
+                try:
+                    written_by = recording_from_json(path.read_bytes()).writer
+                except (TeachError, OSError):
+                    continue
+                if written_by == name["writer"]:
+                    found.append(path)
+    return found
 
 
 def find_free_pseudonym(folder: Path) -> str:
