@@ -197,10 +197,7 @@ class Pad(RobotPanel):
         return path
 
     def forget(self) -> None:
-        """Remove every try from memory, and every file that this pupil's pads saved in this folder.
-
-        Files of other pseudonyms stay, and are named.
-        """
+        """Remove every try from memory, and every file that this pupil's pads saved here."""
         if self._job:
             self._job.stop()
         names = self._saved.forget(self.writer)
