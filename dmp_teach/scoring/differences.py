@@ -13,8 +13,10 @@ from dmp_teach.scoring.direction import find_other_way
 from dmp_teach.scoring.fit import Fit
 from dmp_teach.scoring.kinematics import Movement
 from dmp_teach.scoring.matching import Matching
+from dmp_teach.scoring.phrases import Position
 from dmp_teach.scoring.resampling import size_of
-from dmp_teach.scoring.wording import Position, word_difference
+from dmp_teach.scoring.wording import word_difference
+from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Array, Trajectory
 
 DIFFERENCE_STEPS = {
@@ -69,14 +71,20 @@ class Fault:
     Args:
         name: What it is, such as "lean".
         steps: How many steps of what an eye begins to see; see `DIFFERENCE_STEPS`.
-        sentence: In plain words.
+        wording: A sentence in plain words, in which the model is `{model}` and what it has
+            `{models}`.
         reason: The same in a few words, to stand beside a row.
     """
 
     name: str
     steps: float
-    sentence: str
+    wording: str
     reason: str
+
+    @property
+    def sentence(self) -> str:
+        """The wording, of a model that is called so."""
+        return self.wording.format(model=_("the model"), models=_("the model's"))
 
 
 def find_faults(

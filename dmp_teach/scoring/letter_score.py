@@ -18,19 +18,22 @@ from dmp_teach.scoring.kinematics import Movement, measure_movement
 from dmp_teach.scoring.matching import Matching, match_strokes
 from dmp_teach.scoring.overlay import lay_on, rms_apart
 from dmp_teach.scoring.resampling import POINTS_TO_FIT, Resampled, resample, size_of
+from dmp_teach.texts import gettext as _
+from dmp_teach.texts import marked
 from dmp_teach.trajectory import Array
 
-LEVEL_WORDS = ("far", "not far", "close", "the same")
+LEVEL_WORDS = (marked("far"), marked("not far"), marked("close"), marked("the same"))
 # Steps of a fault up to which a row is "not far", "close" and "the same".
 LEVEL_STEPS = (6.0, 3.0, 1.0)
 # Steps of a fault that leaves no trace in the ink from which on it is named.
 LEAST_MOVEMENT_STEPS = 2.0
-FAULTS_BY_ROW = {
-    "Shape": ("mirrored", "turned", "missing", "extra", "shape", "place", "piece", "open", "shaky"),
-    "Size": ("size", "width"),
-    "Lean": ("lean", "turn", "rise"),
-    "Way of writing": ("reversed", "round", "begins", "order", "joined", "split", "divided"),
+_FAULTS = {
+    marked("Shape"): "mirrored turned missing extra shape place piece open shaky",
+    marked("Size"): "size width",
+    marked("Lean"): "lean turn rise",
+    marked("Way of writing"): "reversed round begins order joined split divided",
 }
+FAULTS_BY_ROW = {row: faults.split() for row, faults in _FAULTS.items()}
 
 
 @dataclass(frozen=True)
@@ -117,7 +120,7 @@ def score(written: LetterLike, model: LetterLike) -> Score:
     leading = leading_fault(faults)
     distance, shift = _lay_together(matching, ink, model_ink)
     return Score(
-        sentence="It looks the same as the model." if leading is None else leading.sentence,
+        sentence=_("It looks the same as the model.") if leading is None else leading.sentence,
         parts=tuple(_part(name, faults) for name in FAULTS_BY_ROW),
         faults=faults,
         matching=matching,

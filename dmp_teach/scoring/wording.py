@@ -2,36 +2,28 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
-NUMBERS_IN_WORDS = (
-    "no", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten",
-)  # fmt: skip
-ORDINALS = (
-    "first", "second", "third", "fourth", "fifth", "sixth", "seventh", "eighth", "ninth", "tenth",
-)  # fmt: skip
-RATIOS_IN_WORDS = {
-    1 / 4: "a quarter as",
-    1 / 3: "a third as",
-    1 / 2: "half as",
-    2 / 3: "two thirds as",
-    3 / 4: "three quarters as",
-    3 / 2: "one and a half times as",
-    2: "twice as",
-    3: "three times as",
-    4: "four times as",
-}
-# Up to this number of steps a difference is "a little".
-MOST_STEPS_OF_LITTLE = 2.5
+from dmp_teach.scoring.phrases import (
+    MOST_STEPS_OF_LITTLE,
+    Position,
+    a_little,
+    number_in_words,
+    ordinal_in_words,
+    place_in_words,
+    ratio_in_words,
+    the_stroke,
+)
+from dmp_teach.texts import gettext as _
+from dmp_teach.texts import ngettext
 
-Position = tuple[float, float]
-"""A point in the letter's box: from 0 at the left to 1, and from 0 at the bottom to 1."""
+# The names of the model stay open, see `Wording`.
+_KEPT = {"model": "{model}", "models": "{models}"}
 
 
 class Wording(NamedTuple):
-    """A difference in words."""
+    """A difference in words; the model is `{model}` or, of something of its own, `{models}`."""
 
     sentence: str
     reason: str
@@ -51,135 +43,163 @@ def word_difference(name: str, steps: float, facts: dict[str, Any]) -> Wording:
 
 def _mirrored(_steps: float, turn: int) -> Wording:
     if turn == 0:
-        return Wording("It is the mirror image of the model.", "mirrored")
+        return Wording(_("It is the mirror image of {model}."), _("mirrored"))
     if turn == 2:
-        return Wording("It is upside down, as in a lake.", "upside down")
-    return Wording("It is mirrored, and lies on its side.", "mirrored, on its side")
+        return Wording(_("It is upside down, as in a lake."), _("upside down"))
+    return Wording(_("It is mirrored, and lies on its side."), _("mirrored, on its side"))
 
 
 def _turned(_steps: float, turn: int) -> Wording:
     if turn == 2:
-        return Wording("It stands on its head.", "on its head")
-    return Wording("It lies on its side.", "on its side")
+        return Wording(_("It stands on its head."), _("on its head"))
+    return Wording(_("It lies on its side."), _("on its side"))
 
 
 def _turn(steps: float, degrees: float) -> Wording:
-    words = f"{_little(steps)}turned to the {'left' if degrees > 0 else 'right'}"
-    return Wording(f"It is {words}, by {abs(degrees):.0f} degrees.", words)
+    words = a_little(steps, _("turned to the left") if degrees > 0 else _("turned to the right"))
+    sentence = _("It is {turned}, by {degrees:.0f} degrees.")
+    return Wording(sentence.format(turned=words, degrees=abs(degrees)), words)
 
 
 def _rise(_steps: float, degrees: float) -> Wording:
-    words = f"lines {'rise' if degrees > 0 else 'fall'} {abs(degrees):.0f} degrees"
-    return Wording(f"Its {words} to the right.", words)
+    words = _("lines rise {n:.0f} degrees") if degrees > 0 else _("lines fall {n:.0f} degrees")
+    words = words.format(n=abs(degrees))
+    return Wording(_("Its {lines} to the right.").format(lines=words), words)
 
 
 def _lean(_steps: float, degrees: float) -> Wording:
-    side, much = "right" if degrees > 0 else "left", f"{abs(degrees):.0f} degrees"
-    return Wording(f"It leans {much} to the {side}.", f"{much} to the {side}")
+    words = _("{n:.0f} degrees to the right") if degrees > 0 else _("{n:.0f} degrees to the left")
+    words = words.format(n=abs(degrees))
+    return Wording(_("It leans {degrees}.").format(degrees=words), words)
 
 
 def _size(steps: float, ratio: float) -> Wording:
-    words, reason = _times(ratio, steps, "large", "larger", "smaller")
-    return Wording(f"It is {words} the model.", reason)
+    words, reason = ratio_in_words(ratio, steps, _("large"), _("larger"), _("smaller"))
+    return Wording(_("It is {times} {model}.").format(times=words, **_KEPT), reason)
 
 
 def _width(steps: float, ratio: float) -> Wording:
-    words = f"{_little(steps) or 'much '}{'wider' if ratio > 1 else 'narrower'}"
-    return Wording(f"It is {words} than the model, for its height.", words)
+    wider = _("wider") if ratio > 1 else _("narrower")
+    is_little = steps <= MOST_STEPS_OF_LITTLE
+    words = a_little(steps, wider) if is_little else _("much {more}").format(more=wider)
+    sentence = _("It is {wider} than {model}, for its height.")
+    return Wording(sentence.format(wider=words, **_KEPT), words)
 
 
 def _missing(_steps: float, count: int, stroke: int, of: int) -> Wording:
     if count == 1:
-        return _said(f"{_the(stroke, of)} is missing")
-    return _said(f"{_strokes(count)} are missing")
+        return _said(_("{it} is missing").format(it=the_stroke(stroke, of)))
+    words = ngettext("{number} stroke is missing", "{number} strokes are missing", count)
+    return _said(words.format(number=number_in_words(count)))
 
 
 def _extra(_steps: float, count: int) -> Wording:
-    words = f"{_strokes(count)} too many"
-    return Wording(f"There {'is' if count == 1 else 'are'} {words}.", words)
+    sentence = ngettext(
+        "There is {number} stroke too many.", "There are {number} strokes too many.", count
+    )
+    reason = ngettext("{number} stroke too many", "{number} strokes too many", count)
+    number = number_in_words(count)
+    return Wording(sentence.format(number=number), reason.format(number=number))
 
 
 def _joined(_steps: float, written: int, model: int) -> Wording:
-    return Wording(_takes(written, model), "joined")
+    return Wording(_takes(written, model), _("joined"))
 
 
 def _split(_steps: float, written: int, model: int) -> Wording:
-    return Wording(_takes(written, model), "split")
+    return Wording(_takes(written, model), _("split"))
 
 
 def _divided(_steps: float) -> Wording:
-    words = "its strokes begin and end at other places than the model's"
-    return Wording(_sentence(words), "other strokes")
+    words = _("its strokes begin and end at other places than {models}")
+    return Wording(_sentence(words), _("other strokes"))
 
 
 def _reversed(_steps: float, stroke: int, of: int, loop: bool) -> Wording:
-    how = "goes round the other way" if loop else "starts at the wrong end"
-    return _said(f"{_the(stroke, of)} {how}")
+    how = _("{it} goes round the other way") if loop else _("{it} starts at the wrong end")
+    return _said(how.format(it=the_stroke(stroke, of)))
 
 
 def _round(
     _steps: float, stroke: int, of: int, is_round: bool, left: bool, position: Position
 ) -> Wording:
-    which = f" of {_the(stroke, of)}" if of > 1 else ""
     if is_round:
-        return _said(f"the round part{which} goes round the other way")
-    return _said(f"a piece{which} {_where(position)} goes the other way")
+        words, of_it = (
+            _("the round part goes round the other way"),
+            _("the round part of {it} goes round the other way"),
+        )
+    else:
+        words, of_it = (
+            _("a piece {where} goes the other way"),
+            _("a piece of {it} {where} goes the other way"),
+        )
+    where = place_in_words(position)
+    return _said((of_it if of > 1 else words).format(it=the_stroke(stroke, of), where=where))
 
 
 def _begins(_steps: float, stroke: int, of: int) -> Wording:
-    return _said(f"{_the(stroke, of)} starts at another place of the loop")
+    return _said(_("{it} starts at another place of the loop").format(it=the_stroke(stroke, of)))
 
 
 def _order(_steps: float, early: int, late: int) -> Wording:
-    words = f"the {_ordinal(early)} stroke was written before the {_ordinal(late)}"
-    return Wording(_sentence(words), "another order")
+    words = _("the {early} stroke was written before the {late}")
+    said = words.format(early=ordinal_in_words(early), late=ordinal_in_words(late))
+    return Wording(_sentence(said), _("another order"))
 
 
 def _shape(steps: float, stroke: int, of: int, alone: bool, position: Position) -> Wording:
-    which = "" if alone else f" of {_the(stroke, of)}"
-    much = "different" if steps <= 2 * MOST_STEPS_OF_LITTLE else "quite different"
-    words, where = _little(steps) + much, _where(position)
-    return Wording(f"The shape{which} is {words}, most of all {where}.", f"{words} {where}")
+    words = _("different") if steps <= 2 * MOST_STEPS_OF_LITTLE else _("quite different")
+    words, where = a_little(steps, words), place_in_words(position)
+    sentence = _("The shape of {it} is {different}, most of all {where}.")
+    if alone:
+        sentence = _("The shape is {different}, most of all {where}.")
+    said = sentence.format(it=the_stroke(stroke, of), different=words, where=where)
+    return Wording(said, f"{words} {where}")
 
 
 def _place(steps: float, stroke: int, of: int, right: float, up: float) -> Wording:
     if abs(right) > abs(up):
-        far = f"far to the {'right' if right > 0 else 'left'}"
+        far = _("too far to the right") if right > 0 else _("too far to the left")
     else:
-        far = "high" if up > 0 else "low"
-    return _said(f"{_the(stroke, of)} is {_little(steps)}too {far}")
+        far = _("too high") if up > 0 else _("too low")
+    return _said(_("{it} is {so}").format(it=the_stroke(stroke, of), so=a_little(steps, far)))
 
 
 def _piece(steps: float, stroke: int, of: int, missing: bool, position: Position) -> Wording:
-    where = _where(position)
+    it, where = the_stroke(stroke, of), place_in_words(position)
     if not missing:
-        words = f"{_little(steps)}too long {where}"
-        return Wording(_sentence(f"{_the(stroke, of)} is {words}"), words)
-    piece = f"a {'small ' if steps <= MOST_STEPS_OF_LITTLE else ''}piece"
-    which = f" of {_the(stroke, of)}" if of > 1 else ""
-    return Wording(_sentence(f"{piece}{which} is missing {where}"), f"{piece} is missing {where}")
+        words = a_little(steps, _("too long {where}").format(where=where))
+        return Wording(_sentence(_("{it} is {so}").format(it=it, so=words)), words)
+    words, of_it = _("a piece is missing {where}"), _("a piece of {it} is missing {where}")
+    if steps <= MOST_STEPS_OF_LITTLE:
+        words = _("a small piece is missing {where}")
+        of_it = _("a small piece of {it} is missing {where}")
+    said = (of_it if of > 1 else words).format(it=it, where=where)
+    return Wording(_sentence(said), words.format(where=where))
 
 
 def _open(steps: float, stroke: int, of: int, position: Position) -> Wording:
-    closed = "not quite closed" if steps <= MOST_STEPS_OF_LITTLE else "not closed"
-    words = f"{closed} {_where(position)}"
-    return Wording(_sentence(f"{_the(stroke, of)} is {words}"), words)
+    is_little = steps <= MOST_STEPS_OF_LITTLE
+    closed = _("not quite closed {where}") if is_little else _("not closed {where}")
+    words = closed.format(where=place_in_words(position))
+    return Wording(_sentence(_("{it} is {so}").format(it=the_stroke(stroke, of), so=words)), words)
 
 
 def _shaky(steps: float) -> Wording:
-    return Wording("The line is shakier than the model's.", f"{_little(steps)}shaky")
+    return Wording(_("The line is shakier than {models}."), a_little(steps, _("shaky")))
 
 
 def _smooth(_steps: float, written: int, model: int) -> Wording:
-    words = "the pen moves less smoothly than the model's"
+    words = _("the pen moves less smoothly than {models}")
     if written > model:
-        words = f"the pen speeds up and slows down {written} times; the model's {model} times"
-    return Wording(_sentence(words), "not smooth")
+        said = _("the pen speeds up and slows down {n} times; {models} {wanted} times")
+        words = said.format(n=written, wanted=model, **_KEPT)
+    return Wording(_sentence(words), _("not smooth"))
 
 
 def _tempo(steps: float, ratio: float) -> Wording:
-    words, reason = _times(ratio, steps, "fast", "faster", "slower")
-    return Wording(f"It is written {words} the model.", reason)
+    words, reason = ratio_in_words(ratio, steps, _("fast"), _("faster"), _("slower"))
+    return Wording(_("It is written {times} {model}.").format(times=words, **_KEPT), reason)
 
 
 _WORDINGS: dict[str, Callable[..., Wording]] = {
@@ -192,72 +212,14 @@ _WORDINGS: dict[str, Callable[..., Wording]] = {
 }
 
 
-def _times(ratio: float, steps: float, much: str, more: str, less: str) -> tuple[str, str]:
-    """Return a ratio in words, to go on with a noun, and without one."""
-    near = min(RATIOS_IN_WORDS, key=lambda known: abs(math.log(known / ratio)))
-    if abs(math.log(near / ratio)) < math.log(1.08):
-        words = f"{RATIOS_IN_WORDS[near]} {much}"
-        return f"{words} as", words
-    if ratio > 4:
-        words = f"{ratio:.0f} times as {much}"
-        return f"{words} as", words
-    if not 0.5 < ratio < 2:
-        is_more = ratio > 2
-        bound = (
-            max(known for known in RATIOS_IN_WORDS if known <= ratio)
-            if is_more
-            else min(known for known in RATIOS_IN_WORDS if known >= ratio)
-        )
-        words = f"{'more' if is_more else 'less'} than {RATIOS_IN_WORDS[bound]} {much}"
-        return f"{words} as", words
-    word = more if ratio > 1 else less
-    percent = f"{100 * abs(ratio - 1):.0f} percent "
-    words = f"{_little(steps) or percent}{word}"
-    return f"{words} than", words
-
-
-def _where(position: Position) -> str:
-    """Return a position in words."""
-    x, y = position
-    height = "at the top" if y > 0.67 else "at the bottom" if y < 0.33 else "in the middle"
-    side = "left" if x < 0.33 else "right" if x > 0.67 else ""
-    if height == "in the middle":
-        return f"on the {side}" if side else height
-    return f"{height} {side}".strip()
-
-
-def _little(steps: float) -> str:
-    """Return how much, before an adjective."""
-    return "a little " if steps <= MOST_STEPS_OF_LITTLE else ""
-
-
-def _the(stroke: int, of: int) -> str:
-    """Return a stroke by its number, from 0."""
-    return f"the {_ordinal(stroke)} stroke" if of > 1 else "it"
-
-
-def _ordinal(number: int) -> str:
-    """Return which stroke, from 0, in words."""
-    if number < len(ORDINALS):
-        return ORDINALS[number]
-    is_teen = (number + 1) % 100 // 10 == 1
-    ending = "th" if is_teen else {1: "st", 2: "nd", 3: "rd"}.get((number + 1) % 10, "th")
-    return f"{number + 1}{ending}"
-
-
-def _number(count: int) -> str:
-    """Return a number in words, as far as there are words."""
-    return NUMBERS_IN_WORDS[count] if count < len(NUMBERS_IN_WORDS) else str(count)
-
-
-def _strokes(count: int) -> str:
-    """Return how many strokes, in words."""
-    return f"{_number(count)} stroke{'s' * (count > 1)}"
-
-
 def _takes(written: int, model: int) -> str:
     """Return the sentence of strokes that are joined or split."""
-    return f"It is written in {_strokes(written)}; the model takes {_number(model)}."
+    sentence = ngettext(
+        "It is written in {number} stroke; {model} takes {wanted}.",
+        "It is written in {number} strokes; {model} takes {wanted}.",
+        written,
+    )
+    return sentence.format(number=number_in_words(written), wanted=number_in_words(model), **_KEPT)
 
 
 def _said(words: str) -> Wording:

@@ -15,18 +15,18 @@ from babel.messages.pofile import read_po, write_po
 PACKAGE = Path(__file__).parents[1]
 METHODS = [("**.py", "python"), ("**.js", "javascript")]
 # Which of a function's arguments are texts; the first one where nothing is said.
-KEYWORDS = dict.fromkeys(("_", "gettext", "marked", "t")) | dict.fromkeys(
-    ("ngettext", "tn"), (1, 2)
-)
+KEYWORDS = dict.fromkeys(("_", "gettext", "marked", "t"))
+KEYWORDS |= dict.fromkeys(("ngettext", "tn"), (1, 2))
+# Plain and real name of a setting: two texts of one call, which Babel takes for one that counts.
+KNOB_KEYWORDS = ({"knob": (2,)}, {"knob": (3,)})
 
 
 def extract_texts() -> bytes:
     """Return the template: every text of the package's Python and JavaScript, file by file."""
     template = Catalog(project="dmp_teach", charset="utf-8")
-    found = extract_from_dir(PACKAGE, METHODS, keywords=KEYWORDS)
-    for file, _, text, comments, context in found:
-        place = (f"dmp_teach/{file}", 0)
-        template.add(text, None, [place], (), comments, context=context)
+    for keywords in (KEYWORDS, *KNOB_KEYWORDS):
+        for file, _, text, *_ in extract_from_dir(PACKAGE, METHODS, keywords=keywords):
+            template.add(text, None, [(f"dmp_teach/{file}", 0)])
     return _render(template, omit_header=True)
 
 

@@ -1,6 +1,8 @@
 // What a try is worth: a row for each of its sides, and all tries in order.
 
 import { make } from "../../views/dom.js";
+import { t } from "../../views/texts.js";
+import { spoken } from "./controls.js";
 import { strokesOf } from "./robot.js";
 import { robotStrokes } from "./robot_sheet.js";
 import { writingSheet } from "./sheets.js";
@@ -11,8 +13,8 @@ import { writingSheet } from "./sheets.js";
 /** @typedef {{ number: number, mm: string, word: string, counts: number[] }} Try */
 
 export function results() {
-  const rows = { class: "dt-rows", "aria-label": "How near it is", hidden: true };
-  const strip = { class: "dt-tries", "aria-label": "Your tries, in order" };
+  const rows = { class: "dt-rows", "aria-label": t("How near it is"), hidden: true };
+  const strip = { class: "dt-tries", "aria-label": t("Your tries, in order") };
   return { rows: make("ul", rows), strip: make("ol", strip) };
 }
 
@@ -49,10 +51,11 @@ export function drawTries(/** @type {Model} */ model, /** @type {Results} */ par
   const line = robotStrokes(model, "model");
   const items = tries.map(({ number, mm, word, counts: own }) => {
     const sheet = writingSheet({ small: true });
-    const title = `Try ${number}, ${mm} mm from the robot’s letter.`;
+    const title = t("Try {number}, {mm} mm from the robot’s letter.", { number, mm: spoken(mm) });
     sheet.draw({ box, lines, dots: left.splice(0, own.length), line, title });
-    const distance = make("span", {}, `${mm.replace("under ", "< ")} mm`);
-    const caption = make("div", { class: "dt-caption" }, make("b", {}, `Try ${number}`), distance);
+    const distance = make("span", {}, t("{n} mm", { n: mm }));
+    const name = make("b", {}, t("Try {number}", { number }));
+    const caption = make("div", { class: "dt-caption" }, name, distance);
     return make("li", {}, caption, sheet.node, make("span", {}, word));
   });
   parts.strip.replaceChildren(...items);

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Self
 
-from dmp_teach.classroom.panels.messages import format_millimetres, rate_attempt
+from dmp_teach.classroom.panels.messages import rate_attempt, show_millimetres
 from dmp_teach.errors import LetterError, RecordingError
 from dmp_teach.ink import PadStroke, Recording, pad_recording
 from dmp_teach.letters import Letter
@@ -167,7 +167,7 @@ def list_rows(attempts: list[Attempt], first: int) -> list[dict[str, object]]:
     for number, attempt in enumerate(attempts, first):
         if attempt.score is not None and attempt.model is not None:
             word = rate_attempt(attempt.score, size_of(attempt.model.strokes()))
-            millimetres = format_millimetres(attempt.score.distance)
+            millimetres = show_millimetres(attempt.score.distance)
             counts = [len(stroke) for stroke in attempt.ink]
             rows.append({"number": number, "mm": millimetres, "word": word, "counts": counts})
     return rows

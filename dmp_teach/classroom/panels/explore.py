@@ -17,6 +17,7 @@ from dmp_teach.files import join_modules, join_styles
 from dmp_teach.ink import Recording, recording_of
 from dmp_teach.letters import Letter, rms_distance
 from dmp_teach.robot import Page
+from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Trajectory
 from dmp_teach.views import STYLE_TOKENS, SceneView
 
@@ -85,7 +86,7 @@ class Explore(RobotPanel):
         label = own.character or "?"
         self.choices = [
             *(choice for choice in self.choices if choice[0] != OWN_RECORDING),
-            [OWN_RECORDING, f"{label}*", f"your own {label}", ""],
+            [OWN_RECORDING, f"{label}*", _("your own {letter}").format(letter=label), ""],
         ]
         self.near = [*NEAR_LETTERS, OWN_RECORDING]
         if self.letter == OWN_RECORDING:
@@ -177,5 +178,6 @@ def _pack_goal_terms(letter: Letter) -> dict[str, bytes]:
 def _describe_knob(name: str) -> dict[str, object]:
     """Return a knob as the panel's sliders need it."""
     knob = knob_of(name)
-    label = knob.label[0].upper() + knob.label[1:]
-    return {"low": knob.low, "high": knob.high, "label": label, "term": knob.term}
+    label = _(knob.label)
+    label = label[0].upper() + label[1:]
+    return {"low": knob.low, "high": knob.high, "label": label, "term": _(knob.term)}

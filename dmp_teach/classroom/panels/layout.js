@@ -1,5 +1,7 @@
 // Where things stand on a sheet: numbers in, numbers out, without a page.
 
+import { t } from "../../views/texts.js";
+
 /** @typedef {number[]} Place x and y */
 /**
  * @typedef {{
@@ -149,10 +151,30 @@ export function badgePlaces(view, goals, strokes) {
 export function outside(view, points) {
   const { w, h, k } = view;
   const sides = points.map(view.px).flatMap(([x, y]) => [
-    { far: x - w, way: "right", at: [w - 30, y], arrow: [-8, -8, 8, 0, -8, 8] },
-    { far: -x, way: "left", at: [30, y], arrow: [8, -8, -8, 0, 8, 8] },
-    { far: -y, way: "up", at: [x, 30], arrow: [-8, 8, 0, -8, 8, 8] },
-    { far: y - h, way: "down", at: [x, h - 30], arrow: [-8, -8, 0, 8, 8, -8] },
+    {
+      far: x - w,
+      way: "right",
+      at: [w - 30, y],
+      arrow: [-8, -8, 8, 0, -8, 8],
+    },
+    {
+      far: -x,
+      way: "left",
+      at: [30, y],
+      arrow: [8, -8, -8, 0, 8, 8],
+    },
+    {
+      far: -y,
+      way: "up",
+      at: [x, 30],
+      arrow: [-8, 8, 0, -8, 8, 8],
+    },
+    {
+      far: y - h,
+      way: "down",
+      at: [x, h - 30],
+      arrow: [-8, -8, 0, 8, 8, -8],
+    },
   ]);
   if (!sides.length) return null;
   const { far, way, at, arrow } = sides.reduce((a, b) => (b.far > a.far ? b : a));
@@ -160,13 +182,23 @@ export function outside(view, points) {
   const x = Math.min(Math.max(at[0], 30), w - 30);
   const y = Math.min(Math.max(at[1], 30), h - 44);
   const metres = far / k;
-  const size = metres < 0.1 ? `${Math.ceil(100 * metres)} cm` : `${metres.toFixed(1)} m`;
+  const size =
+    metres < 0.1
+      ? t("{n} cm", { n: Math.ceil(100 * metres) })
+      : t("{n} m", { n: metres.toFixed(1) });
+  /** @type {Record<string, string>} */
+  const words = {
+    right: t("{size} further right", { size }),
+    left: t("{size} further left", { size }),
+    up: t("{size} further up", { size }),
+    down: t("{size} further down", { size }),
+  };
   const [x0, y0, x1, y1, x2, y2] = arrow.map((value, i) => value + (i % 2 ? y : x));
   const anchor = x > w / 2 ? "end" : "start";
   return {
     arrow: `M${x0} ${y0}L${x1} ${y1}L${x2} ${y2}`,
     at: { x: anchor === "end" ? x + 12 : x - 12, y: y + 28, "text-anchor": anchor },
-    words: `${size} further ${way}`,
+    words: words[way],
   };
 }
 

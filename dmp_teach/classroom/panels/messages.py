@@ -7,21 +7,22 @@ import numpy as np
 from dmp_teach.ink import PadStroke
 from dmp_teach.scoring import LEVEL_WORDS, MOVEMENT_FAULTS, Score, leading_fault
 from dmp_teach.texts import gettext as _
+from dmp_teach.texts import marked, ngettext
 from dmp_teach.trajectory import Trajectory
 
 _THINGS_IN_MM = (
-    (0.1, "the thickness of a hair"),
-    (1.0, "the width of a pen line"),
-    (7.0, "the width of a pencil"),
-    (14.0, "the width of a finger"),
-    (100.0, "the width of a hand"),
+    (0.1, marked("the thickness of a hair")),
+    (1.0, marked("the width of a pen line")),
+    (7.0, marked("the width of a pencil")),
+    (14.0, marked("the width of a finger")),
+    (100.0, marked("the width of a hand")),
 )
 
 Message = dict[str, str]
 """A number, its unit, and a sentence in three parts, the middle one strong."""
 
-_APART = "Your letter and the robot’s own are this far apart on average. "
-_ALIKE = "It looks the same as the robot’s. "
+_APART = marked("Your letter and the robot’s own are this far apart on average.")
+_ALIKE = marked("It looks the same as the robot’s.")
 # Shares of the letter's size: a distance up to which an attempt is "not far", "close", "the same".
 _WORD_SHARES = (0.2, 0.1, 0.04)
 # Two widths of a pen's line and a half [m]: so much further away is a little, however near it was.
@@ -29,10 +30,16 @@ _LITTLE_FURTHER = 0.0025
 
 
 def format_millimetres(metres: float) -> str:
-    """Return a length as it is shown: "under 0.1", "7.8", "24"."""
+    """Return a length as a sentence has it: "under 0.1", "7.8", "24"."""
+    number = show_millimetres(metres)
+    return _("under {n}").format(n=number[2:]) if number.startswith("< ") else number
+
+
+def show_millimetres(metres: float) -> str:
+    """Return a length as it is shown: "< 0.1", "7.8", "24"."""
     mm = 1000 * metres
     if mm < 0.05:
-        return "under 0.1"
+        return "< 0.1"
     return f"{mm:.1f}" if mm < 9.95 else f"{mm:.0f}"
 
 
@@ -40,31 +47,32 @@ def name_comparable_width(metres: float) -> str:
     """Return the thing of the nearest size, on a scale of factors: "the width of a pencil"."""
     mm = 1000 * metres
     if mm < 0.05:
-        return "less than a hair"
-    return min(_THINGS_IN_MM, key=lambda thing: abs(np.log(thing[0] / mm)))[1]
+        return _("less than a hair")
+    return _(min(_THINGS_IN_MM, key=lambda thing: abs(np.log(thing[0] / mm)))[1])
 
 
 def format_centimetres(metres: float) -> str:
     """Return a distance that was chosen: "7.0 cm"."""
-    return f"{100 * metres:.1f} cm"
+    return _("{n} cm").format(n=f"{100 * metres:.1f}")
 
 
 def suggest_change(error: float, n_kernels: int, kernel_width: float) -> str:
     """Return the next thing to try, by what makes this letter differ."""
     if error < 0.0005:
-        return "The line sits on the dots."
+        return _("The line sits on the dots.")
     if kernel_width < 0.99:
-        return "Narrow bumps leave gaps between them: try width 1.0."
+        return _("Narrow bumps leave gaps between them: try width 1.0.")
     if kernel_width > 1.5:
-        return "Wide bumps mix with their neighbours: try narrower ones."
-    return "Try more bumps." if n_kernels < 60 else "Try a width of 1.0."
+        return _("Wide bumps mix with their neighbours: try narrower ones.")
+    return _("Try more bumps.") if n_kernels < 60 else _("Try a width of 1.0.")
 
 
 def describe_fit(error: float, n_kernels: int, kernel_width: float) -> Message:
     """Return the message for a letter whose goals are as demonstrated."""
-    thing = f"{name_comparable_width(error)}."
-    after = f" {suggest_change(error, n_kernels, kernel_width)}"
-    return _build_message("On average the line is off the dots by ", thing, after, error)
+    text = _("On average the line is off the dots by **{thing}.** {cure}").format(
+        thing=name_comparable_width(error), cure=suggest_change(error, n_kernels, kernel_width)
+    )
+    return _build_message(text, error)
 
 
 def describe_moved_goal(moved: float, miss: float, error: float, stroke: int | None) -> Message:
@@ -72,17 +80,24 @@ def describe_moved_goal(moved: float, miss: float, error: float, stroke: int | N
 
     The error is that of the unmoved letter [m]; a letter with one stroke does not name it.
     """
-    which = "goal" if stroke is None else f"goal of stroke {stroke + 1}"
-    text = f"You moved the {which} by {format_centimetres(moved)}. "
-    strong = f"The pen stops {format_millimetres(miss)} mm from the ring."
-    after = f" Unmoved, the letter is {format_millimetres(error)} mm off."
-    return _build_message(text, strong, after, miss)
+    text = _("You moved the goal by {cm}.")
+    if stroke is not None:
+        text = _("You moved the goal of stroke {n} by {cm}.")
+    stop = _("**The pen stops {miss} mm from the ring.** Unmoved, the letter is {error} mm off.")
+    said = f"{text} {stop}".format(
+        n=None if stroke is None else stroke + 1,
+        cm=format_centimetres(moved),
+        miss=format_millimetres(miss),
+        error=format_millimetres(error),
+    )
+    return _build_message(said, miss)
 
 
 def describe_letter(name: str, error: float, gap: str) -> str:
     """Return the text alternative of the sheet: which letter, how far off, where the most."""
-    distance = f"{format_millimetres(error)} mm from the dots on average"
-    return f"{name[0].upper()}{name[1:]}: the robot’s line is {distance}, {gap}."
+    said = _("{letter}: the robot’s line is {mm} mm from the dots on average, {gap}.")
+    letter = f"{name[0].upper()}{name[1:]}"
+    return said.format(letter=letter, mm=format_millimetres(error), gap=gap)
 
 
 def describe_largest_gap(demo: tuple[Trajectory, ...], robot: tuple[Trajectory, ...]) -> str:
@@ -92,50 +107,61 @@ def describe_largest_gap(demo: tuple[Trajectory, ...], robot: tuple[Trajectory, 
     ]
     stroke = int(np.argmax([a.max() for a in apart]))
     part = np.argmax(apart[stroke]) / (len(apart[stroke]) - 1)
-    place = "start" if part < 1 / 3 else "middle" if part < 2 / 3 else "end"
-    if len(demo) == 1:
-        return f"most near its {place}"
-    return f"most near the {place} of stroke {stroke + 1}"
+    alone, one = [
+        (_("most near its start"), _("most near the start of stroke {n}")),
+        (_("most near its middle"), _("most near the middle of stroke {n}")),
+        (_("most near its end"), _("most near the end of stroke {n}")),
+    ][0 if part < 1 / 3 else 1 if part < 2 / 3 else 2]
+    return alone if len(demo) == 1 else one.format(n=stroke + 1)
 
 
 def describe_stroke(number: int, stroke: PadStroke, outside: int = 0) -> str:
     """Return what the pad saw of a stroke, some of whose points were beyond the sheet."""
     if outside > 0:
-        return "Your pen left the sheet: write a little smaller."
+        return _("Your pen left the sheet: write a little smaller.")
     if stroke.is_dot:
-        return f"Stroke {number}: a dot."
+        return _("Stroke {n}: a dot.").format(n=number)
     if stroke.is_blurred:
-        return f"Stroke {number}: too fast to see. Write a little slower."
-    return f"Stroke {number}: {stroke.path.duration:.1f} s, {stroke.points} points."
+        return _("Stroke {n}: too fast to see. Write a little slower.").format(n=number)
+    said = _("Stroke {n}: {seconds:.1f} s, {points} points.")
+    return said.format(n=number, seconds=stroke.path.duration, points=stroke.points)
 
 
 def invite_to_write(character: str) -> Message:
     """Return the message of an empty sheet."""
     if not character:
-        learns = "The robot learns it as you write it."
-        return _build_message("Write any letter on your sheet. ", learns)
-    text = f"Write {add_article(character)} on your sheet. "
-    return _build_message(text, "Show it", " lets the robot write it first.")
+        return _build_message(
+            _("Write any letter on your sheet. **The robot learns it as you write it.**")
+        )
+    text = _("Write {letter} on your sheet. **Show it** lets the robot write it first.")
+    return _build_message(text.format(letter=add_article(character)))
 
 
 def ask_for_next_stroke(done: int, of: int, character: str) -> Message:
     """Return the message between two strokes of a letter."""
-    text = f"The robot’s {character} has {of} strokes, yours has {done} so far. "
-    ending = f"Write the next one, or press That is all if your {character} has no more."
-    return _build_message(text, ending)
+    text = ngettext(
+        "The robot’s {letter} has {n} stroke, yours has {done} so far. "
+        "**Write the next one, or press That is all if your {letter} has no more.**",
+        "The robot’s {letter} has {n} strokes, yours has {done} so far. "
+        "**Write the next one, or press That is all if your {letter} has no more.**",
+        of,
+    )
+    return _build_message(text.format(letter=character, n=of, done=done))
 
 
 def describe_learned_ink(error: float) -> Message:
     """Return the message for ink that is compared with nothing: how well it was learned."""
-    text = "On average the robot’s line is off your dots by "
-    after = " Choose a letter to compare yours with."
-    return _build_message(text, f"{name_comparable_width(error)}.", after, error)
+    text = _(
+        "On average the robot’s line is off your dots by **{thing}.** "
+        "Choose a letter to compare yours with."
+    )
+    return _build_message(text.format(thing=name_comparable_width(error)), error)
 
 
 def describe_dot(character: str) -> Message:
     """Return the message for a sheet with nothing but dots, where a letter is wanted."""
-    after = f" takes it away; then write {add_article(character)}."
-    return _build_message("That is only a dot. ", "Undo", after)
+    text = _("That is only a dot. **Undo** takes it away; then write {letter}.")
+    return _build_message(text.format(letter=add_article(character)))
 
 
 def describe_attempt(now: Score, before: Score | None, is_coarse: bool = False) -> Message:
@@ -145,9 +171,9 @@ def describe_attempt(now: Score, before: Score | None, is_coarse: bool = False) 
     """
     said = _name_fault(now, is_coarse)
     if before is None:
-        return _build_message(_APART, said, distance=now.distance)
+        return _build_message(f"{_(_APART)} **{said}**", now.distance)
     comparison = compare_attempts(now.distance, before.distance)
-    return _build_message(f"{_APART}{said} ", comparison, distance=now.distance)
+    return _build_message(f"{_(_APART)} {said} **{comparison}**", now.distance)
 
 
 def _name_fault(now: Score, is_coarse: bool) -> str:
@@ -155,9 +181,9 @@ def _name_fault(now: Score, is_coarse: bool) -> str:
     fault = leading_fault(now.faults)
     unseen = fault is not None and fault.name in MOVEMENT_FAULTS
     if fault is None or (unseen and is_coarse):
-        return _ALIKE.strip()
-    first = f"{_ALIKE}{fault.sentence}" if unseen else fault.sentence
-    return first.replace("the model's", "the robot’s").replace("the model", "the robot’s")
+        return _(_ALIKE)
+    said = fault.wording.format(model=_("the robot’s"), models=_("the robot’s"))
+    return f"{_(_ALIKE)} {said}" if unseen else said
 
 
 def compare_attempts(distance: float, before: float) -> str:
@@ -168,11 +194,11 @@ def compare_attempts(distance: float, before: float) -> str:
     """
     looks_equal = format_millimetres(distance) == format_millimetres(before)
     if looks_equal or 0.95 * before <= distance <= 1.05 * before:
-        return "As near as the try before."
+        return _("As near as the try before.")
     if distance < before:
-        return "Nearer than the try before."
+        return _("Nearer than the try before.")
     is_little = distance <= max(1.5 * before, before + _LITTLE_FURTHER)
-    return f"{'A little further' if is_little else 'Further'} away this time."
+    return _("A little further away this time.") if is_little else _("Further away this time.")
 
 
 def rate_attempt(score: Score, size: float) -> str:
@@ -184,21 +210,22 @@ def rate_attempt(score: Score, size: float) -> str:
     """
     by_distance = sum(score.distance <= part * size for part in _WORD_SHARES)
     level = min(by_distance, *(part.level for part in score.parts))
-    return LEVEL_WORDS[level]
+    return _(LEVEL_WORDS[level])
 
 
 def add_article(character: str) -> str:
     """Return a letter with its article as its name is heard: "an a", "a b"."""
     is_vowel = character and character in "aefhilmnorsxAEFHILMNORSX8"
-    return f"an {character}" if is_vowel else f"a {character}"
+    text = _("an {letter}") if is_vowel else _("a {letter}")
+    return text.format(letter=character)
 
 
 def describe_sheet(character: str, strokes: int, sentence: str) -> str:
     """Return the text alternative of the pad's sheet."""
     if not strokes:
-        return "Your sheet is empty."
-    count = f"{strokes} stroke{'s' * (strokes > 1)}"
-    return f"Your {character or 'ink'}, {count}. {sentence}".strip()
+        return _("Your sheet is empty.")
+    text = ngettext("Your {letter}, {n} stroke.", "Your {letter}, {n} strokes.", strokes)
+    return f"{text.format(letter=character or _('ink'), n=strokes)} {sentence}".strip()
 
 
 def describe_forgotten(removed: list[str], left: list[str]) -> str:
@@ -213,9 +240,11 @@ def describe_forgotten(removed: list[str], left: list[str]) -> str:
     return said
 
 
-def _build_message(
-    text: str, strong: str, after: str = "", distance: float | None = None
-) -> Message:
-    """Return a message with a distance [m] as its one number, or without a number."""
-    number, unit = ("", "") if distance is None else (format_millimetres(distance), "mm")
+def _build_message(sentence: str, distance: float | None = None) -> Message:
+    """Return a message with a distance [m] as its one number, or without a number.
+
+    What is strong of the sentence stands between two pairs of stars.
+    """
+    number, unit = ("", "") if distance is None else (show_millimetres(distance), _("mm"))
+    text, strong, after, *_rest = (*sentence.split("**", 2), "", "")
     return {"number": number, "unit": unit, "text": text, "strong": strong, "after": after}

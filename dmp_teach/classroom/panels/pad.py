@@ -29,6 +29,7 @@ from dmp_teach.ink import Recording, characters, check_pseudonym, pad_stroke, re
 from dmp_teach.letters import Letter
 from dmp_teach.robot import Page
 from dmp_teach.scoring import Score
+from dmp_teach.texts import gettext as _
 from dmp_teach.views import STYLE_TOKENS
 
 _HERE = Path(__file__).parent
@@ -89,7 +90,7 @@ class Pad(RobotPanel):
         self._is_done = False
         self._model: Recording | None = None
         super().__init__(page)
-        self.choices = [["", "any", "any letter", ""], *list_letter_choices()]
+        self.choices = [["", _("any"), _("any letter"), ""], *list_letter_choices()]
         if character:
             self.character = check_character(character)
         else:
@@ -145,11 +146,13 @@ class Pad(RobotPanel):
         if now is None:
             self._attempts.bring_back(self.character)
             is_back = self._attempts.now is not None
-            said = "The try before is on your sheet again." if is_back else "Nothing to undo."
+            said = _("The try before is on your sheet again.") if is_back else _("Nothing to undo.")
         else:
             left = now.strokes[:-1]
-            said = f"Stroke {len(now.ink)} is gone." if left else "The sheet is empty."
-            said += " The try before stays." if self._attempts.is_back else ""
+            said = _("Stroke {n} is gone.") if left else _("The sheet is empty.")
+            said = said.format(n=len(now.ink))
+            if self._attempts.is_back:
+                said = f"{said} {_('The try before stays.')}"
             self._attempts.now = Attempt.of(left, now.model, self.writer) if left else None
         self.caught = said
         self._redraw()
@@ -170,7 +173,7 @@ class Pad(RobotPanel):
         self._is_done = True
         self._put(attempt)
         self.sheet = extend_sheet(self.sheet, attempt.ink)
-        self.caught = f"Your recording, {own.duration:.1f} s."
+        self.caught = _("Your recording, {seconds:.1f} s.").format(seconds=own.duration)
 
     def write(self) -> None:
         """Let the robot write what it has learned, or its own letter while the sheet is empty."""
@@ -178,7 +181,7 @@ class Pad(RobotPanel):
             super().write()
         else:
             self._refuse(
-                "There is nothing to write yet. Choose a letter, or write one on your sheet."
+                _("There is nothing to write yet. Choose a letter, or write one on your sheet.")
             )
 
     def save(self) -> Path:
@@ -193,7 +196,8 @@ class Pad(RobotPanel):
         path = self._saved.save(self._attempts, self.writer)
         self.writer = self.writer or self.recording.writer
         kept(self._key)["writer"] = self.writer
-        self.kept = f"Saved as {path.name}, beside this notebook. Other tries are not kept."
+        said = _("Saved as {name}, beside this notebook. Other tries are not kept.")
+        self.kept = said.format(name=path.name)
         return path
 
     def forget(self) -> None:
@@ -217,7 +221,7 @@ class Pad(RobotPanel):
         self._saved = SavedAttempts(held.setdefault("saved", {}))
 
     # Any: JSON from the browser.
-    def _hear(self, _: object, message: dict[str, Any], buffers: list[memoryview]) -> None:
+    def _hear(self, widget: object, message: dict[str, Any], buffers: list[memoryview]) -> None:
         """Take a stroke, do what a button asks for, or open a file that was chosen."""
         kind = message.get("kind")
         actions: dict[object, Callable[[], object]] = {
@@ -233,7 +237,7 @@ class Pad(RobotPanel):
             elif kind in actions:
                 actions[kind]()
             else:
-                super()._hear(_, message, buffers)
+                super()._hear(widget, message, buffers)
         except Exception as error:
             # The browser waits for a sentence, whatever went wrong.
             said = str(error) or type(error).__name__
@@ -275,7 +279,7 @@ class Pad(RobotPanel):
         self._model = recording_of(self.character) if self.character else None
         strokes = self._model.strokes() if self._model else ()
         with self.hold_sync():
-            self.wanted = add_article(self.character) if self.character else "a letter"
+            self.wanted = add_article(self.character) if self.character else _("a letter")
             self.sheet = fit_pad_sheet(strokes)
             self.lines = find_writing_lines()
             self.model = pack_points(strokes)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dmp_teach.classroom.panels import messages
 from dmp_teach.classroom.panels.attempts import Attempt, Attempts, list_rows
 from dmp_teach.classroom.panels.robot_panel import pack_points
+from dmp_teach.texts import gettext as _
 
 # All attempts are kept.
 MAX_SHOWN_ATTEMPTS = 6
@@ -54,7 +55,7 @@ def _describe_attempt_now(
         return messages.describe_learned_ink(now.letter.error), []
     previous = before[-1].score if before else None
     rows: list[dict[str, object]] = [
-        {"name": part.name, "level": part.level, "word": part.word, "reason": part.reason}
+        {"name": _(part.name), "level": part.level, "word": _(part.word), "reason": part.reason}
         for part in now.score.parts
     ]
     return messages.describe_attempt(now.score, previous, now.is_coarse), rows

@@ -1,6 +1,7 @@
 // The rings of goals: they are dragged by mouse and finger, and moved by arrow keys.
 
 import { change, make, newId, once } from "../../views/dom.js";
+import { t } from "../../views/texts.js";
 import { badgePlaces, wordPlace } from "./layout.js";
 
 /** @typedef {import("./layout.js").Place} Place */
@@ -156,7 +157,7 @@ function placeBadge(ring, { badges, word }, i, chosen) {
   for (const node of [stalk, dot, count, reach]) node.style.display = badge ? "" : "none";
   words.style.display = badge ? "none" : "";
   if (!badge) {
-    change(words, word).replaceChildren("goal");
+    change(words, word).replaceChildren(t("goal"));
     return;
   }
   const [x, y] = badge;

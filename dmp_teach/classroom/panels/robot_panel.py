@@ -18,15 +18,16 @@ from dmp_teach.errors import ReachWarning, RecordingError, TeachError
 from dmp_teach.formats import known_formats, read_recording
 from dmp_teach.ink import Recording, characters
 from dmp_teach.robot import Motion, Page
-from dmp_teach.texts import javascript_texts
+from dmp_teach.texts import gettext as _
+from dmp_teach.texts import javascript_texts, marked
 from dmp_teach.trajectory import Trajectory
 from dmp_teach.views import SceneView
 
 MAX_FILE_BYTES = 8_000_000
 PLANNING_STEPS = {
-    "wake": "Waking the robot",
-    "reach": "Can the arm reach the letter?",
-    "joints": "Planning every joint",
+    "wake": marked("Waking the robot"),
+    "reach": marked("Can the arm reach the letter?"),
+    "joints": marked("Planning every joint"),
 }
 # Any, here and below: JSON for the browser.
 _IDLE: dict[str, Any] = {"state": "idle"}
@@ -42,14 +43,14 @@ def list_letter_choices() -> list[list[str]]:
     """Return our letters as a panel's list shows them: value, label, name and group."""
     choices = []
     for letter in characters():
-        kind = "digit" if letter.isdigit() else "letter"
-        if kind == "digit":
-            group = "Digits"
+        name = _("the digit {letter}") if letter.isdigit() else _("the letter {letter}")
+        if letter.isdigit():
+            group = _("Digits")
         elif not letter.isascii():
-            group = "With accents"
+            group = _("With accents")
         else:
-            group = "Small letters" if letter.islower() else "Capitals"
-        choices.append([letter, letter, f"the {kind} {letter}", group])
+            group = _("Small letters") if letter.islower() else _("Capitals")
+        choices.append([letter, letter, name.format(letter=letter), group])
     return choices
 
 
@@ -115,7 +116,7 @@ class RobotPanel(anywidget.AnyWidget):
         suffixes = [suffix for each in known_formats() for suffix in each.suffixes]
         return {
             "accept": ",".join(suffixes),
-            "names": f"{', '.join(names[:-1])} or {names[-1]}",
+            "names": _("{names} or {last}").format(names=", ".join(names[:-1]), last=names[-1]),
             "limit": MAX_FILE_BYTES,
         }
 
@@ -160,7 +161,7 @@ class RobotPanel(anywidget.AnyWidget):
         if self.work["state"] != "working":
             self.work = _IDLE
 
-    def _hear(self, _: object, message: dict[str, Any], buffers: list[memoryview]) -> None:
+    def _hear(self, widget: object, message: dict[str, Any], buffers: list[memoryview]) -> None:
         """Do what a button asks for, or open a file that was chosen."""
         kind = message.get("kind")
         if kind == "write":
@@ -174,9 +175,9 @@ class RobotPanel(anywidget.AnyWidget):
         elif kind == "file":
             self._open_bytes(message["name"], bytes(buffers[0]))
         elif kind == "too large":
-            size = f"{message['size'] / 1e6:.0f} MB"
-            limit = f"A recording of one letter has less than {MAX_FILE_BYTES / 1e6:.0f}."
-            self._refuse(f"{message['name']} has {size}. {limit}")
+            said = _("{name} has {mb:.0f} MB. A recording of one letter has less than {limit:.0f}.")
+            sizes = {"mb": message["size"] / 1e6, "limit": MAX_FILE_BYTES / 1e6}
+            self._refuse(said.format(name=message["name"], **sizes))
 
     def _open_bytes(self, name: str, content: bytes) -> None:
         """Read a file that came from the browser; it is kept nowhere."""
@@ -198,7 +199,7 @@ class RobotPanel(anywidget.AnyWidget):
             place = max(place, (self.work["at"], self.work["fraction"]))
         self.work = {
             "state": "working",
-            "steps": list(PLANNING_STEPS.values()),
+            "steps": [_(words) for words in PLANNING_STEPS.values()],
             "at": place[0],
             "fraction": place[1],
         }
@@ -227,9 +228,9 @@ class RobotPanel(anywidget.AnyWidget):
         self._cure = cure
         label = None
         if isinstance(cure, Page):
-            label = "Move the page there"
+            label = _("Move the page there")
         elif cure:
-            label = f"Write it {100 * cure:.1f} cm high"
+            label = _("Write it {cm:.1f} cm high").format(cm=100 * cure)
         self.work = {"state": "cannot", "strong": strong + dot.strip(), "text": text, "cure": label}
 
     def _apply_cure(self) -> None:

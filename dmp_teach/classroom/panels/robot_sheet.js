@@ -2,6 +2,7 @@
 // learned.
 
 import { change, choice, make } from "../../views/dom.js";
+import { t, tn } from "../../views/texts.js";
 import { button, ICONS, icon, put } from "./controls.js";
 import { letRobotWrite, strokesOf } from "./robot.js";
 import { momentOf, playLetter, stillsOf, writingSheet } from "./sheets.js";
@@ -23,16 +24,16 @@ const CALM = "(prefers-reduced-motion: reduce)";
 export function robotSheet(/** @type {Model} */ model, /** @type {SheetParts} */ parts) {
   const sheet = writingSheet();
   const caption = make("p", { class: "dt-told", role: "status" });
-  const show = button("Show it", { main: true, onClick: () => showIt(model, parts) });
+  const show = button(t("Show it"), { main: true, onClick: () => showIt(model, parts) });
   const letItWrite = () => {
     parts.table.hidden = false;
     letRobotWrite(model, parts);
   };
   const drawing = icon(ICONS.pen);
-  const write = button("Robot, write it", { drawing, onClick: letItWrite });
+  const write = button(t("Robot, write it"), { drawing, onClick: letItWrite });
   const options = [
-    { value: "model", label: "its own", name: "The robot’s own letter" },
-    { value: "copy", label: "learned", name: "What the robot has learned from you" },
+    { value: "model", label: t("its own"), name: t("The robot’s own letter") },
+    { value: "copy", label: t("learned"), name: t("What the robot has learned from you") },
   ];
   const robotView = (/** @type {string} */ value) => {
     endShow(parts);
@@ -40,11 +41,11 @@ export function robotSheet(/** @type {Model} */ model, /** @type {SheetParts} */
     views.show(value);
     parts.drawPad();
   };
-  const legend = "The robot’s sheet shows";
+  const legend = t("The robot’s sheet shows");
   const views = choice({ legend, options, value: "model", onChange: robotView });
   const robotHint = make("span");
   const hint = make("p", { class: "dt-hint" }, robotHint);
-  const title = make("b", {}, "The robot’s letter");
+  const title = make("b", {}, t("The robot’s letter"));
   const stack = make("div", { class: "dt-sheet" }, sheet.node, hint, caption);
   const right = make(
     "div",
@@ -80,16 +81,18 @@ export function drawRobot(/** @type {Model} */ model, /** @type {SheetParts} */ 
   const learned = model.get("counts").length > 0;
   const line = own || learned ? robotStrokes(model, own ? "model" : "robot") : [];
   const dots = own ? laidOn(model, line) : strokesOf(model, "ink");
-  const caption = own ? "with your dots on it" : "learned from your dots";
+  const caption = own ? t("with your dots on it") : t("learned from your dots");
   put(parts.robotCaption, dots.length ? caption : "");
   const hint = own
-    ? "Choose a letter, and the robot shows it"
-    : "The robot learns from what you write";
+    ? t("Choose a letter, and the robot shows it")
+    : t("The robot learns from what you write");
   parts.robotHint.textContent = line.length ? "" : hint;
   const character = model.get("character");
-  const name = own ? `The robot’s own ${character}` : "What the robot learned from you";
-  const count = `${line.length} stroke${line.length > 1 ? "s" : ""}`;
-  const title = line.length ? `${name}, ${count}.` : "The robot’s sheet is empty.";
+  const name = own
+    ? t("The robot’s own {letter}", { letter: character })
+    : t("What the robot learned from you");
+  const count = tn("{n} stroke", "{n} strokes", line.length);
+  const title = line.length ? `${name}, ${count}.` : t("The robot’s sheet is empty.");
   const [box, lines] = [model.get("sheet"), model.get("lines")];
   parts.robotPaper.draw({ box, lines, dots, line, numbered: line, title });
   change(parts.show, { "aria-disabled": character ? null : "true" });
@@ -117,7 +120,7 @@ function showIt(model, parts) {
   const still = parts.playing?.still ?? -1;
   parts.robotView("model");
   const [box, lines] = [model.get("sheet"), model.get("lines")];
-  const title = `The robot writes its ${character}.`;
+  const title = t("The robot writes its {letter}.", { letter: character });
   const draw = (/** @type {number} */ moment) => {
     const written = momentOf(strokes, times, moment);
     parts.robotPaper.draw({ box, lines, dots: [], title, ...written });
@@ -133,7 +136,7 @@ function showIt(model, parts) {
   };
   parts.playing = { stop: playLetter(times, draw, done) };
   parts.root.setAttribute("data-dt-showing", "true");
-  parts.robotCaption.textContent = "watch where it starts";
+  parts.robotCaption.textContent = t("watch where it starts");
 }
 
 /**
@@ -147,13 +150,16 @@ function showStill(parts, draw, stills, number) {
   const at = number % stills.length;
   draw(stills[at]);
   parts.playing = { stop: () => {}, still: at };
-  parts.show.querySelector("span").textContent = "Next picture";
-  parts.robotCaption.textContent = `picture ${at + 1} of ${stills.length}`;
+  parts.show.querySelector("span").textContent = t("Next picture");
+  parts.robotCaption.textContent = t("picture {n} of {count}", {
+    n: at + 1,
+    count: stills.length,
+  });
 }
 
 export function endShow(/** @type {SheetParts} */ parts) {
   parts.playing?.stop();
   parts.playing = null;
-  parts.show.querySelector("span").textContent = "Show it";
+  parts.show.querySelector("span").textContent = t("Show it");
   parts.root.removeAttribute("data-dt-showing");
 }

@@ -1,6 +1,7 @@
 // What the robot does while nobody sees it: named steps with a bar, or what it cannot do.
 
 import { change, make } from "../../views/dom.js";
+import { t } from "../../views/texts.js";
 import { button, ICONS, icon } from "./controls.js";
 
 /** @typedef {import("../../views/dom.js").Model} Model */
@@ -37,7 +38,7 @@ function showSteps(model, parts, work) {
     parts.stopped = true;
   };
   const quiet = make("span", { class: "dt-quiet" }, "");
-  const footer = make("footer", {}, quiet, button("Stop", { onClick: stop }));
+  const footer = make("footer", {}, quiet, button(t("Stop"), { onClick: stop }));
   parts.work.replaceChildren(stepList(work), footer);
 }
 
@@ -50,7 +51,7 @@ function showCure(model, host, { strong, text, cure }) {
   const send = (/** @type {string} */ kind) => () => model.send({ kind });
   const words = make("span", {}, make("b", {}, strong), ` ${text}`);
   const help = cure ? button(cure, { main: true, onClick: send("cure") }) : null;
-  const buttons = [help, button("Close", { onClick: send("close") })];
+  const buttons = [help, button(t("Close"), { onClick: send("close") })];
   const sentence = make("p", { role: "alert" }, icon(ICONS.warning), words);
   host.replaceChildren(sentence, make("div", { class: "dt-cures" }, ...buttons));
 }
@@ -62,10 +63,10 @@ export function tellWork(/** @type {Model} */ model, /** @type {Parts} */ parts)
   const state = model.get("work").state;
   if (state === parts.workState) return;
   const ended = parts.workState === "working" && state === "idle";
-  if (state === "working") parts.workSpoken.textContent = "The robot plans.";
+  if (state === "working") parts.workSpoken.textContent = t("The robot plans.");
   else if (!ended) parts.workSpoken.textContent = "";
-  else if (parts.stopped) parts.workSpoken.textContent = "The robot stopped.";
-  else parts.workSpoken.textContent = "The robot has its plan and writes.";
+  else if (parts.stopped) parts.workSpoken.textContent = t("The robot stopped.");
+  else parts.workSpoken.textContent = t("The robot has its plan and writes.");
   parts.workState = state;
   parts.stopped = false;
 }
@@ -82,7 +83,7 @@ function stepList(/** @type {Work} */ work) {
 function step({ at, fraction }, words, i) {
   if (i < at) {
     const tick = change(icon(ICONS.tick), { class: "dt-done" });
-    return make("li", {}, tick, make("span", {}, words), make("span", {}, "yes"));
+    return make("li", {}, tick, make("span", {}, words), make("span", {}, t("yes")));
   }
   const drawing = icon(i === at ? ICONS.arrow : ICONS.later);
   const percent = Math.round(100 * fraction);

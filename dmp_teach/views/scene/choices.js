@@ -1,17 +1,18 @@
 // What one can choose of the view: the camera, what is shown of a run, and the speed.
 
 import { choice, list, save } from "../dom.js";
+import { t } from "../texts.js";
 
 /** @typedef {import("../dom.js").Option} Option */
 
-const CAMERAS = [
-  { value: "whole robot", label: "Whole robot" },
-  { value: "over the shoulder", label: "Over the shoulder" },
-  { value: "page from above", label: "Page from above" },
+const cameraOptions = () => [
+  { value: "whole robot", label: t("Whole robot") },
+  { value: "over the shoulder", label: t("Over the shoulder") },
+  { value: "page from above", label: t("Page from above") },
 ];
-const SEEN = [
-  { value: "as planned", label: "as planned" },
-  { value: "as it happened", label: "as it happened" },
+const seenOptions = () => [
+  { value: "as planned", label: t("as planned") },
+  { value: "as it happened", label: t("as it happened") },
 ];
 const SPEEDS = [
   { value: "1", label: "1×" },
@@ -39,8 +40,8 @@ export function choices(model) {
     return [bar(name, options, onChange), small];
   };
   return {
-    cameras: both("Camera", CAMERAS, "camera"),
-    sights: both("What is shown", SEEN, "seen"),
-    speeds: bar("Speed", SPEEDS, (value) => save(model, { speed: Number(value) })),
+    cameras: both(t("Camera"), cameraOptions(), "camera"),
+    sights: both(t("What is shown"), seenOptions(), "seen"),
+    speeds: bar(t("Speed"), SPEEDS, (value) => save(model, { speed: Number(value) })),
   };
 }

@@ -1,6 +1,7 @@
 // How hard the pen presses, on the slider's own clock.
 
 import { change, make, newId } from "../dom.js";
+import { t } from "../texts.js";
 
 /**
  * @typedef {{
@@ -22,16 +23,16 @@ const FORCE_Y = { top: 24, zero: 104, bar: 125, height: 140 };
 const THUMB = 14;
 const SHADES = 6;
 
-/** @type {[number, string, string?][]} */
-const FEELS = [
-  [0.03, "The pen is in the air."],
-  [0.2, "As heavy as a pencil", "hardly touching"],
-  [0.35, "As heavy as a strawberry", "good pressing"],
-  [0.8, "As heavy as an egg", "good pressing"],
-  [1.2, "As heavy as an apple", "good pressing"],
-  [4, "As heavy as a mug", "too hard"],
-  [12, "As heavy as a bottle of water", "too hard"],
-  [Infinity, "As heavy as a bucket of water", "much too hard"],
+/** @returns {[number, string, string?][]} up to which force [N] what it feels like */
+const feels = () => [
+  [0.03, t("The pen is in the air.")],
+  [0.2, t("As heavy as a pencil"), t("hardly touching")],
+  [0.35, t("As heavy as a strawberry"), t("good pressing")],
+  [0.8, t("As heavy as an egg"), t("good pressing")],
+  [1.2, t("As heavy as an apple"), t("good pressing")],
+  [4, t("As heavy as a mug"), t("too hard")],
+  [12, t("As heavy as a bottle of water"), t("too hard")],
+  [Infinity, t("As heavy as a bucket of water"), t("much too hard")],
 ];
 
 /** The ink so far on the small page, a path for each shade of force. */
@@ -72,8 +73,8 @@ export function feltAt(curve, t) {
  * @param {boolean} mustWrite whether the pen is meant to be down
  */
 export function feelOf(force, mustWrite) {
-  const [, feel, verdict] = FEELS.find(([most]) => force < most);
-  return !verdict && mustWrite ? ["The pen does not reach the paper."] : [feel, verdict];
+  const [, feel, verdict] = feels().find(([most]) => force < most);
+  return !verdict && mustWrite ? [t("The pen does not reach the paper.")] : [feel, verdict];
 }
 
 /**
@@ -109,8 +110,8 @@ export class ForceStrip {
     this.labels = {
       high: text("label"),
       low: text("label"),
-      down: text("label", "pen down"),
-      good: text("good", "good pressing"),
+      down: text("label", t("pen down")),
+      good: text("good", t("good pressing")),
     };
     this.peak = text("peak");
     this.now = text("now");
@@ -124,7 +125,7 @@ export class ForceStrip {
     this.node = make(
       "section",
       { class: "dts-force", hidden: true },
-      make("p", { class: "dts-force-title" }, make("b", {}, "How hard the pen presses")),
+      make("p", { class: "dts-force-title" }, make("b", {}, t("How hard the pen presses"))),
       this.svg,
       make("p", { class: "dts-feels" }, this.newtons, this.says),
       this.findings,
@@ -147,7 +148,7 @@ export class ForceStrip {
     this.node.hidden = !this.force;
     if (!this.force) return;
     const { verdict, findings } = this.force;
-    this.svg.setAttribute("aria-label", `How hard the pen presses. ${verdict}`);
+    this.svg.setAttribute("aria-label", `${t("How hard the pen presses")}. ${verdict}`);
     this.findings.replaceChildren(...findings.map((words) => make("li", {}, words)));
     this.findings.hidden = !findings.length;
     this.draw();
@@ -171,8 +172,8 @@ export class ForceStrip {
     change(this.band, { x: left, y: top, width: right - left, height: bottom - top });
     this.edges.setAttribute("d", `M${left} ${bottom}H${right}M${left} ${top}H${right}`);
     this.zero.setAttribute("d", `M${left} ${this.y(0)}H${right}`);
-    labels.high.textContent = `${high} N`;
-    labels.low.textContent = `${low} N`;
+    labels.high.textContent = t("{n} N", { n: high });
+    labels.low.textContent = t("{n} N", { n: low });
     put(labels.high, left - 10, top + 5, "end");
     put(labels.low, left - 10, bottom + 5, "end");
     put(labels.down, left - 10, FORCE_Y.bar + 5, "end");
@@ -187,7 +188,7 @@ export class ForceStrip {
     for (const path of [this.rest, this.done]) path.setAttribute("d", `M${places.join("L")}`);
     for (const path of [this.bars, this.barsDone]) path.setAttribute("d", bars);
     const worst = curve.reduce((a, b) => (b[1] > a[1] ? b : a));
-    this.peak.textContent = worst[1] > FORCE_TOP ? `↑ ${most} N` : "";
+    this.peak.textContent = worst[1] > FORCE_TOP ? `↑ ${t("{n} N", { n: most })}` : "";
     const at = this.x(worst[0]);
     const near = at > this.right - 80;
     put(this.peak, at + (near ? -8 : 8), FORCE_Y.top - 8, near ? "end" : "start");
@@ -203,7 +204,7 @@ export class ForceStrip {
     this.clip.setAttribute("width", String(Math.max(0, x)));
     this.head.setAttribute("d", `M${x} 2V${FORCE_Y.height - 4}`);
     change(this.dot, { cx: x, cy: y });
-    this.now.textContent = `${newtons} N`;
+    this.now.textContent = t("{n} N", { n: newtons });
     const near = x > this.right - 64;
     const above = Math.max(y - 10, FORCE_Y.top + 16);
     put(this.now, x + (near ? -14 : 14), above, near ? "end" : "start");

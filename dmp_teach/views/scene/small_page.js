@@ -1,6 +1,7 @@
 // The small page in the picture's corner, with the ink so far.
 
 import { change, make } from "../dom.js";
+import { t } from "../texts.js";
 import { feltAt, shadedInk } from "./force.js";
 
 /** @typedef {import("./force.js").Facts} Facts */
@@ -16,7 +17,7 @@ export class SmallPage {
     const all = [this.plan, this.ink, this.shades.node, this.pen];
     this.svg = make("svg", { "aria-hidden": "true" }, ...all);
     this.share = make("span", {}, "0 %");
-    const head = make("div", {}, make("b", {}, "Ink so far"), this.share);
+    const head = make("div", {}, make("b", {}, t("Ink so far")), this.share);
     this.node = make("div", { class: "dts-inset" }, head, this.svg);
     /** @type {number[][]} */
     this.dots = [];

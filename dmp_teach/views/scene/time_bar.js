@@ -1,12 +1,13 @@
 // Play, the time slider and the time in words.
 
 import { make, newId } from "../dom.js";
+import { t } from "../texts.js";
 
-const FACES = {
-  play: { name: "Play", path: "M8 5.5v13l11-6.5z" },
-  pause: { name: "Pause", path: "M8 5.5h3v13H8zM14 5.5h3v13h-3z" },
-  next: { name: "Next picture", path: "M6 5.5v13l8-6.5zM16 5.5h2.5v13H16z" },
-};
+const faces = () => ({
+  play: { name: t("Play"), path: "M8 5.5v13l11-6.5z" },
+  pause: { name: t("Pause"), path: "M8 5.5h3v13H8zM14 5.5h3v13h-3z" },
+  next: { name: t("Next picture"), path: "M6 5.5v13l8-6.5zM16 5.5h2.5v13H16z" },
+});
 /** @type {Record<string, number>} */
 const WAYS = {
   ArrowRight: 0.1,
@@ -27,7 +28,7 @@ export class TimeBar {
     this.button = make("button", look, drawing);
     this.slider = make("input", { id, type: "range", min: 0, max: 1, step: 0.001, value: 0 });
     this.words = make("output", { for: id, "aria-hidden": "true" });
-    const label = make("label", { for: id, class: "dts-hidden" }, "Time");
+    const label = make("label", { for: id, class: "dts-hidden" }, t("Time"));
     this.node = make("div", { class: "dts-bar" }, this.button, label, this.slider, this.words);
     this.slider.addEventListener("input", () => onTime(Number(this.slider.value)));
     this.slider.addEventListener("change", onDone);
@@ -50,13 +51,13 @@ export class TimeBar {
     const part = duration ? (100 * time) / duration : 0;
     this.slider.style.setProperty("--part", `${part}%`);
     const [now, end] = [time.toFixed(1), duration.toFixed(1)];
-    this.slider.setAttribute("aria-valuetext", `${now} of ${end} seconds`);
-    this.words.textContent = `${now} s of ${end} s`;
+    this.slider.setAttribute("aria-valuetext", t("{now} of {end} seconds", { now, end }));
+    this.words.textContent = t("{now} s of {end} s", { now, end });
   }
 
   /** What the button does at a press. */
-  face(/** @type {keyof FACES} */ kind) {
-    const { name, path } = FACES[kind];
+  face(/** @type {keyof ReturnType<typeof faces>} */ kind) {
+    const { name, path } = faces()[kind];
     this.shape.setAttribute("d", path);
     this.button.setAttribute("aria-label", name);
     this.button.title = name;
