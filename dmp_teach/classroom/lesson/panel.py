@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 import traitlets
 
-from dmp_teach.classroom.lesson.bets import LessonState
+from dmp_teach.classroom.lesson.bets import KeptBet, LessonState
 from dmp_teach.classroom.lesson.check import Answer, Verdict
 from dmp_teach.classroom.lesson.content import Affine, LessonContent, Pick, Picture
 from dmp_teach.classroom.lesson.knobs import check_answer
@@ -93,29 +93,65 @@ class LessonPanel(RobotPanel):
         """Do what a button of the lesson asks for, or what one of the robot does."""
         kind = message.get("kind")
         if kind == "bet":
-            self._change(bet=self.lesson.bet.checked(message["bet"]))
-        elif kind == "reveal" and self.progress["bet"] is not None:
-            self._change(revealed=True)
-        elif kind == "step" and message["step"] in LESSON_STEPS:
-            self._change(step=message["step"], verdict=None)
+            self.bet(message["bet"])
+        elif kind == "reveal":
+            self.reveal()
+        elif kind == "step":
+            self.go(message["step"])
         elif kind == "check":
-            self._check()
+            self.check()
         elif kind == "hint":
-            self._change(hints=min(self.progress["hints"] + 1, len(self.lesson.hints)))
-        elif kind == "restore" and not self._kept.get("progress", {}).get("bet"):
-            self._restore(message["work"])
+            self.show_hint()
+        elif kind == "restore":
+            if not self._kept.get("progress", {}).get("bet"):
+                self._restore(message["work"])
         elif kind == "forget":
-            forget(self._key)
-            self._restore({})
+            self.forget()
         else:
             super()._hear(_widget, message, buffers)
 
-    def _check(self) -> None:
+    def bet(self, bet: KeptBet) -> None:
+        """Keep a bet: an option's name, or a place [x, y] for each handle.
+
+        Raises:
+            SettingError: It is no bet of this lesson.
+        """
+        self._change(bet=self.lesson.bet.checked(bet))
+
+    def reveal(self) -> None:
+        """Lay the truth over the bet, once there is one."""
+        if self.progress["bet"] is not None:
+            self._change(revealed=True)
+
+    def go(self, step: str) -> None:
+        """Go to a step: "bet", "try" or "challenge".
+
+        Raises:
+            SettingError: There is no such step.
+        """
+        if step not in LESSON_STEPS:
+            steps = ", ".join(LESSON_STEPS)
+            raise SettingError(f"The step is {step!r}, but must be one of: {steps}.")
+        self._change(step=step, verdict=None)
+
+    def check(self) -> Verdict:
         """Judge what is set, and count a miss."""
         verdict = self.lesson.check(self.answer, self.progress["hints"])
         misses = self.progress["misses"] + (not verdict.done)
         passed = self.progress["passed"] or verdict.done
-        self._change(verdict=_pack_verdict(verdict), misses=misses, passed=passed)
+        packed = {"done": verdict.done, "reason": verdict.reason}
+        self._change(verdict=packed, misses=misses, passed=passed)
+        return verdict
+
+    def show_hint(self) -> None:
+        """Show one hint more."""
+        self._change(hints=min(self.progress["hints"] + 1, len(self.lesson.hints)))
+
+    def forget(self) -> None:
+        """Begin afresh, and keep nothing of what was done."""
+        forget(self._key)
+        self._tried = []
+        self._restore({})
 
     # Any: as `progress`.
     def _change(self, **changes: Any) -> None:
@@ -193,11 +229,6 @@ def _describe(lesson: LessonContent) -> dict[str, Any]:
         "tasks": [task.text for task in lesson.tasks],
         "challenge": lesson.challenge,
     }
-
-
-def _pack_verdict(verdict: Verdict) -> dict[str, Any]:
-    """Return a verdict as the browser shows it."""
-    return {"done": verdict.done, "reason": verdict.reason}
 
 
 # Any: whatever a picture holds.
