@@ -214,8 +214,10 @@ def rate_attempt(score: Score, size: float) -> str:
 
 
 def add_article(character: str) -> str:
-    """Return a letter with its article as its name is heard: "an a", "a b"."""
-    is_vowel = character and character in "aefhilmnorsxAEFHILMNORSX8"
+    """Return a letter with its article as its name is heard: "an a", "a b"; "" is any."""
+    if not character:
+        return _("a letter")
+    is_vowel = character in "aefhilmnorsxAEFHILMNORSX8"
     text = _("an {letter}") if is_vowel else _("a {letter}")
     return text.format(letter=character)
 
@@ -226,6 +228,18 @@ def describe_sheet(character: str, strokes: int, sentence: str) -> str:
         return _("Your sheet is empty.")
     text = ngettext("Your {letter}, {n} stroke.", "Your {letter}, {n} strokes.", strokes)
     return f"{text.format(letter=character or _('ink'), n=strokes)} {sentence}".strip()
+
+
+def describe_undone(number: int, is_empty: bool, stays: bool) -> str:
+    """Return which stroke is gone, and whether the attempt that was brought back stays."""
+    said = _("The sheet is empty.") if is_empty else _("Stroke {n} is gone.").format(n=number)
+    return f"{said} {_('The try before stays.')}" if stays else said
+
+
+def describe_saved(name: str) -> str:
+    """Return what *Save* has done."""
+    said = _("Saved as {name}, beside this notebook. Other tries are not kept.")
+    return said.format(name=name)
 
 
 def describe_forgotten(removed: list[str], left: list[str]) -> str:

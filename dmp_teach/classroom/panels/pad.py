@@ -10,9 +10,9 @@ import numpy as np
 import traitlets
 from numpy.typing import ArrayLike
 
+from dmp_teach.classroom.panels import messages
 from dmp_teach.classroom.panels.attempts import Attempt, Attempts
 from dmp_teach.classroom.panels.kept import forget, kept
-from dmp_teach.classroom.panels.messages import add_article, describe_forgotten, describe_stroke
 from dmp_teach.classroom.panels.pad_view import describe_pad
 from dmp_teach.classroom.panels.robot_panel import RobotPanel, list_letter_choices, pack_points
 from dmp_teach.classroom.panels.saved_attempts import SavedAttempts, list_files
@@ -138,21 +138,18 @@ class Pad(RobotPanel):
         if len(strokes) > MAX_STROKES:
             raise RecordingError(f"One letter has at most {MAX_STROKES} strokes: start again.")
         self._put(Attempt.of(strokes, self._model, self.writer))
-        self.caught = describe_stroke(len(strokes), stroke, outside)
+        self.caught = messages.describe_stroke(len(strokes), stroke, outside)
 
     def undo(self) -> None:
         """Take the last stroke off the sheet, or bring the try before onto an empty one."""
         now = self._attempts.now
         if now is None:
             self._attempts.bring_back(self.character)
-            is_back = self._attempts.now is not None
-            said = _("The try before is on your sheet again.") if is_back else _("Nothing to undo.")
+            found = self._attempts.now is not None
+            said = _("The try before is on your sheet again.") if found else _("Nothing to undo.")
         else:
             left = now.strokes[:-1]
-            said = _("Stroke {n} is gone.") if left else _("The sheet is empty.")
-            said = said.format(n=len(now.ink))
-            if self._attempts.is_back:
-                said = f"{said} {_('The try before stays.')}"
+            said = messages.describe_undone(len(now.ink), not left, self._attempts.is_back)
             self._attempts.now = Attempt.of(left, now.model, self.writer) if left else None
         self.caught = said
         self._redraw()
@@ -180,9 +177,8 @@ class Pad(RobotPanel):
         if self._strokes:
             super().write()
         else:
-            self._refuse(
-                _("There is nothing to write yet. Choose a letter, or write one on your sheet.")
-            )
+            said = _("There is nothing to write yet. Choose a letter, or write one on your sheet.")
+            self._refuse(said)
 
     def save(self) -> Path:
         """Write the newest try as JSON to where the notebook runs.
@@ -196,8 +192,7 @@ class Pad(RobotPanel):
         path = self._saved.save(self._attempts, self.writer)
         self.writer = self.writer or self.recording.writer
         kept(self._key)["writer"] = self.writer
-        said = _("Saved as {name}, beside this notebook. Other tries are not kept.")
-        self.kept = said.format(name=path.name)
+        self.kept = messages.describe_saved(path.name)
         return path
 
     def forget(self) -> None:
@@ -212,7 +207,9 @@ class Pad(RobotPanel):
         if self.scene is not None:
             self.scene.show(None)
         self.start_again()
-        self.kept = describe_forgotten(names, [path.name for path in list_files(Path.cwd())])
+        self.kept = messages.describe_forgotten(
+            names, [path.name for path in list_files(Path.cwd())]
+        )
 
     def _take_kept(self) -> None:
         """Go on with the tries of this pupil's pads before."""
@@ -279,7 +276,7 @@ class Pad(RobotPanel):
         self._model = recording_of(self.character) if self.character else None
         strokes = self._model.strokes() if self._model else ()
         with self.hold_sync():
-            self.wanted = add_article(self.character) if self.character else _("a letter")
+            self.wanted = messages.add_article(self.character)
             self.sheet = fit_pad_sheet(strokes)
             self.lines = find_writing_lines()
             self.model = pack_points(strokes)
