@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -32,6 +33,11 @@ def arc_lengths(path: Array) -> Array:
     """Return how far along a path (T, D) each of its points is, shape (T,) [m]."""
     step = np.diff(path, axis=0)
     return np.concatenate([[0.0], np.cumsum(np.sqrt(np.einsum("td,td->t", step, step)))])
+
+
+def rms(apart: Array) -> float:
+    """Return the root mean square length of the rows of `apart` (T, D)."""
+    return float(np.sqrt((apart**2).sum(axis=1).mean()))
 
 
 def path_length(path: Array) -> float:
@@ -83,6 +89,11 @@ class Trajectory:
     def __repr__(self) -> str:
         """Return one line, without the numbers."""
         return f"Trajectory({len(self)} samples, {self.dimensions}-D, {self.duration:.3f} s)"
+
+
+def all_points(strokes: Iterable[Trajectory]) -> Array:
+    """Return the points of strokes, one after the other, shape (T, D) [m]."""
+    return np.concatenate([stroke.position for stroke in strokes])
 
 
 def from_rollout(t: Array, position: Array) -> Trajectory:

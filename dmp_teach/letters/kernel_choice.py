@@ -4,11 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-import numpy as np
-
 from dmp_teach.dmp import DMP, Settings
 from dmp_teach.scoring import size_of
-from dmp_teach.trajectory import Trajectory
+from dmp_teach.trajectory import Trajectory, rms
 
 # A drawing within this share of the letter's size looks like the demonstration.
 ACCEPTED_ERROR = 0.02
@@ -35,8 +33,12 @@ def imitate_strokes(
 
 def _imitate_within(stroke: Trajectory, accepted: float) -> DMP:
     """Return the primitive of as many kernels as it takes, or the nearest of those tried."""
+
+    def error(primitive: DMP) -> float:
+        return rms(primitive.rollout().position - stroke.position)
+
     tried = [DMP.imitate(stroke)]
-    while _error(tried[-1], stroke) > accepted and len(tried) <= MOST_DOUBLINGS:
+    while error(tried[-1]) > accepted and len(tried) <= MOST_DOUBLINGS:
         last = tried[-1].settings
         finer = Settings.star(
             n_kernels=min(2 * (last.n_kernels or 1), len(stroke) - 1),
@@ -45,10 +47,4 @@ def _imitate_within(stroke: Trajectory, accepted: float) -> DMP:
         if (finer.n_kernels, finer.smoothing) == (last.n_kernels, last.smoothing):
             break
         tried.append(DMP.imitate(stroke, finer))
-    return min(tried, key=lambda primitive: _error(primitive, stroke))
-
-
-def _error(primitive: DMP, stroke: Trajectory) -> float:
-    """Return the root mean square distance of the rollout from the demonstration [m]."""
-    apart = primitive.rollout().position - stroke.position
-    return float(np.sqrt((apart**2).sum(axis=1).mean()))
+    return min(tried, key=error)

@@ -23,15 +23,14 @@ from dmp_teach.letters.kernel_choice import imitate_strokes
 from dmp_teach.letters.letter_json import letter_parts, letter_to_json
 from dmp_teach.letters.pauses import begin_times
 from dmp_teach.scoring import LetterLike, list_strokes
-from dmp_teach.trajectory import Array, Trajectory, locked
+from dmp_teach.trajectory import Array, Trajectory, locked, rms
 
 _Points = Mapping[int, ArrayLike] | None
 
 
 def rms_distance(a: Iterable[Trajectory], b: Iterable[Trajectory]) -> float:
     """Return the root mean square distance of strokes `a` and `b`, sample by sample [m]."""
-    apart = [np.sum((p.position - q.position) ** 2, axis=1) for p, q in zip(a, b, strict=True)]
-    return float(np.sqrt(np.mean(np.concatenate(apart))))
+    return rms(np.concatenate([p.position - q.position for p, q in zip(a, b, strict=True)]))
 
 
 @dataclass(frozen=True, eq=False)

@@ -12,14 +12,8 @@ from numpy.typing import ArrayLike
 from dmp_teach.dmp import Settings, check_point
 from dmp_teach.errors import LetterError
 from dmp_teach.letters.letter import Letter
-from dmp_teach.letters.styles_basis import (
-    as_letter,
-    drawn_path,
-    learn_alike,
-    letter_from_row,
-    letter_to_row,
-)
-from dmp_teach.trajectory import Array, lock_fields
+from dmp_teach.letters.styles_basis import learn_alike, letter_from_row, letter_to_row
+from dmp_teach.trajectory import Array, all_points, lock_fields
 
 # Along a principal style [standard deviations].
 FARTHEST_COORDINATE = 3.0
@@ -101,9 +95,10 @@ class Style:
         )
         if len(set(writers)) < len(writers):
             writers = tuple(f"{writer}.{n}" for n, writer in enumerate(writers, start=1))
-        alike = learn_alike([as_letter(each) for each in given], settings, same_size)
+        learned = [each if isinstance(each, Letter) else Letter.learn(each) for each in given]
+        alike = learn_alike(learned, settings, same_size)
         rows = np.array([letter_to_row(letter) for letter in alike])
-        paths = np.array([drawn_path(letter) for letter in alike])
+        paths = np.array([all_points(letter.write()) for letter in alike])
         count, points = paths.shape[:2]
         mean = rows.mean(axis=0)
         left, sizes, _ = np.linalg.svd(

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 from itertools import pairwise
-from typing import Any
 
 import numpy as np
 from scipy.interpolate import PchipInterpolator
@@ -14,7 +13,7 @@ from dmp_teach.dmp import DMP, TRANSFORMATIONS, Settings, as_settings
 from dmp_teach.errors import LetterError, SettingError
 from dmp_teach.letters.letter import Letter
 from dmp_teach.scoring import match_strokes
-from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.trajectory import Array, Trajectory, all_points
 
 # Lifts are kept as logarithms, so none is shorter than this [s].
 LEAST_LIFT = 1e-3
@@ -94,21 +93,11 @@ def letter_from_row(row: Array, kind: Letter) -> Letter:
     return Letter(tuple(p.rollout() for p in primitives), tuple(primitives))
 
 
-def drawn_path(letter: Letter) -> Array:
-    """Return all that a letter draws, at its own samples, shape (Q, 2) [m]."""
-    return np.concatenate([p.rollout().position for p in letter.primitives])
-
-
-def as_letter(given: Any) -> Letter:
-    """Return a letter, learned unless it is one already."""
-    return given if isinstance(given, Letter) else Letter.learn(given)
-
-
 def _linear_parts(primitive: DMP) -> list[Array]:
     """Return what of a primitive is blended."""
-    own = primitive
-    forcing = [own.weights] if own.biases is None else [own.weights, own.biases]
-    return [*forcing, own.start, own.goal, own.start_velocity * own.duration]
+    p = primitive
+    forcing = [p.weights] if p.biases is None else [p.weights, p.biases]
+    return [*forcing, p.start, p.goal, p.start_velocity * p.duration]
 
 
 def _split_off(row: Array, like: Sequence[Array]) -> tuple[list[Array], Array]:
@@ -145,7 +134,7 @@ def _superposed(
     letters: Sequence[Sequence[Trajectory]], same_size: bool
 ) -> list[tuple[Trajectory, ...]]:
     """Return the letters moved to their mean middle and, if wanted, scaled to their mean size."""
-    boxes = np.array([_box(strokes) for strokes in letters])
+    boxes = np.array([(p.min(axis=0), p.max(axis=0)) for p in map(all_points, letters)])
     middles, (wide, high) = boxes.mean(axis=1), (boxes[:, 1] - boxes[:, 0]).T
     sizes = np.maximum(high, wide / WIDEST_BY_HEIGHT)
     factors = np.exp(np.log(sizes).mean()) / sizes if same_size else np.ones(len(sizes))
@@ -154,12 +143,6 @@ def _superposed(
         tuple(Trajectory(s.t, place + factor * (s.position - middle)) for s in strokes)
         for strokes, middle, factor in zip(letters, middles, factors, strict=True)
     ]
-
-
-def _box(strokes: Sequence[Trajectory]) -> Array:
-    """Return the lower left and upper right corner of the ink, shape (2, 2) [m]."""
-    points = np.concatenate([stroke.position for stroke in strokes])
-    return np.array([points.min(axis=0), points.max(axis=0)])
 
 
 def _resampled(stroke: Trajectory, samples: int) -> Trajectory:

@@ -21,7 +21,7 @@ from dmp_teach.robot.reach.check import Unreachable, check_reach
 from dmp_teach.robot.reach.posture import PEN_TILT_TOLERANCE, TIP_TOLERANCE, find_posture
 from dmp_teach.robot.reach.suggest import list_other_pages, suggest_page
 from dmp_teach.robot.time_scaling import TimeScaling
-from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.trajectory import Array, Trajectory, all_points
 
 # The clock is slowed so often at most; mostly twice is enough.
 _ROUNDS = 12
@@ -99,7 +99,7 @@ def _plan(
 ) -> tuple[Motion, str]:
     """Return the motion, and a warning where the arm is nearly stretched; or raise Unreachable."""
     report("reach", 0.0)
-    reach = check_reach(solver, page, _ink(strokes))
+    reach = check_reach(solver, page, all_points(strokes))
     report("reach", 1.0)
     plan, q, X_world_tip, slowed = _follow(solver, reach.q, page, strokes, report)
     _check_tip(X_world_tip, plan, page)
@@ -123,7 +123,7 @@ def _plan(
 
 def _refusal(solver: Solver, page: Page, strokes: PlacedStrokes, error: Unreachable) -> ReachError:
     """Return what is wrong, and the first page on which the same ink has been planned."""
-    ink = _ink(strokes)
+    ink = all_points(strokes)
     area = ink.min(axis=0), ink.max(axis=0)
     problem = error.problem
     if error.collides:
@@ -186,14 +186,9 @@ def _check_tip(X_world_tip: Array, plan: PenPlan, page: Page) -> None:
         )
 
 
-def _ink(strokes: PlacedStrokes) -> Array:
-    """Return all points of the strokes on the page, shape (N, 2) [m]."""
-    return np.concatenate([stroke.position for stroke in strokes])
-
-
 def _foreseen_collision(solver: Solver, page: Page, strokes: PlacedStrokes) -> str:
     """Say when the arm comes against something, and how deep; empty where no plan shows it."""
-    ink = _ink(strokes)
+    ink = all_points(strokes)
     posture = find_posture(solver, page, ink.min(axis=0), ink.max(axis=0))
     plan = connect_strokes(strokes).plan()
     q = solver.follow(posture.q, page.normal, page.to_world(plan.position), _silent)

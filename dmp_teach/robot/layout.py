@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike
 
 from dmp_teach.errors import PageError, TrajectoryError, kind_of
 from dmp_teach.robot.page import Page, check_finite
-from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.trajectory import Array, Trajectory, all_points
 
 PAGE_MARGIN = 0.005
 """What stays free of ink along every edge of the page [m]."""
@@ -51,7 +51,7 @@ def lay_out(
             f"page is {page!r}, but must be a Page, such as Page.table() or Page.board()."
         )
     strokes = check_strokes(strokes)
-    points = np.concatenate([stroke.position for stroke in strokes])
+    points = all_points(strokes)
     low, high = points.min(axis=0), points.max(axis=0)
     _check_metres(high - low)
     for number, stroke in enumerate(strokes):

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from dmp_teach.robot.model.kinematics import Model
 from dmp_teach.robot.model.reduced import load_reduced_robot
 from dmp_teach.robot.page import Page
-from dmp_teach.trajectory import Array, Trajectory, lock_fields, locked
+from dmp_teach.trajectory import Array, Trajectory, lock_fields, locked, rms
 
 BoolArray = NDArray[np.bool_]
 
@@ -57,7 +57,7 @@ class Motion:
     @property
     def tip_error(self) -> float:
         """Root mean square distance of the nib from where it should be [m]."""
-        return float(np.sqrt(np.mean(np.sum((self.tip - self.target) ** 2, axis=1))))
+        return rms(self.tip - self.target)
 
     @cached_property
     def torque(self) -> Array:

@@ -10,11 +10,16 @@ from dmp_teach.errors import LetterError, SettingError, TrajectoryError
 from dmp_teach.ink.alphabet import recording_of
 from dmp_teach.letters.letter import Letter
 from dmp_teach.letters.styles import Style
-from dmp_teach.letters.styles_basis import drawn_path, learn_alike
-from dmp_teach.trajectory import Trajectory
+from dmp_teach.letters.styles_basis import learn_alike
+from dmp_teach.trajectory import Trajectory, all_points
 from tests.recordings import RECORDINGS, needs_recordings
 
 SHEARS = (-0.3, -0.1, 0.0, 0.25, 0.5)
+
+
+def drawn(letter):
+    """All that a letter draws, shape (Q, 2) [m]."""
+    return all_points(letter.write())
 
 
 def slanted(strokes, shear, size=1.0, tempo=1.0):
@@ -54,10 +59,10 @@ def lean(letter):
 )
 def test_the_mean_of_the_weights_draws_the_mean_of_the_letters(preset):
     style = Style.of([recording_of("m", hand) for hand in ("round", "slanted")], preset)
-    drawn = np.mean([drawn_path(letter) for letter in style.letters], axis=0)
+    mean = np.mean([drawn(letter) for letter in style.letters], axis=0)
     weights = np.mean([letter.primitives[0].weights for letter in style.letters], axis=0)
     assert np.allclose(style.mean.primitives[0].weights, weights, rtol=1e-10, atol=1e-15)
-    assert np.abs(drawn_path(style.mean) - drawn).max() < 1e-10 * np.abs(drawn).max()
+    assert np.abs(drawn(style.mean) - mean).max() < 1e-10 * np.abs(mean).max()
 
 
 def test_learned_alike_a_letter_is_as_near_as_learned_alone():
@@ -85,8 +90,8 @@ def test_learned_alike_a_letter_is_as_near_as_learned_alone():
 def test_a_blend_draws_the_same_blend_of_the_letters(style, shares):
     shares = np.array(shares) / sum(shares)
     blend = style.blend(dict(zip(style.writers, shares, strict=True)))
-    expected = np.tensordot(shares, [drawn_path(letter) for letter in style.letters], axes=1)
-    assert np.abs(drawn_path(blend) - expected).max() < 1e-9
+    expected = np.tensordot(shares, [drawn(letter) for letter in style.letters], axes=1)
+    assert np.abs(drawn(blend) - expected).max() < 1e-9
     assert all(
         before.t[-1] < after.t[0]
         for before, after in zip(blend.strokes, blend.strokes[1:], strict=False)
@@ -96,7 +101,7 @@ def test_a_blend_draws_the_same_blend_of_the_letters(style, shares):
 def test_all_of_one_writer_is_that_writer(style):
     for writer, letter in zip(style.writers, style.letters, strict=True):
         same = style.blend({writer: 1})
-        assert np.abs(drawn_path(same) - drawn_path(letter)).max() < 1e-9
+        assert np.abs(drawn(same) - drawn(letter)).max() < 1e-9
         assert same.primitives[0].duration == pytest.approx(letter.primitives[0].duration)
         assert same.strokes[1].t[0] - same.strokes[0].t[-1] == pytest.approx(
             letter.strokes[1].t[0] - letter.strokes[0].t[-1]
@@ -142,11 +147,11 @@ def test_coordinates_are_standard_deviations_and_lead_back_to_the_letters(style)
     assert (np.diff(style.spread) <= 0).all()
     assert style.shares.sum() == pytest.approx(1)
     for letter, place in zip(style.letters, z, strict=True):
-        assert np.abs(drawn_path(style.letter(place)) - drawn_path(letter)).max() < 1e-9
+        assert np.abs(drawn(style.letter(place)) - drawn(letter)).max() < 1e-9
 
 
 def test_chance_is_the_callers_and_spreads_as_the_writers_do(style):
-    one, same, other = (drawn_path(style.sample(np.random.default_rng(seed))) for seed in (1, 1, 2))
+    one, same, other = (drawn(style.sample(np.random.default_rng(seed))) for seed in (1, 1, 2))
     assert np.array_equal(one, same)
     assert not np.array_equal(one, other)
     rng = np.random.default_rng(0)
@@ -157,7 +162,7 @@ def test_chance_is_the_callers_and_spreads_as_the_writers_do(style):
 
 
 def test_a_style_that_is_led_through_a_point_passes_it(hands):
-    place = drawn_path(hands.morph("writer-1", "writer-2", 0.8))
+    place = drawn(hands.morph("writer-1", "writer-2", 0.8))
     clock = np.linspace(0, 1, len(place))
     point = [np.interp(0.4, clock, axis) for axis in place.T]
     led = hands.through(0, 0.4, point)
@@ -175,7 +180,7 @@ def test_order_and_direction_of_strokes_are_found_by_shape(writers):
     turned = Trajectory(bowl.t - bowl.t[0], bowl.position[::-1])
     other = (turned, Trajectory(bar.t + turned.t[-1] + 0.4, bar.position))
     style = Style.of([writers[2], other])
-    assert np.abs(drawn_path(style.letters[0]) - drawn_path(style.letters[1])).max() < 0.02
+    assert np.abs(drawn(style.letters[0]) - drawn(style.letters[1])).max() < 0.02
     assert (
         np.linalg.norm(style.mean.strokes[1].position[0] - style.letters[0].strokes[1].position[0])
         < 0.01
@@ -196,8 +201,8 @@ def test_the_mean_of_the_recorded_letters_lies_among_them():
 
     letters = [read_recording(path) for path in RECORDINGS if path.stem.startswith("a_")]
     style = Style.of(letters)
-    paths = np.array([drawn_path(letter) for letter in style.letters])
-    apart = np.linalg.norm(paths - drawn_path(style.mean), axis=2).mean(axis=1)
+    paths = np.array([drawn(letter) for letter in style.letters])
+    apart = np.linalg.norm(paths - drawn(style.mean), axis=2).mean(axis=1)
     between = np.linalg.norm(paths[:, None] - paths[None], axis=3).mean(axis=2)
     assert (apart < between.max(axis=1)).all()
 

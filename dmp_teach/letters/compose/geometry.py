@@ -75,14 +75,6 @@ def find_bar_and_bowl(strokes: Sequence[Trajectory]) -> tuple[int, int]:
     return int(bar), int(next(k for k in two if k != bar))
 
 
-def nearest_point(path: Array, point: Array) -> Array:
-    """Return the point of a polyline (T, 2) that is nearest to `point` (2,) [m]."""
-    a, d = path[:-1], np.diff(path, axis=0)
-    part = np.clip(((point - a) * d).sum(axis=1) / np.maximum((d * d).sum(axis=1), 1e-18), 0, 1)
-    on = a + part[:, None] * d
-    return on[np.argmin(((on - point) ** 2).sum(axis=1))]
-
-
 def x_crossings(path: Array, height: float) -> Array:
     """Return the x of every crossing of a path (T, 2) with a height, as written [m]."""
     y = path[:, 1]

@@ -18,7 +18,6 @@ from dmp_teach.errors import LetterError
 from dmp_teach.letters.compose.geometry import (
     box_middle,
     cut_at_corners,
-    nearest_point,
     x_crossings,
     x_near_height,
 )
@@ -136,22 +135,6 @@ class Piece:
             aimed = aimed + miss
             piece = replace(piece, led_to=aimed)
         return piece
-
-    def touching(self, other: Piece, end: str = "goal", at: float | str | None = None) -> Self:
-        """Return the stroke led so that one of its ends lies on another stroke.
-
-        Args:
-            other: The stroke that it touches.
-            end: Which end: "start", "goal", "upper" or "lower".
-            at: Which place of `other`, as in `at`; None: the nearest to where that end is now.
-
-        Raises:
-            LetterError: No such end or place, or `other` is no piece.
-        """
-        check_end(end)
-        _check_piece(other)
-        where = nearest_point(other.drawn.position, self.at(end)) if at is None else other.at(at)
-        return self.led(**{end: where})
 
     def put(self, place: float | str, where: ArrayLike) -> Self:
         """Return the stroke translated so that `place` (as in `at`) lies at `where` (2,) [m]."""

@@ -16,7 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from dmp_teach.trajectory import Array, Trajectory, arc_lengths, path_length
+from dmp_teach.trajectory import Array, Trajectory, all_points, arc_lengths, path_length
 
 # A mark (a dot, a cross, an accent) is shorter than this share of the letter's longest stroke.
 LONGEST_MARK = 0.6
@@ -81,7 +81,7 @@ def split_marks(
 
 def can_leave(character: str, body: Sequence[Trajectory], x_height: float) -> bool:
     """Return whether a small letter ends on its right, neither falling nor below the line."""
-    path = np.concatenate([stroke.position for stroke in body])
+    path = all_points(body)
     left, right = path[:, 0].min(), path[:, 0].max()
     end, ahead = path[-1], path[-1] - path[-min(len(body[-1]), 12)]
     falls = ahead[1] < -abs(ahead[0]) or end[1] < LOWEST_END * x_height

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
+from scipy.interpolate import BPoly
 
 from dmp_teach.letters.text.connection_points import (
     Meeting,
@@ -76,11 +77,8 @@ def _curve(leave: tuple[Array, Array], meet: tuple[Array, Array], x_height: floa
         start, u = loop[-1], _unit_vector(LOOP_EXIT_HEADING)
     chord = float(np.linalg.norm(goal - start))
     one, two = start + CUBIC_HANDLES[0] * chord * u, goal - CUBIC_HANDLES[1] * chord * w
-    s = np.linspace(0, 1, CONNECTION_POINTS)[:, None]
-    cubic = (
-        (1 - s) ** 3 * start + 3 * (1 - s) ** 2 * s * one + 3 * (1 - s) * s**2 * two + s**3 * goal
-    )
-    return np.concatenate([loop[:-1], cubic])
+    cubic = BPoly(np.array([start, one, two, goal])[:, None], [0, 1])
+    return np.concatenate([loop[:-1], cubic(np.linspace(0, 1, CONNECTION_POINTS))])
 
 
 def _timed(
@@ -105,13 +103,7 @@ def _timed(
     duration = q[-1] / max(pace * (USUAL_CURVATURE / x_height) ** (1 / 3), (v + w) / 2)
     s = np.linspace(0, 1, max(4, int(np.ceil(duration / step))) + 1)
     v, w = v * duration / q[-1], w * duration / q[-1]
-    rest, change = 1 - v, w - v
-    at = (
-        v * s
-        + (10 * rest - 4 * change) * s**3
-        + (7 * change - 15 * rest) * s**4
-        + (6 * rest - 3 * change) * s**5
-    )
+    at = BPoly.from_derivatives([0, 1], [[0, v, 0], [1, w, 0]])(s)
     position = np.column_stack([np.interp(at * q[-1], q, axis) for axis in path.T])
     return Trajectory(s * duration, position)
 

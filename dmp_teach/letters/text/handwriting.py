@@ -8,8 +8,6 @@ from itertools import pairwise
 from typing import Any, Self
 from unicodedata import normalize
 
-import numpy as np
-
 from dmp_teach.dmp import Settings
 from dmp_teach.errors import LetterError, kind_of
 from dmp_teach.ink import SIGNS, alphabets, characters, recording_of, signs
@@ -22,7 +20,7 @@ from dmp_teach.letters.text.spacing import (
     letter_spacing,
     sign_spacing,
 )
-from dmp_teach.trajectory import Trajectory
+from dmp_teach.trajectory import Trajectory, all_points
 
 PRINTED, TYPED = "\u2018\u2019\u201a\u201c\u201d\u201e\u2013\u2014\u2212", "'''\"\"\"---"
 TYPED_FOR_PRINTED = str.maketrans({**dict(zip(PRINTED, TYPED, strict=True)), "\u2026": "..."})
@@ -63,7 +61,7 @@ class Hand:
                 kept[character] = _glyph(character, name, known, own, settings)
             return kept[character]
 
-        top = max(float(stroke.position[:, 1].max()) for stroke in _model("x", name, settings))
+        top = float(all_points(_model("x", name, settings))[:, 1].max())
         stem = recording_of("I", name).strokes()[0].position
         across, up = stem[0] - stem[-1]
         return cls(glyph, top, float(across / up))
@@ -84,13 +82,13 @@ class Hand:
 
         Each stroke is on the clock of its letter.
         """
-        if not isinstance(joined, bool | np.bool_):
+        if not isinstance(joined, bool):
             raise LetterError(f"joined is {joined!r}, but must be True or False.")
         text = plain_text(text)
         glyphs = [self.glyph(character) for character in text]
         bodies = [split_marks(*pair)[0] for pair in zip(text, glyphs, strict=True)]
         links = [
-            bool(joined) and self._connects(one, other)
+            joined and can_leave(*one, self.x_height) and can_arrive(*other, self.x_height)
             for one, other in pairwise(zip(text, bodies, strict=True))
         ]
         rights = self._places(text, glyphs, bodies, links)
@@ -99,8 +97,7 @@ class Hand:
             for glyph, right in zip(glyphs, rights, strict=True)
         ]
         strokes = self._connected(text, moved, links) if joined else [s for g in moved for s in g]
-        left = min(float(stroke.position[:, 0].min()) for stroke in strokes)
-        return tuple(_moved(stroke, (-left, 0.0)) for stroke in strokes)
+        return tuple(_moved(stroke, (-_left(strokes), 0.0)) for stroke in strokes)
 
     def _places(
         self, text: str, glyphs: Sequence[Strokes], bodies: Sequence[Strokes], links: Sequence[bool]
@@ -124,10 +121,6 @@ class Hand:
             rights.append(place)
         return rights
 
-    def _connects(self, one: tuple[str, Strokes], other: tuple[str, Strokes]) -> bool:
-        """Return whether the pen goes from a letter (character, body) to the next on the paper."""
-        return can_leave(*one, self.x_height) and can_arrive(*other, self.x_height)
-
     def _connected(
         self, text: str, glyphs: Sequence[Strokes], links: Sequence[bool]
     ) -> list[Trajectory]:
@@ -148,11 +141,11 @@ class Hand:
 
 def _from_the_left(marks: Sequence[Strokes]) -> list[Trajectory]:
     """Return the dots, crosses and accents of letters, letter by letter."""
+    return [stroke for mark in sorted(marks, key=_left) for stroke in mark]
 
-    def left(mark: Strokes) -> float:
-        return min(float(stroke.position[:, 0].min()) for stroke in mark)
 
-    return [stroke for mark in sorted(marks, key=left) for stroke in mark]
+def _left(strokes: Iterable[Trajectory]) -> float:
+    return float(all_points(strokes)[:, 0].min())
 
 
 def _glyph(
@@ -193,17 +186,13 @@ def _model(character: str, alphabet: str, settings: Settings | None) -> Strokes:
 def _as_tall(letter: Letter, model: Iterable[Trajectory]) -> Strokes:
     """Return one's own letter from x = 0 on, as tall as the model and standing where it stands."""
     strokes = letter.write()
-    left = min(float(stroke.position[:, 0].min()) for stroke in strokes)
-    low, high = _extent(strokes)
-    ground, top = _extent(model)
+    left = _left(strokes)
+    (low, high), (ground, top) = (
+        (y.min(), y.max()) for y in (all_points(each)[:, 1] for each in (strokes, model))
+    )
     scale = (top - ground) / max(high - low, 1e-9)
     return tuple(Trajectory(s.t, (s.position - (left, low)) * scale + (0, ground)) for s in strokes)
 
 
-def _extent(strokes: Iterable[Trajectory]) -> tuple[float, float]:
-    y = np.concatenate([stroke.position[:, 1] for stroke in strokes])
-    return float(y.min()), float(y.max())
-
-
 def _moved(stroke: Trajectory, by: tuple[float, float]) -> Trajectory:
-    return Trajectory(stroke.t, stroke.position + np.array(by))
+    return Trajectory(stroke.t, stroke.position + by)

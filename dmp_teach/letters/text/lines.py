@@ -14,7 +14,7 @@ from dmp_teach.errors import LetterError
 from dmp_teach.letters.text.handwriting import Hand, plain_text
 from dmp_teach.letters.text.spacing import Strokes, word_spacing
 from dmp_teach.letters.text.words import DEFAULT_TEMPO, Text, place_words
-from dmp_teach.trajectory import Array
+from dmp_teach.trajectory import all_points
 
 # From line to line, in x-heights: the tail of a g does not meet the stem of an l.
 DEFAULT_PITCH = 3.1
@@ -117,17 +117,17 @@ class _Sheet:
     @cached_property
     def widths(self) -> dict[str, float]:
         """Of each word, in x-heights."""
-        return {w: float(np.ptp(_points(own)[:, 0])) / self.unit for w, own in self.kept.items()}
+        return {w: float(np.ptp(all_points(own)[:, 0])) / self.unit for w, own in self.kept.items()}
 
     @cached_property
     def above(self) -> float:
         """How far the ink reaches over a line, in x-heights."""
-        return max(float(_points(own)[:, 1].max()) for own in self.kept.values()) / self.unit
+        return max(float(all_points(own)[:, 1].max()) for own in self.kept.values()) / self.unit
 
     @cached_property
     def below(self) -> float:
         """How far it hangs under it, in x-heights."""
-        lowest = min(float(_points(own)[:, 1].min()) for own in self.kept.values())
+        lowest = min(float(all_points(own)[:, 1].min()) for own in self.kept.values())
         return -min(0.0, lowest) / self.unit
 
     def pitch(self, x_height: float) -> float:
@@ -159,10 +159,6 @@ class _Sheet:
                         place = 0.0
                 found[-1].append((place, each))
         return found if len(found) <= self.line_count(x_height) else None
-
-
-def _points(strokes: Strokes) -> Array:
-    return np.concatenate([stroke.position for stroke in strokes])
 
 
 def _does_not_fit(sheet: _Sheet, x_height: float) -> LetterError:

@@ -12,7 +12,7 @@ from dmp_teach.errors import LetterError
 from dmp_teach.letters.pauses import pause_before
 from dmp_teach.letters.text.handwriting import Hand
 from dmp_teach.letters.text.spacing import Strokes
-from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.trajectory import Array, Trajectory, all_points
 
 # Between the same time (0) and the same speed (1) in every size: isochrony is not perfect.
 DEFAULT_TEMPO = 0.4
@@ -34,7 +34,7 @@ class Text(tuple[Trajectory, ...]):
     @property
     def middle(self) -> Array:
         """The middle of the ink's bounding box, shape (2,) [m]."""
-        points = np.concatenate([stroke.position for stroke in self])
+        points = all_points(self)
         return (points.min(axis=0) + points.max(axis=0)) / 2
 
     @property

@@ -16,7 +16,7 @@ from dmp_teach.letters import Letter, cut_at_corners, find_bar_and_bowl
 from dmp_teach.studies.inputs import Written, list_letters, own_recordings
 from dmp_teach.studies.parallel import Progress, run
 from dmp_teach.studies.tables import Columns, Tabled
-from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.trajectory import Array, Trajectory, rms
 
 # What makes a P, in parts of the bar: the bowl ends near the middle of the bar, leaves a leg free
 # below it, and is nowhere farther from the bar; and most of it is on its side of the bar.
@@ -92,8 +92,7 @@ class MadeLetter:
         """The rms distance of the bowl from the D's own turned and scaled, at equal times [m]."""
         if self.strokes is None:
             return np.inf
-        apart = self.strokes[self.bowl].position - self.ideal[self.bowl].position
-        return float(np.sqrt((apart**2).sum(axis=1).mean()))
+        return rms(self.strokes[self.bowl].position - self.ideal[self.bowl].position)
 
     @property
     def height(self) -> float:

@@ -11,11 +11,10 @@ import numpy as np
 
 from dmp_teach.dmp import DMP, Settings, as_settings
 from dmp_teach.errors import SettingError
-from dmp_teach.studies.experiments.variants import rms
 from dmp_teach.studies.inputs import named_strokes
 from dmp_teach.studies.parallel import Progress, run
 from dmp_teach.studies.tables import Columns, Tabled
-from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.trajectory import Array, Trajectory, rms
 
 AXIS_NAMES = "xyz"
 # A coordinate that is straighter than this share of the stroke's size cannot be turned over.

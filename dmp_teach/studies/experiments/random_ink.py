@@ -9,10 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from dmp_teach.dmp import DMP, Settings, as_settings
-from dmp_teach.studies.experiments.variants import rms
 from dmp_teach.studies.parallel import Progress, run
 from dmp_teach.studies.tables import Columns, Tabled
-from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.trajectory import Array, Trajectory, rms
 
 INK_KINDS = ("waves", "closed", "corners", "straight")
 TURN_RATES = (0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0)

@@ -13,11 +13,11 @@ from numpy.typing import NDArray
 
 from dmp_teach.dmp import DMP, Settings, as_settings
 from dmp_teach.errors import SettingError
-from dmp_teach.studies.experiments.variants import Variant, rms
+from dmp_teach.studies.experiments.variants import Variant
 from dmp_teach.studies.inputs import Stroke, named_strokes
 from dmp_teach.studies.parallel import Progress, run
 from dmp_teach.studies.tables import Columns, Tabled
-from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.trajectory import Array, Trajectory, rms
 
 REPEATS_PER_TIMING = 5
 TIMED_STROKES = 12

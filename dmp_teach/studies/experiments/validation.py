@@ -12,11 +12,10 @@ from scipy.interpolate import CubicSpline
 
 from dmp_teach.dmp import DMP, KERNELS_PER_SECOND, Settings, as_settings
 from dmp_teach.errors import SettingError, TrajectoryError
-from dmp_teach.studies.experiments.variants import rms
 from dmp_teach.studies.inputs import list_letters
 from dmp_teach.studies.parallel import Progress, run
 from dmp_teach.studies.tables import Columns, Tabled
-from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.trajectory import Array, Trajectory, rms
 
 # The smallest number is chosen whose error is at most this many times the least one, or at most
 # this: as near as DMP* is asked to come to a hand, a third of a pen's line [m].

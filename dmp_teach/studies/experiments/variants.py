@@ -7,10 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-import numpy as np
-
 from dmp_teach.dmp import DMP, KERNELS, SettingChanges, Settings
-from dmp_teach.trajectory import Trajectory
+from dmp_teach.trajectory import Trajectory, rms
 
 # The paper's N = Num/10, as a share of the samples.
 PAPER_SHARE = 0.1
@@ -80,8 +78,3 @@ def rms_error(path: Trajectory, settings: Settings) -> float:
 def has_ends(settings: Settings, width: float) -> bool:
     """Return whether these kernels may have this width: some must end somewhere."""
     return KERNELS[settings.kernel].endless or math.isfinite(width)
-
-
-def rms(apart: np.ndarray) -> float:
-    """Return the root mean square length of the rows of `apart` (T, D)."""
-    return float(np.sqrt((np.asarray(apart) ** 2).sum(axis=1).mean()))

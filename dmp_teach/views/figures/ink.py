@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from dmp_teach.studies import GoalPaths, MadeLetter, MadeLetters, Redrawings, Redrawn
-from dmp_teach.trajectory import Array, arc_lengths
+from dmp_teach.trajectory import Array, all_points, arc_lengths
 from dmp_teach.views.figures.figure_style import (
     RING_MARKER,
     DrawStyle,
@@ -77,7 +77,7 @@ def draw_redrawn_letters(redrawings: Redrawings, most: int = 4) -> Figure:
     items = (first + [item for item in redrawings.items if item not in first])[:most]
     boxes = []
     for item in items:
-        points = 1e3 * np.concatenate([stroke.position for stroke in item.letter.strokes])
+        points = 1e3 * all_points(item.letter.strokes)
         boxes.append((points.min(axis=0), points.max(axis=0)))
     tall = max(high[1] - low[1] for low, high in boxes)
     widths = [high[0] - low[0] + 0.1 * tall for low, high in boxes]
@@ -138,7 +138,7 @@ def draw_d_to_p(made: MadeLetters, most: int = 3) -> Figure:
     columns = 1 + len(made.ways)
     figure, panels = new_figure(len(sources), columns, 2.7 * columns, 3.2 * len(sources) + 0.4)
     for number, (row, source) in enumerate(zip(panels, sources, strict=True)):
-        shown = 1e3 * np.concatenate([stroke.position for stroke in source.strokes])
+        shown = 1e3 * all_points(source.strokes)
         for stroke in source.strokes:
             row[0].plot(*_space_dots(1e3 * stroke.position).T, **DEMO_LOOK)
         style_paper(row[0], f"{source.name}, as shown")
@@ -148,7 +148,7 @@ def draw_d_to_p(made: MadeLetters, most: int = 3) -> Figure:
             _plot_made(panel, item)
             style_paper(panel, f"{way}: {'a P' if item.recognisable else 'no P'}")
             if item.strokes is not None:
-                drawn = 1e3 * np.concatenate([stroke.position for stroke in item.strokes])
+                drawn = 1e3 * all_points(item.strokes)
                 _mark_leaving(panel, drawn, shown)
                 kept += [] if _leaves(drawn, shown) else [drawn]
         set_same_view(row, np.concatenate(kept))

@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from dmp_teach.errors import LetterError
 from dmp_teach.ink import Recording, alphabets, recording_of
 from dmp_teach.letters import Shelf, letters_needed, make_letter, recipes
-from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.trajectory import Trajectory, all_points
 from dmp_teach.views.figures.figure_style import (
     CURVE_LINES,
     label_millimetres,
@@ -64,7 +64,7 @@ def draw_made_letters(
             _plot_strokes(panel, made)
             style_paper(panel, f"{character} by {name}")
             strokes += made
-        set_same_view(row, _points_in_mm(strokes))
+        set_same_view(row, 1e3 * all_points(strokes))
     label_millimetres(panels, fontsize=9)
     return figure
 
@@ -99,7 +99,7 @@ def draw_recipes(shelf: Shelf, transform: str = "star") -> Figure:
         panel.set_title(
             f"{character} of {', '.join(letters_needed(how))}", fontsize=9, color=MUTED_COLOR
         )
-        set_same_view([panel], _points_in_mm(strokes))
+        set_same_view([panel], 1e3 * all_points(strokes))
     return figure
 
 
@@ -113,7 +113,7 @@ def draw_text(
         width: Of the sheet, whose middle is the origin [m]; None: as wide as the ink.
         height: Of the sheet [m].
     """
-    ink = _points_in_mm(strokes)
+    ink = 1e3 * all_points(strokes)
     corners = np.stack([ink.min(axis=0), ink.max(axis=0)])
     if width is not None and height is not None:
         corners = 500 * np.array([[-width, -height], [width, height]])
@@ -133,8 +133,3 @@ def _plot_strokes(panel: Axes, strokes: Iterable[Trajectory]) -> None:
     looks = zip(STROKE_COLORS * 3, CURVE_LINES * 3, strict=True)
     for stroke, (color, line) in zip(strokes, looks, strict=False):
         plot_path(panel, stroke.position, color=color, linestyle=line, linewidth=2.0)
-
-
-def _points_in_mm(strokes: Sequence[Trajectory]) -> Array:
-    """Return all points of strokes, shape (T, 2) [mm]."""
-    return 1e3 * np.concatenate([stroke.position for stroke in strokes])
