@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from dmp_teach.robot import FORCE_BAND, Run
+from dmp_teach.texts import gettext as _
 from dmp_teach.views.palette import MUTED_COLOR, ROBOT_COLOR, TEXT_COLOR
 from dmp_teach.views.scene.pen_force import find_pen_down, select_curve_rows
 
@@ -55,14 +56,14 @@ def _draw_background(panel: Axes, run: Run) -> None:
     panel.text(
         0.995,
         FORCE_BAND[1] - 0.06,
-        "good pressing",
+        _("good pressing"),
         transform=panel.get_yaxis_transform(),
         ha="right",
         va="top",
         color=MUTED_COLOR,
         fontsize=9,
     )
-    names = [*(f"{force} N" for force in FORCE_BAND), "pen down"]
+    names = [*(f"{force} N" for force in FORCE_BAND), _("pen down")]
     panel.set_yticks([*FORCE_BAND, _PEN_DOWN_HEIGHT], names)
     panel.set_xticks([])
     panel.tick_params(length=0, labelcolor=MUTED_COLOR, labelsize=9, pad=6)
@@ -100,9 +101,13 @@ def _plot_force(panel: Axes, run: Run, time: float) -> None:
 def _write_numbers(figure: Figure, run: Run, time: float) -> None:
     """Write what the strip is, when, and how hard."""
     now = float(np.interp(time, run.t - run.t[0], run.force))
-    most = f", at most {run.greatest_force:.1f} N" if run.greatest_force > STRIP_TOP else ""
-    title = figure.text(0.012, 0.95, "How hard the pen presses", color=TEXT_COLOR, fontsize=10.5)
+    said = _("now {now:.1f} N")
+    if run.greatest_force > STRIP_TOP:
+        said = _("now {now:.1f} N, at most {most:.1f} N")
+    said = said.format(now=now, most=run.greatest_force)
+    title = figure.text(0.012, 0.95, _("How hard the pen presses"), color=TEXT_COLOR, fontsize=10.5)
     title.set(fontweight="bold", va="top")
-    figure.text(0.30, 0.95, f"now {now:.1f} N{most}", color=ROBOT_COLOR, fontsize=10.5, va="top")
-    clock = figure.text(0.97, 0.95, f"{time:.1f} s of {run.duration:.1f} s", color=MUTED_COLOR)
+    figure.text(0.30, 0.95, said, color=ROBOT_COLOR, fontsize=10.5, va="top")
+    clock_words = _("{now} s of {end} s").format(now=f"{time:.1f}", end=f"{run.duration:.1f}")
+    clock = figure.text(0.97, 0.95, clock_words, color=MUTED_COLOR)
     clock.set(fontsize=10, va="top", ha="right")

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from dmp_teach.robot import FORCE_BAND, Run
+from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Array
 from dmp_teach.views.scene.ribbon import find_pen_down_rows
 
@@ -63,10 +64,11 @@ def find_pen_down(run: Run) -> list[tuple[float, float]]:
 def describe_ink_error(run: Run) -> str:
     """Return a sentence that says how near the ink is to the plan."""
     if not run.writing.any():
-        return "There is no ink."
+        return _("There is no ink.")
     off = 1000 * run.shape_error
-    distance = "less than 0.1" if off < 0.05 else f"{off:.1f}"
-    return f"The ink is {distance} mm off the plan."
+    if off < 0.05:
+        return _("The ink is less than 0.1 mm off the plan.")
+    return _("The ink is {mm:.1f} mm off the plan.").format(mm=off)
 
 
 def describe_force(run: Run) -> dict[str, object]:

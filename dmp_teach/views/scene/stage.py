@@ -9,6 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from dmp_teach.robot import JOINTS, PENS, START_POSTURES, Model, Motion, Page, Run, Visual
+from dmp_teach.texts import gettext as _
+from dmp_teach.texts import ngettext
 from dmp_teach.trajectory import Array, Trajectory
 from dmp_teach.views.scene.cameras import Camera, fit_cameras
 from dmp_teach.views.scene.keyframes import find_key_rows
@@ -120,10 +122,13 @@ class Stage:
     def facts(self) -> dict[str, object]:
         """Return the browser's numbers, sentences, and the small page in [mm]."""
         strokes = len(self.plan.first.nonzero()[0])
-        action = "It waits for a letter."
+        action = _("It waits for a letter.")
         if strokes:
-            ending = "" if strokes == 1 else "s"
-            action = f"It writes {strokes} stroke{ending} in {self.duration:.1f} s."
+            action = ngettext(
+                "It writes {n} stroke in {seconds:.1f} s.",
+                "It writes {n} strokes in {seconds:.1f} s.",
+                strokes,
+            ).format(n=strokes, seconds=self.duration)
         return {
             "duration": self.duration,
             "cameras": {name: asdict(camera) for name, camera in self.cameras.items()},
@@ -131,7 +136,7 @@ class Stage:
             "plan": _list_dots(self.plan),
             "ink": _list_dots(self.ink, self.shades),
             "force": None if self.run is None else describe_force(self.run),
-            "label": f"A Fetch robot with a pen at its page. {action}",
+            "label": f"{_('A Fetch robot with a pen at its page.')} {action}",
             "notes": " ".join(() if self.motion is None else self.motion.notes),
         }
 
