@@ -27,7 +27,7 @@ def panel(open_notebook):
     page = open_notebook(NOTEBOOK)
     page.locator(".dt-explore").scroll_into_view_if_needed()
     page.wait_for_selector(".dt-explore[data-dt-drawing]")
-    page.wait_for_selector(".dt-scene[data-dt-awake='true']")
+    page.wait_for_selector(".dt-robot img")
     return page
 
 
@@ -120,12 +120,12 @@ def test_ds_second_goal_moved_up_the_bar_makes_a_p_that_the_robot_writes(panel, 
         "document.querySelector('.dt-sentence').textContent.includes('goal of stroke 2')"
     )
     shot(panel, "p_on_paper")
-    robot = pixels(panel, ".dt-scene canvas")
+    robot = pixels(panel, ".dt-robot")
     panel.get_by_role("button", name="Robot, write it").click()
     panel.get_by_role("progressbar").first.wait_for()
     wait_for_writing(panel)
     shot(panel, "p_written")
-    assert pixels(panel, ".dt-scene canvas") != robot
+    assert pixels(panel, ".dt-robot") != robot
     assert int(panel.locator(".dt-scene").get_attribute("data-dt-ink")) > 0
     assert panel.locator(".dt-table .dt-caption").inner_text().endswith("Fetch")
     slider(panel, "How many bumps").press("ArrowLeft")

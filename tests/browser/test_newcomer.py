@@ -14,7 +14,7 @@ def panel(open_notebook):
         page = open_notebook(NOTEBOOK, **context)
         page.wait_for_selector(".dt-explore[data-dt-drawing]")
         page.locator(".dt-stage").evaluate("node => node.scrollIntoView({ block: 'start' })")
-        page.wait_for_selector(".dt-scene[data-dt-awake='true']")
+        page.wait_for_selector(".dt-robot img")
         return page
 
     return open_panel
@@ -34,7 +34,7 @@ def test_on_a_small_laptop_sheet_robot_number_and_sliders_are_seen_together(pane
     top, bottom = box(page, ".jp-NotebookPanel-notebook")[1::2]
     for place in (
         ".dt-paper",
-        ".dt-scene canvas",
+        ".dt-robot img",
         ".dt-number",
         ".dt-write",
         ".dt-knobs input >> nth=1",

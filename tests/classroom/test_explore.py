@@ -96,6 +96,15 @@ def test_a_setting_out_of_its_range_is_refused_with_the_range(panel):
         panel.kernel_width = 0.0
 
 
+def test_the_three_dimensions_are_sent_only_when_the_robot_is_asked_to_write(panel):
+    sent = sum(len(value) for value in panel.get_state().values() if isinstance(value, str | bytes))
+    assert sent < 200_000
+    assert panel.scene is None
+    panel.write()
+    assert panel.scene.camera == "over the shoulder"
+    assert panel.scene.playing
+
+
 def test_the_robot_writes_exactly_what_is_seen(panel):
     panel.letter, panel.n_kernels, panel.kernel_width = "D", 30, 1.0
     panel.goal_y = 0.05

@@ -31,9 +31,7 @@ function render({ model, el, host, signal }) {
     lesson.redraw();
     root.setAttribute("data-dt-drawing", model.get("drawing"));
   };
-  const showScene = () => {
-    if (model.get("scene")) showRobot(model, host, parts.robotHost, signal);
-  };
+  const showScene = () => showRobot(model, host, parts.robotHost, signal);
   hear(model, {
     drawing: redraw,
     values: () => lesson.takeValues(),

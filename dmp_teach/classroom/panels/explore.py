@@ -19,7 +19,7 @@ from dmp_teach.letters import Letter, rms_distance
 from dmp_teach.robot import Page
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Trajectory
-from dmp_teach.views import STYLE_TOKENS, SceneView
+from dmp_teach.views import STYLE_TOKENS
 
 _HERE = Path(__file__).parent
 # The letters of the paper's figures, and two that D becomes.
@@ -73,7 +73,7 @@ class Explore(RobotPanel):
         self._demo: tuple[Trajectory, ...] = ()
         self._drawn: tuple[object, ...] = ()
         self._own: Recording | None = None
-        super().__init__(page, scene=SceneView(compact=True, camera="whole robot"), knobs=knobs)
+        super().__init__(page, knobs=knobs)
         self.choices = list_letter_choices()
         if recording is None:
             self.letter = "a"

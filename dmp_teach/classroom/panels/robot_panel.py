@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import warnings
+from base64 import b64encode
 from collections.abc import Sequence
 from pathlib import Path
 from tempfile import TemporaryDirectory
@@ -29,6 +30,9 @@ PLANNING_STEPS = {
     "reach": marked("Can the arm reach the letter?"),
     "joints": marked("Planning every joint"),
 }
+# A picture, since a scene that nobody has asked for would be four fifths of a panel.
+_PICTURE = Path(__file__).with_name("resting_robot.webp").read_bytes()
+_STILL = f"data:image/webp;base64,{b64encode(_PICTURE).decode()}"
 # Any, here and below: JSON for the browser.
 _IDLE: dict[str, Any] = {"state": "idle"}
 
@@ -72,7 +76,8 @@ class RobotPanel(anywidget.AnyWidget):
     how to show a recording, and passes messages that it does not know on to `_hear`.
 
     The other traits are set here: `robot` (the strokes, packed), `work` (idle, working or cannot),
-    `older` (whether the robot has written another letter than is seen), `scene` (its view),
+    `older` (whether the robot has written another letter than is seen), `scene` (its view, once it
+    has written) and `still` (its picture until then),
     `files` (the formats that `load` reads), `texts` (the script's, in the language that is spoken),
     and `own_id` and `resting`, by which a panel keeps its state out of saved notebooks.
     """
@@ -89,6 +94,7 @@ class RobotPanel(anywidget.AnyWidget):
     work = traitlets.Dict(_IDLE).tag(sync=True)
     older = traitlets.Bool(False).tag(sync=True)
     scene = anywidget.WidgetTrait().tag(sync=True)
+    still = traitlets.Unicode(_STILL).tag(sync=True)
     files = traitlets.Dict(read_only=True).tag(sync=True)
     own_id = traitlets.Unicode().tag(sync=True)
     resting = traitlets.Unicode(RESTING_SCRIPT).tag(sync=True)
@@ -211,13 +217,11 @@ class RobotPanel(anywidget.AnyWidget):
         elif isinstance(result, Exception):
             self._refuse(str(result) or type(result).__name__, getattr(result, "cure", None))
         elif isinstance(result, Motion):
-            if self.scene is None:
-                self.scene = SceneView(compact=True)
-            elif self.motion is None:
-                # Until now there was nothing to read on the page.
-                self.scene.camera = "over the shoulder"
             self.motion = result
-            self.scene.show(result)
+            if self.scene is None:
+                self.scene = SceneView(result, compact=True)
+            else:
+                self.scene.show(result)
             self._on_the_table = self._in_work
             self.older = self.robot != self._on_the_table
             self.work = _IDLE
