@@ -3,7 +3,7 @@
 
 import { choice, hear, keepKeys, make, save } from "../../views/dom.js";
 import { t, useTexts } from "../../views/texts.js";
-import { bump, LOG, sentence, slider } from "../panels/controls.js";
+import { bump, button, LOG, put, sentence, slider } from "../panels/controls.js";
 import {
   asleepBox,
   drawOlder,
@@ -25,7 +25,7 @@ function render({ model, el, host, signal }) {
   const root = keepKeys(make("div", { class: "dt-panel dt-lesson" }));
   const lesson = new LessonView(model);
   const { parts } = lesson;
-  root.append(parts.head, parts.card.node, parts.stage.node, parts.middle, parts.knobs);
+  root.append(parts.head, parts.card.node, parts.stage.node, parts.middle, parts.knobs, parts.more);
   el.append(root);
   const redraw = () => {
     lesson.redraw();
@@ -42,6 +42,7 @@ function render({ model, el, host, signal }) {
     },
     older: () => drawOlder(model, parts),
     scene: showScene,
+    status: () => put(parts.status, model.get("status")),
   });
   const stopWatching = watch(model, root, parts);
   lesson.takeUp();
@@ -91,8 +92,22 @@ class LessonView {
       ...Object.values(this.knobs).map(({ node }) => node),
     );
     const { stage } = this;
+    const status = make("span", { class: "dt-quiet", role: "status" }, model.get("status"));
+    const more = make("div", { class: "dt-more" }, ...this.keepers(), status);
     /** @type {any} as `Parts` of a panel, and the lesson's own */
-    this.parts = { head, card, stage, middle, knobs, says, asleep, letters, ...robot };
+    this.parts = {
+      head,
+      card,
+      stage,
+      middle,
+      knobs,
+      more,
+      status,
+      says,
+      asleep,
+      letters,
+      ...robot,
+    };
     this.parts.write = card.write;
   }
 
@@ -144,6 +159,26 @@ class LessonView {
 
   get place() {
     return `dmp_teach ${location.pathname} ${this.spec.key} ${this.spec.pupil}`;
+  }
+
+  /** *Save* and *Forget*; forgetting asks once more. */
+  keepers() {
+    const save = button(t("Save my work"), { onClick: () => this.send({ kind: "save" }) });
+    const forget = button(t("Forget my work"), {
+      onClick: () => {
+        yes.hidden = !yes.hidden;
+        if (!yes.hidden) yes.focus();
+      },
+    });
+    const yes = button(t("Yes, forget it"), {
+      onClick: () => {
+        yes.hidden = true;
+        this.send({ kind: "forget" });
+        forget.focus();
+      },
+    });
+    yes.hidden = true;
+    return [save, forget, yes];
   }
 
   keep(/** @type {Values} */ progress) {

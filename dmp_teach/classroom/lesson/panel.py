@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -12,10 +13,17 @@ from dmp_teach.classroom.lesson.bets import KeptBet, LessonState
 from dmp_teach.classroom.lesson.check import Answer, Verdict
 from dmp_teach.classroom.lesson.content import Affine, LessonContent, Pick, Picture
 from dmp_teach.classroom.lesson.knobs import check_answer
+from dmp_teach.classroom.lesson.work_file import (
+    find_free_pupil,
+    forget_work,
+    read_work,
+    save_work,
+)
 from dmp_teach.classroom.panels.kept import forget, kept
 from dmp_teach.classroom.panels.robot_panel import RobotPanel
-from dmp_teach.errors import SettingError
+from dmp_teach.errors import SettingError, TeachError
 from dmp_teach.files import join_modules, join_styles
+from dmp_teach.texts import gettext as _
 from dmp_teach.views import STYLE_TOKENS
 
 _HERE = Path(__file__).parent
@@ -47,6 +55,7 @@ class LessonPanel(RobotPanel):
     picture: traitlets.Dict[str, Any] = traitlets.Dict().tag(sync=True)
     progress: traitlets.Dict[str, Any] = traitlets.Dict().tag(sync=True)
     card: traitlets.Dict[str, Any] = traitlets.Dict().tag(sync=True)
+    status = traitlets.Unicode().tag(sync=True)
 
     def __init__(self, lesson: LessonContent):
         self.lesson = lesson
@@ -54,7 +63,7 @@ class LessonPanel(RobotPanel):
         self._kept = kept(self._key)
         self._tried: list[Answer] = []
         super().__init__(spec=_describe(lesson))
-        self._restore(dict(self._kept))
+        self._restore(dict(self._kept) or self._read_saved())
 
     @property
     def answer(self) -> Answer:
@@ -66,7 +75,7 @@ class LessonPanel(RobotPanel):
     def _restore(self, work: dict[str, Any]) -> None:
         """Take up work where it was left; what does not fit the lesson begins afresh."""
         fresh: dict[str, Any] = {"step": "bet", "bet": None, "revealed": False, "done": []}
-        fresh |= {"hints": 0, "misses": 0, "verdict": None, "passed": False}
+        fresh |= {"hints": 0, "misses": 0, "verdict": None, "passed": False, "saved_as": None}
         progress = {name: work.get("progress", {}).get(name, fresh[name]) for name in fresh}
         values = work.get("values", self.lesson.start)
         try:
@@ -81,6 +90,16 @@ class LessonPanel(RobotPanel):
         with self.hold_sync(), self.hold_trait_notifications():
             self.values = values
         self._redraw(progress)
+
+    def _read_saved(self) -> dict[str, Any]:
+        """Return the work that the pupil has saved; what cannot be read is told and left alone."""
+        try:
+            saved = read_work(Path.cwd(), self.lesson.pupil) if self.lesson.pupil else {}
+        except (TeachError, OSError) as error:
+            self.status = str(error)
+            saved = {}
+        work = saved.get(self.lesson.key, {})
+        return work if isinstance(work, dict) else {}
 
     def _keep(self) -> None:
         """Keep the work as it is now."""
@@ -105,8 +124,10 @@ class LessonPanel(RobotPanel):
         elif kind == "restore":
             if not self._kept.get("progress", {}).get("bet"):
                 self._restore(message["work"])
+        elif kind == "save":
+            self._try(self.save)
         elif kind == "forget":
-            self.forget()
+            self._try(self.forget)
         else:
             super()._hear(_widget, message, buffers)
 
@@ -147,11 +168,37 @@ class LessonPanel(RobotPanel):
         """Show one hint more."""
         self._change(hints=min(self.progress["hints"] + 1, len(self.lesson.hints)))
 
+    def save(self) -> Path:
+        """Write the work to the file of the pupil, in the folder of the notebook.
+
+        Raises:
+            RecordingError: A file of that name is there that is not ours.
+            PathError: The folder cannot be written.
+        """
+        folder = Path.cwd()
+        pupil = self.lesson.pupil or self.progress["saved_as"] or find_free_pupil(folder)
+        work = {"values": self.values, "progress": self.progress | {"saved_as": pupil}}
+        path = save_work(folder, pupil, self.lesson.key, work)
+        self._change(saved_as=pupil)
+        self.status = _("Saved as {name}.").format(name=path.name)
+        return path
+
     def forget(self) -> None:
-        """Begin afresh, and keep nothing of what was done."""
+        """Begin afresh, and leave nothing of what was done, in no file either."""
+        pupil = self.lesson.pupil or self.progress["saved_as"]
+        gone = forget_work(Path.cwd(), pupil) if pupil else []
         forget(self._key)
         self._tried = []
         self._restore({})
+        words = _("Everything is forgotten.")
+        self.status = f"{words} {', '.join(gone)}" if gone else words
+
+    def _try(self, do: Callable[[], object]) -> None:
+        """Save or forget, or say why it cannot be done."""
+        try:
+            do()
+        except (TeachError, OSError) as error:
+            self.status = str(error)
 
     # Any: as `progress`.
     def _change(self, **changes: Any) -> None:
