@@ -7,8 +7,10 @@ from .distances import letter_distances as letter_distances
 from .kinematics import measure_movement as measure_movement
 from .letter_score import LEVEL_WORDS as LEVEL_WORDS
 from .letter_score import Score as Score
+from .letter_score import check_hand as check_hand
 from .letter_score import leading_fault as leading_fault
 from .letter_score import score as score
 from .matching import match_strokes as match_strokes
+from .reading import read_letter as read_letter
 from .resampling import resample as resample
 from .resampling import size_of as size_of

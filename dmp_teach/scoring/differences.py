@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from dmp_teach.scoring.advice import advise
 from dmp_teach.scoring.direction import find_other_way
 from dmp_teach.scoring.fit import Fit
 from dmp_teach.scoring.kinematics import Movement
@@ -17,7 +18,7 @@ from dmp_teach.scoring.phrases import Position
 from dmp_teach.scoring.resampling import size_of
 from dmp_teach.scoring.wording import word_difference
 from dmp_teach.texts import gettext as _
-from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.trajectory import Array, Trajectory, path_length
 
 DIFFERENCE_STEPS = {
     # Parts of the letter's size: the line of a pen, in a letter as large as a hand.
@@ -62,6 +63,8 @@ FAULT_STEPS = {
 LARGEST_LONE_DOT = 0.1
 # Another beginning of a loop counts from an eighth of it on.
 LEAST_LOOP_SHIFT = 0.125
+# A line across is straight: so much of its length leads from side to side.
+LEAST_LEVEL_PART = 0.85
 
 
 @dataclass(frozen=True)
@@ -74,12 +77,14 @@ class Fault:
         wording: A sentence in plain words, in which the model is `{model}` and what it has
             `{models}`.
         reason: The same in a few words, to stand beside a row.
+        advice: What to do next, in one sentence; the model as in the wording.
     """
 
     name: str
     steps: float
     wording: str
     reason: str
+    advice: str
 
     @property
     def sentence(self) -> str:
@@ -88,7 +93,13 @@ class Fault:
 
 
 def find_faults(
-    matching: Matching, fit: Fit, written: Movement, model: Movement, strokes: Sequence[Trajectory]
+    matching: Matching,
+    fit: Fit,
+    written: Movement,
+    model: Movement,
+    strokes: Sequence[Trajectory],
+    *,
+    hand: str,
 ) -> tuple[Fault, ...]:
     """Find all faults, the largest first.
 
@@ -98,6 +109,7 @@ def find_faults(
         written: The writing in numbers.
         model: The model in numbers.
         strokes: The model's.
+        hand: "left" draws level lines from either end.
     """
     of_whole = [*_orientation_faults(matching), *_fit_faults(fit)]
     # A dot has no size, width or lean.
@@ -105,8 +117,8 @@ def find_faults(
         of_whole = [replace(fault, steps=0.0) for fault in of_whole]
     found = [
         *of_whole,
-        *_stroke_faults(matching, model),
-        *_writing_faults(matching, written, model),
+        *_stroke_faults(matching, strokes),
+        *_writing_faults(matching, written, strokes, hand),
         *_way_faults(matching, strokes),
         *_shape_faults(matching, fit, strokes),
         *_loop_faults(matching, fit, strokes),
@@ -118,7 +130,7 @@ def find_faults(
 # Any: what the wording of the fault takes.
 def _fault(name: str, steps: float, **facts: Any) -> Fault:
     """Return a fault in words."""
-    return Fault(name, steps, *word_difference(name, steps, facts))
+    return Fault(name, steps, *word_difference(name, steps, facts), advise(name, facts))
 
 
 def _orientation_faults(matching: Matching) -> Iterator[Fault]:
@@ -136,35 +148,38 @@ def _fit_faults(fit: Fit) -> Iterator[Fault]:
         yield _fault(name, abs(math.log(ratio)) / DIFFERENCE_STEPS[name], ratio=ratio)
 
 
-def _stroke_faults(matching: Matching, model: Movement) -> Iterator[Fault]:
+def _stroke_faults(matching: Matching, strokes: Sequence[Trajectory]) -> Iterator[Fault]:
     """Yield strokes that are missing, or too many."""
     if matching.missing:
         count = len(matching.missing)
         steps = FAULT_STEPS["missing"] + (count > 1)
-        stroke = matching.missing[0]
-        yield _fault("missing", steps, count=count, stroke=stroke, of=model.strokes)
+        yield _fault("missing", steps, count=count, **_started(matching.missing[0], strokes))
     if matching.extra:
         yield _fault("extra", FAULT_STEPS["extra"], count=len(matching.extra))
 
 
-def _writing_faults(matching: Matching, written: Movement, model: Movement) -> Iterator[Fault]:
+def _writing_faults(
+    matching: Matching, written: Movement, strokes: Sequence[Trajectory], hand: str
+) -> Iterator[Fault]:
     """Yield strokes that are joined, split, divided or begun elsewhere, or in another order."""
-    of = model.strokes
     for pairs, name in ((matching.merged, "joined"), (matching.split, "split")):
         if pairs:
-            yield _fault(name, FAULT_STEPS["pieces"], written=written.strokes, model=of)
+            yield _fault(name, FAULT_STEPS["pieces"], written=written.strokes, model=len(strokes))
     if matching.divided:
         yield _fault("divided", FAULT_STEPS["pieces"])
-    if matching.reversed:
-        stroke = matching.reversed[0]
-        pair = next(pair for pair in matching.pairs if pair.others[0] == stroke)
-        steps = FAULT_STEPS["reversed"] + 0.1 * len(matching.reversed)
-        yield _fault("reversed", steps, stroke=stroke, of=of, loop=pair.alignment.goes_round)
+    backwards = [pair for pair in matching.pairs if pair.alignment.backwards]
+    if hand == "left":
+        backwards = [pair for pair in backwards if not _is_level(strokes[pair.others[0]])]
+    if backwards:
+        line, stroke = backwards[0].alignment, backwards[0].others[0]
+        steps = FAULT_STEPS["reversed"] + 0.1 * len(backwards)
+        way = {"is_round": line.goes_round, "left": _turns_left(line.others)}
+        yield _fault("reversed", steps, **_started(stroke, strokes), **way)
     for pair in matching.pairs:
         away = min(pair.alignment.begins, 1 - pair.alignment.begins)
         if not pair.alignment.backwards and away > LEAST_LOOP_SHIFT:
             steps = 2 * FAULT_STEPS["reversed"] * away
-            yield _fault("begins", steps, stroke=pair.others[0], of=of)
+            yield _fault("begins", steps, **_started(pair.others[0], strokes))
     for early, late in zip(matching.order, sorted(matching.order), strict=True):
         if early != late:
             yield _fault("order", FAULT_STEPS["order"], early=early, late=late)
@@ -247,6 +262,24 @@ def _movement_faults(written: Movement, model: Movement) -> Iterator[Fault]:
 def _named_stroke(matching: Matching, pair: int, strokes: Sequence[Trajectory]) -> dict[str, int]:
     """Return which of how many strokes of the model a pair is."""
     return {"stroke": matching.pairs[pair].others[0], "of": len(strokes)}
+
+
+def _started(stroke: int, strokes: Sequence[Trajectory]) -> dict[str, Any]:
+    """Return which of how many strokes of the model it is, and where that starts."""
+    position = _position(strokes[stroke].position[0], strokes)
+    return {"stroke": stroke, "of": len(strokes), "position": position}
+
+
+def _is_level(stroke: Trajectory) -> bool:
+    """Return whether a stroke is a line across, such as the bar of a t."""
+    right, up = np.abs(stroke.position[-1] - stroke.position[0])
+    return bool(right > 2 * up and right > LEAST_LEVEL_PART * path_length(stroke.position))
+
+
+def _turns_left(line: Array) -> bool:
+    """Return whether a line (P, 2) goes round against the clock."""
+    x, y = (line - line.mean(axis=0)).T
+    return bool((x[:-1] * y[1:] - y[:-1] * x[1:]).sum() > 0)
 
 
 def _position(point: Array, strokes: Sequence[Trajectory]) -> Position:

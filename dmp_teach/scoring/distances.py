@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -50,11 +51,35 @@ def letter_distances(
     Raises:
         LetterError: One is nothing, something else, or all in one place.
     """
+    there = compared(others, upright)
+    return np.array([distances_from(letter, there) for letter in letters])
+
+
+@dataclass(frozen=True, eq=False)
+class Compared:
+    """Letters that others are compared with, prepared once.
+
+    Args:
+        shears: Of the others, which they share half and half with these, shape (K,).
+        clouds: Features, their squares and ones, shape (K, M, 48, 6).
+    """
+
+    shears: Array
+    clouds: Array
+
+
+def compared(letters: Iterable[LetterLike], upright: bool = True) -> Compared:
+    """Prepare letters to be compared with, for `distances_from`; raises as `letter_distance`."""
     shears = COMPARED_SHEARS if upright else np.zeros(1)
-    there = np.stack([_sheared_features(each, -shears / 2) for each in others], axis=1)
+    there = np.stack([_sheared_features(each, -shears / 2) for each in letters], axis=1)
     squares = (there**2).sum(axis=3, keepdims=True)
     there = np.concatenate([-2 * there, squares, np.ones_like(squares)], axis=3)
-    return np.array([_least_distances(_sheared_features(e, shears / 2), there) for e in letters])
+    return Compared(shears, there)
+
+
+def distances_from(letter: LetterLike, others: Compared) -> Array:
+    """Compute `letter_distance` of a letter from each of the others, shape (M,)."""
+    return _least_distances(_sheared_features(letter, others.shears / 2), others.clouds)
 
 
 def _sheared_features(letter: LetterLike, shears: Array) -> Array:

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from dmp_teach.errors import LetterError
 from dmp_teach.scoring.arguments import LetterLike, to_strokes
 from dmp_teach.scoring.differences import MOVEMENT_FAULTS, Fault, find_faults
 from dmp_teach.scoring.fit import fit_model
@@ -98,7 +99,7 @@ class Score:
         return f"Score({self.sentence!r}, {rows}, {1000 * self.distance:.1f} mm apart)"
 
 
-def score(written: LetterLike, model: LetterLike) -> Score:
+def score(written: LetterLike, model: LetterLike, hand: str = "right") -> Score:
     """Compare a writing with its model.
 
     Strokes are matched by shape first: their order, direction and number are faults of their own
@@ -107,16 +108,18 @@ def score(written: LetterLike, model: LetterLike) -> Score:
     Args:
         written: A `Recording`, a `Letter` (what it writes) or strokes.
         model: The same: what it should look like.
+        hand: "left" of somebody who pulls level lines, as the bar of a t, from right to left.
 
     Raises:
-        LetterError: One of them is nothing, something else, or all in one place.
+        LetterError: One of them is nothing, something else, or all in one place; or no such hand.
     """
+    check_hand(hand)
     mine, yours = to_strokes(written, "written"), to_strokes(model, "model")
     matching = match_strokes(mine, yours)
     ink, model_ink = resample(mine, POINTS_TO_FIT), resample(yours, POINTS_TO_FIT)
     fit = fit_model(matching, ink, model_ink, size_of(yours))
     movement, model_movement = measure_movement(mine), measure_movement(yours)
-    faults = find_faults(matching, fit, movement, model_movement, yours)
+    faults = find_faults(matching, fit, movement, model_movement, yours, hand=hand)
     leading = leading_fault(faults)
     distance, shift = _lay_together(matching, ink, model_ink)
     return Score(
@@ -136,6 +139,12 @@ def score(written: LetterLike, model: LetterLike) -> Score:
         written=movement,
         model=model_movement,
     )
+
+
+def check_hand(hand: str) -> None:
+    """Raise a LetterError unless it is the right or the left hand."""
+    if hand not in ("right", "left"):
+        raise LetterError(f"hand is {hand!r}, but must be 'right' or 'left'.")
 
 
 def leading_fault(faults: Sequence[Fault]) -> Fault | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from inspect import signature
 from typing import Any, NamedTuple
 
 from dmp_teach.scoring.phrases import (
@@ -38,7 +39,8 @@ def word_difference(name: str, steps: float, facts: dict[str, Any]) -> Wording:
         steps: By how many of the steps that an eye begins to see.
         facts: What is known of it, such as degrees or the number of the stroke.
     """
-    return _WORDINGS[name](steps, **facts)
+    wanted = signature(_WORDINGS[name]).parameters
+    return _WORDINGS[name](steps, **{key: facts[key] for key in facts if key in wanted})
 
 
 def _mirrored(_steps: float, turn: int) -> Wording:
@@ -115,14 +117,12 @@ def _divided(_steps: float) -> Wording:
     return Wording(_sentence(words), _("other strokes"))
 
 
-def _reversed(_steps: float, stroke: int, of: int, loop: bool) -> Wording:
-    how = _("{it} goes round the other way") if loop else _("{it} starts at the wrong end")
+def _reversed(_steps: float, stroke: int, of: int, is_round: bool) -> Wording:
+    how = _("{it} goes round the other way") if is_round else _("{it} starts at the wrong end")
     return _said(how.format(it=the_stroke(stroke, of)))
 
 
-def _round(
-    _steps: float, stroke: int, of: int, is_round: bool, left: bool, position: Position
-) -> Wording:
+def _round(_steps: float, stroke: int, of: int, is_round: bool, position: Position) -> Wording:
     if is_round:
         words, of_it = (
             _("the round part goes round the other way"),

@@ -41,9 +41,22 @@ def test_a_length_is_compared_with_a_thing_of_that_size(metres, thing):
     assert thing in messages.name_comparable_width(metres)
 
 
+@given(st.floats(0.00008, 0.24))
+def test_a_thing_is_of_about_the_size_that_it_is_compared_with(metres):
+    things = {
+        "hair": 0.1, "two hairs": 0.2, "half the width of a pen line": 0.5, "of a pen line": 1.0,
+        "two pen lines": 2.0, "half the width of a pencil": 3.5, "of a pencil": 7.0,
+        "finger": 14.0, "two fingers": 28.0, "three fingers": 42.0, "four fingers": 56.0,
+        "hand": 100.0, "two hands": 200.0,
+    }  # fmt: skip
+    said = messages.name_comparable_width(metres)
+    size = things[max((words for words in things if words in said), key=len)]
+    assert size / 1.6 < 1000 * metres < 1.6 * size
+
+
 @given(st.floats(0, 10), st.floats(0, 10))
 def test_a_longer_distance_is_never_compared_with_a_smaller_thing(a, b):
-    order = ["less than", "of a hair", "pen line", "pencil", "finger", "hand"]
+    order = ["less than", "hair", "pen line", "pencil", "finger", "hand"]
     rank = [
         next(i for i, word in enumerate(order) if word in messages.name_comparable_width(x))
         for x in sorted((a, b))

@@ -8,9 +8,10 @@ from typing import Self
 
 from dmp_teach.classroom.panels.messages import rate_attempt, show_millimetres
 from dmp_teach.errors import LetterError, RecordingError
-from dmp_teach.ink import PadStroke, Recording, pad_recording
+from dmp_teach.ink import PadStroke, Recording, characters, pad_recording
 from dmp_teach.letters import Letter
-from dmp_teach.scoring import Score, score, size_of
+from dmp_teach.scoring import Score, read_letter, score, size_of
+from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Trajectory
 
 
@@ -22,20 +23,26 @@ class Attempt:
         recording: The ink, a recording like any other.
         strokes: As the pad caught them; none where the recording came from a file.
         model: The robot's letter that was to be written, or None.
+        hand: As in `score`.
     """
 
     recording: Recording
     strokes: tuple[PadStroke, ...] = ()
     model: Recording | None = None
+    hand: str = "right"
 
     @classmethod
     def of(
-        cls, strokes: tuple[PadStroke, ...], model: Recording | None, writer: str | None
+        cls,
+        strokes: tuple[PadStroke, ...],
+        model: Recording | None,
+        writer: str | None,
+        hand: str = "right",
     ) -> Self:
         """Make an attempt at the model's letter, on the writing line y = 0."""
         character = None if model is None else model.character
         recording = pad_recording(strokes, character=character, writer=writer, baseline=0.0)
-        return cls(recording, strokes, model)
+        return cls(recording, strokes, model, hand)
 
     @cached_property
     def ink(self) -> tuple[Trajectory, ...]:
@@ -55,10 +62,26 @@ class Attempt:
     @cached_property
     def score(self) -> Score | None:
         """How near it is to the model; None without a model, or where it is only dots."""
+        if self.model is None or self.is_dot:
+            return None
         try:
-            return None if self.model is None else score(self.recording, self.model)
+            return score(self.recording, self.model, self.hand)
         except LetterError:
             return None
+
+    @cached_property
+    def looks_like(self) -> str | None:
+        """The other letter that it looks like, "" for none at all; None where it may be right."""
+        found = self.score
+        is_known = self.character in characters()
+        if found is None or not is_known or found.matching.mirrored or found.matching.turn:
+            return None
+        return read_letter(self.recording, self.character)
+
+    @property
+    def is_dot(self) -> bool:
+        """Whether the pen hardly moved, as in a slip."""
+        return bool(self.strokes) and all(stroke.is_dot for stroke in self.strokes)
 
     @property
     def aligned(self) -> tuple[Trajectory, ...]:
@@ -167,6 +190,7 @@ def list_rows(attempts: list[Attempt], first: int) -> list[dict[str, object]]:
     for number, attempt in enumerate(attempts, first):
         if attempt.score is not None and attempt.model is not None:
             word = rate_attempt(attempt.score, size_of(attempt.model.strokes()))
+            word = word if attempt.looks_like is None else _("far")
             millimetres = show_millimetres(attempt.score.distance)
             counts = [len(stroke) for stroke in attempt.ink]
             rows.append({"number": number, "mm": millimetres, "word": word, "counts": counts})

@@ -12,17 +12,24 @@ from dmp_teach.trajectory import Trajectory
 
 _THINGS_IN_MM = (
     (0.1, marked("the thickness of a hair")),
+    (0.2, marked("the thickness of two hairs")),
+    (0.5, marked("half the width of a pen line")),
     (1.0, marked("the width of a pen line")),
+    (2.0, marked("the width of two pen lines")),
+    (3.5, marked("half the width of a pencil")),
     (7.0, marked("the width of a pencil")),
     (14.0, marked("the width of a finger")),
+    (28.0, marked("the width of two fingers")),
+    (42.0, marked("the width of three fingers")),
+    (56.0, marked("the width of four fingers")),
     (100.0, marked("the width of a hand")),
+    (200.0, marked("the width of two hands")),
 )
 
 Message = dict[str, str]
 """A number, its unit, and a sentence in three parts, the middle one strong."""
 
 _APART = marked("Your letter and the robot’s own are this far apart on average.")
-_ALIKE = marked("It looks the same as the robot’s.")
 # Shares of the letter's size: a distance up to which an attempt is "not far", "close", "the same".
 _WORD_SHARES = (0.2, 0.1, 0.04)
 # Two widths of a pen's line and a half [m]: so much further away is a little, however near it was.
@@ -165,25 +172,32 @@ def describe_dot(character: str) -> Message:
 
 
 def describe_attempt(now: Score, before: Score | None, is_coarse: bool = False) -> Message:
-    """Return the message for an attempt: how far it is, in what most, and whether it is nearer.
+    """Return the message for an attempt: how far it is, in what most, and what to do next.
 
     Where the pad caught coarse points, nothing is said of how the pen was moved.
     """
-    said = _name_fault(now, is_coarse)
-    if before is None:
-        return _build_message(f"{_(_APART)} **{said}**", now.distance)
-    comparison = compare_attempts(now.distance, before.distance)
-    return _build_message(f"{_(_APART)} {said} **{comparison}**", now.distance)
-
-
-def _name_fault(now: Score, is_coarse: bool) -> str:
-    """Return the fault that the score names; one of the movement only where that is known."""
     fault = leading_fault(now.faults)
-    unseen = fault is not None and fault.name in MOVEMENT_FAULTS
-    if fault is None or (unseen and is_coarse):
-        return _(_ALIKE)
-    said = fault.wording.format(model=_("the robot’s"), models=_("the robot’s"))
-    return f"{_(_ALIKE)} {said}" if unseen else said
+    is_seen = fault is not None and fault.name not in MOVEMENT_FAULTS
+    said = "" if is_seen else f" **{_('Well written: it looks the same as the robot’s.')}**"
+    if fault is not None and (is_seen or not is_coarse):
+        words, advice = (
+            text.format(model=_("the robot’s"), models=_("the robot’s"))
+            for text in (fault.wording, fault.advice)
+        )
+        said += f" {words} " + (f"**{advice}**" if is_seen else advice)
+    if before is not None and is_seen:
+        said += f" {compare_attempts(now.distance, before.distance)}"
+    return _build_message(f"{_(_APART)} {said.strip()}", now.distance)
+
+
+def describe_other_letter(other: str, wanted: str, distance: float) -> Message:
+    """Return the message for a writing that looks like another letter, or like none ("")."""
+    wanted = add_article(wanted)
+    if not other:
+        text = _("No letter can be read yet. **Press Show it, and watch how {letter} is written.**")
+        return _build_message(text.format(letter=wanted))
+    text = _("This looks like {other}. **Press Show it, and watch how {letter} is written.**")
+    return _build_message(text.format(other=add_article(other), letter=wanted), distance)
 
 
 def compare_attempts(distance: float, before: float) -> str:

@@ -6,14 +6,13 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import traitlets
 from numpy.typing import ArrayLike
 
 from dmp_teach.classroom.panels import messages
 from dmp_teach.classroom.panels.attempts import Attempt, Attempts
 from dmp_teach.classroom.panels.kept import forget, kept
-from dmp_teach.classroom.panels.pad_view import describe_pad
+from dmp_teach.classroom.panels.pad_view import describe_pad, unpack_stroke
 from dmp_teach.classroom.panels.robot_panel import RobotPanel, list_letter_choices, pack_points
 from dmp_teach.classroom.panels.saved_attempts import SavedAttempts, list_files
 from dmp_teach.classroom.panels.sheets import (
@@ -28,7 +27,7 @@ from dmp_teach.files import join_modules, join_styles
 from dmp_teach.ink import Recording, characters, check_pseudonym, pad_stroke, recording_of
 from dmp_teach.letters import Letter
 from dmp_teach.robot import Page
-from dmp_teach.scoring import Score
+from dmp_teach.scoring import Score, check_hand
 from dmp_teach.texts import gettext as _
 from dmp_teach.views import STYLE_TOKENS
 
@@ -37,7 +36,12 @@ NEAR_CHARACTERS = ["", "a", "e", "i", "m", "D", "P"]
 MAX_STROKES = 60
 
 
-def pad(character: str | None = "a", page: Page | None = None, writer: str | None = None) -> Pad:
+def pad(
+    character: str | None = "a",
+    page: Page | None = None,
+    writer: str | None = None,
+    hand: str = "right",
+) -> Pad:
     """Show a writing pad for mouse, finger and stylus.
 
     The robot shows its letter, and learns yours. What is written stays in this notebook's memory
@@ -48,11 +52,13 @@ def pad(character: str | None = "a", page: Page | None = None, writer: str | Non
         character: The letter to begin with; None for any letter, compared with nothing.
         page: Where the robot writes; None for a sheet of A4 on the table.
         writer: A pseudonym such as "w01" for what is saved; None takes the first that is free.
+        hand: "left" where bars, as that of a t, may be drawn from right to left.
 
     Raises:
         RecordingError: No such letter, a word, or a writer that is no pseudonym.
+        LetterError: No such hand.
     """
-    return Pad(character, page, writer)
+    return Pad(character, page, writer, hand)
 
 
 class Pad(RobotPanel):
@@ -80,10 +86,10 @@ class Pad(RobotPanel):
     unfinished = traitlets.Bool(False).tag(sync=True)
     kept = traitlets.Unicode().tag(sync=True)
 
-    def __init__(
-        self, character: str | None = "a", page: Page | None = None, writer: str | None = None
-    ):
+    def __init__(self, character: str | None, page: Page | None, writer: str | None, hand: str):
         check_pseudonym(writer)
+        check_hand(hand)
+        self.hand = hand
         self._key = f"pad {writer or ''}".strip()
         self.writer = writer or kept(self._key).get("writer")
         self._take_kept()
@@ -137,7 +143,7 @@ class Pad(RobotPanel):
         strokes = (*(now.strokes if now else ()), stroke)
         if len(strokes) > MAX_STROKES:
             raise RecordingError(f"One letter has at most {MAX_STROKES} strokes: start again.")
-        self._put(Attempt.of(strokes, self._model, self.writer))
+        self._put(Attempt.of(strokes, self._model, self.writer, self.hand))
         self.caught = messages.describe_stroke(len(strokes), stroke, outside)
 
     def undo(self) -> None:
@@ -150,7 +156,9 @@ class Pad(RobotPanel):
         else:
             left = now.strokes[:-1]
             said = messages.describe_undone(len(now.ink), not left, self._attempts.is_back)
-            self._attempts.now = Attempt.of(left, now.model, self.writer) if left else None
+            self._attempts.now = (
+                Attempt.of(left, now.model, self.writer, self.hand) if left else None
+            )
         self.caught = said
         self._redraw()
 
@@ -166,7 +174,7 @@ class Pad(RobotPanel):
         self.start_again()
         if own.character in characters():
             self.character = own.character
-        attempt = Attempt(place_on_sheet(own, self.sheet), (), self._model)
+        attempt = Attempt(place_on_sheet(own, self.sheet), (), self._model, self.hand)
         self._is_done = True
         self._put(attempt)
         self.sheet = extend_sheet(self.sheet, attempt.ink)
@@ -230,7 +238,7 @@ class Pad(RobotPanel):
         }
         try:
             if kind == "stroke":
-                self._take_stroke(message, buffers)
+                self.add_stroke(*unpack_stroke(message, buffers, self.answered))
             elif kind in actions:
                 actions[kind]()
             else:
@@ -241,18 +249,6 @@ class Pad(RobotPanel):
             self.set_trait("kept" if kind == "save" else "caught", said)
         number = message.get("n")
         self.answered = max(self.answered, number if type(number) is int else 0)
-
-    def _take_stroke(self, message: dict[str, Any], buffers: list[memoryview]) -> None:
-        """Take a stroke of the browser: float64 rows t [s], x, y [m], pressure."""
-        if type(message.get("n")) is int and message["n"] <= self.answered:
-            raise RecordingError("A stroke came twice, or too late, and was left out.")
-        content = b"".join(map(bytes, buffers))
-        if not content or len(content) % 32:
-            raise RecordingError("A stroke came in pieces and was left out: write it again.")
-        rows = np.frombuffer(content, "<f8").reshape(-1, 4)
-        outside = message.get("outside")
-        is_pen = message.get("pointer") == "pen"
-        self.add_stroke(rows, is_pen, outside if type(outside) is int else 0)
 
     def _put(self, attempt: Attempt) -> None:
         """Put an attempt on the sheet; one that cannot be learned changes nothing."""

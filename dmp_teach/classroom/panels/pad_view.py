@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+from typing import Any
+
+import numpy as np
+
 from dmp_teach.classroom.panels import messages
 from dmp_teach.classroom.panels.attempts import Attempt, Attempts, list_rows
 from dmp_teach.classroom.panels.robot_panel import pack_points
+from dmp_teach.errors import RecordingError
 from dmp_teach.texts import gettext as _
+from dmp_teach.trajectory import Array
 
 # All attempts are kept.
 MAX_SHOWN_ATTEMPTS = 6
@@ -53,9 +59,37 @@ def _describe_attempt_now(
         if character:
             return messages.describe_dot(character), []
         return messages.describe_learned_ink(now.letter.error), []
+    other = now.looks_like
+    if other is not None:
+        words = _("looks like {letter}").format(letter=messages.add_article(other))
+        reason = words if other else _("no letter yet")
+        row: dict[str, object] = {"name": _("Shape"), "level": 0, "word": _("far")}
+        message = messages.describe_other_letter(other, character, now.score.distance)
+        return message, [row | {"reason": reason}]
     previous = before[-1].score if before else None
     rows: list[dict[str, object]] = [
         {"name": _(part.name), "level": part.level, "word": _(part.word), "reason": part.reason}
         for part in now.score.parts
     ]
     return messages.describe_attempt(now.score, previous, now.is_coarse), rows
+
+
+# Any: JSON from the browser.
+def unpack_stroke(
+    message: dict[str, Any], buffers: list[memoryview], answered: int
+) -> tuple[Array, bool, int]:
+    """Return a stroke of the browser as `Pad.add_stroke` takes it.
+
+    Its points are float64 rows t [s], x, y [m], pressure.
+
+    Raises:
+        RecordingError: It came before, or not whole.
+    """
+    if type(message.get("n")) is int and message["n"] <= answered:
+        raise RecordingError(_("A stroke came twice, or too late, and was left out."))
+    content = b"".join(map(bytes, buffers))
+    if not content or len(content) % 32:
+        raise RecordingError(_("A stroke came in pieces and was left out: write it again."))
+    outside = message.get("outside")
+    rows = np.frombuffer(content, "<f8").reshape(-1, 4)
+    return rows, message.get("pointer") == "pen", outside if type(outside) is int else 0
