@@ -2,6 +2,7 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import {
   badgePlaces,
+  LETTER,
   labelPlace,
   outside,
   rulerLength,
@@ -45,8 +46,19 @@ test("starts that lie on each other share one label", () => {
 });
 
 test("a label at the edge of the sheet turns inwards", () => {
-  assert.equal(labelPlace(VIEW, [150, 100], DOT)["text-anchor"], "start");
-  assert.equal(labelPlace(VIEW, [298, 100], DOT)["text-anchor"], "end");
+  assert.equal(labelPlace(VIEW, [150, 100], DOT, 50)["text-anchor"], "start");
+  assert.equal(labelPlace(VIEW, [298, 100], DOT, 50)["text-anchor"], "end");
+});
+
+test("no label is cut off, wherever its start is and however long it is", () => {
+  for (const words of ["1", "start", "start 1, 2", "start 10, 11"]) {
+    const wide = LETTER * words.length;
+    for (let x = 2; x < VIEW.w; x += 7) {
+      const { x: at, "text-anchor": anchor } = labelPlace(VIEW, [x, 100], DOT, wide);
+      const left = at - { start: 0, middle: wide / 2, end: wide }[anchor];
+      assert.ok(left >= 0 && left + wide <= VIEW.w, `${words} at ${x}`);
+    }
+  }
 });
 
 test("a line that has left the sheet is told its side and how far", () => {

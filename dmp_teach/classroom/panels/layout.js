@@ -59,6 +59,9 @@ export function startLabels(view, strokes, name) {
   return labels;
 }
 
+// [px] Room for one letter of a label.
+export const LETTER = 9;
+
 /**
  * Where a label hides the least ink: right, left, above or below its point.
  * @param {View} view
@@ -66,7 +69,7 @@ export function startLabels(view, strokes, name) {
  * @param {Place[][]} strokes
  * @param {number} wide [px]
  */
-export function labelPlace(view, [x, y], strokes, wide = 50) {
+export function labelPlace(view, [x, y], strokes, wide) {
   const ink = everyNth(strokes.flat(), 4).map(view.px);
   /** @type {[number, number, Anchor][]} */
   const places = [

@@ -59,13 +59,15 @@ export function robotSheet(/** @type {Model} */ model, /** @type {SheetParts} */
 }
 
 /**
- * The robot's sheet shows its own letter while somebody writes, and what it has learned once the
- * letter is there.
+ * The robot's sheet shows its own letter, with somebody's dots on it once they are all there: of
+ * that the number speaks. Without a letter of its own it shows what it has learned.
  */
 export function turnTheSheet(/** @type {Model} */ model, /** @type {SheetParts} */ parts) {
   const strokes = model.get("counts").length;
   if (!strokes && parts.strokes) parts.robotView("model");
-  if (strokes > (parts.strokes ?? 0) && !model.get("unfinished")) parts.robotView("copy");
+  if (strokes > (parts.strokes ?? 0) && !model.get("unfinished")) {
+    parts.robotView(model.get("character") ? "model" : "copy");
+  }
   parts.strokes = strokes;
 }
 
