@@ -13,7 +13,7 @@ export class LessonPaper extends Paper {
     this.extras = make("g");
     this.kept = make("path", { class: "dt-bet-line" });
     this.bet = new Handles({ onHandle: listeners.onHandle });
-    this.node.insertBefore(this.extras, this.robot);
+    this.node.insertBefore(this.extras, this.marks);
     this.node.append(this.kept, this.bet.node);
   }
 
@@ -21,13 +21,25 @@ export class LessonPaper extends Paper {
     if (!this.size[0] || !this.scene) return;
     super.redraw();
     const view = this.view();
-    const { extras = [], bet = [], handles = [] } = /** @type {any} */ (this.scene);
+    const {
+      extras = [],
+      beads = [],
+      dots = [],
+      bet = [],
+      handles = [],
+    } = /** @type {any} */ (this.scene);
     const path = (/** @type {Place[]} */ places) =>
       places.length > 1 ? `M${pixels(places, view).join("L")}` : "";
     this.extras.replaceChildren(
       ...extras.map((/** @type {{ points: Place[], kind: string }} */ { points, kind }) =>
         make("path", { class: `dt-extra dt-${kind}`, d: path(points) }),
       ),
+      ...beads.map((/** @type {Place} */ place) => circle(view, place, "dt-bead", 4)),
+      ...dots.flatMap((/** @type {{ at: Place[], kind: string, label: string }} */ dot) => {
+        const [x, y] = view.px(dot.at[0]);
+        const words = make("text", { class: "dt-small", x: x + 14, y: y + 5 }, dot.label ?? "");
+        return [circle(view, dot.at[0], `dt-dot dt-dot-${dot.kind}`, 6), words];
+      }),
     );
     this.kept.setAttribute("d", path(bet));
     this.bet.draw(handles, { ...view, area: [16, 16, view.w - 16, view.h - 16] });
@@ -38,4 +50,14 @@ export class LessonPaper extends Paper {
     if (this.scene.goals.length) super.drawRings(view);
     else this.rings.replaceChildren();
   }
+}
+
+function circle(
+  /** @type {import("../panels/layout.js").View} */ view,
+  /** @type {Place} */ place,
+  /** @type {string} */ kind,
+  /** @type {number} */ r,
+) {
+  const [cx, cy] = view.px(place);
+  return make("circle", { class: kind, cx: cx.toFixed(1), cy: cy.toFixed(1), r });
 }

@@ -106,12 +106,12 @@ export class Stage {
    * @param {boolean} isDone
    */
   moveRing(i, place, isDone) {
-    const { knobs, home, scale } = this.rings[i];
+    const { knobs, home, zero = home, scale } = this.rings[i];
     /** @type {Values} */
     const changes = {};
     for (const [axis, name] of knobs.entries()) {
       const { low, high, step } = this.spec.knobs[name];
-      const value = Math.round((place[axis] - home[axis]) / scale / step) * step;
+      const value = Math.round((place[axis] - zero[axis]) / scale / step) * step;
       changes[name] = Number(Math.min(Math.max(value, low), high).toFixed(6));
     }
     this.listeners.onValues(changes, isDone);
