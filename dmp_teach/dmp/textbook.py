@@ -79,11 +79,7 @@ def star_acceleration(
 
 
 def original_dmp(
-    theta: Sequence[float],
-    psi: KernelFunction,
-    N: int,
-    alpha_z: float,
-    g: float | None = None,
+    theta: Sequence[float], psi: KernelFunction, N: int, alpha_z: float, g: float | None = None
 ) -> list[float]:
     """Learn and draw one coordinate of a movement by Algorithm 1.
 
@@ -122,11 +118,7 @@ def original_dmp(
 
 
 def star_dmp(
-    theta: Sequence[float],
-    psi: KernelFunction,
-    N: int,
-    alpha_z: float,
-    g: float | None = None,
+    theta: Sequence[float], psi: KernelFunction, N: int, alpha_z: float, g: float | None = None
 ) -> list[float]:
     """Learn and draw one coordinate of a movement by Algorithm 2; arguments as `original_dmp`."""
     M, beta_z = len(theta) - 1, alpha_z / 4

@@ -102,6 +102,7 @@ class Letter:
         strokes = tuple(p.rollout(goal=goals.get(n)) for n, p in enumerate(primitives))
         return cls(strokes, primitives, goals, tuple(piece.name for piece in pieces))
 
+    # Any: what `make_letter` takes.
     @classmethod
     def make(cls, *args: Any, **kwargs: Any) -> Letter:
         """Make a letter; use `make_letter`, as this name goes after one version."""
@@ -158,6 +159,7 @@ class Letter:
         starts, goals = self._ends(goals, starts, goal_shifts)
         return chain(self.primitives, overlap, starts, goals)
 
+    # Any: what `chain` takes.
     def joined(self, *args: Any, **kwargs: Any) -> Trajectory:
         """Write the letter in one stroke; use `chain`, as this name goes after one version."""
         warnings.warn("Letter.joined is now called Letter.chain.", DeprecationWarning, stacklevel=2)

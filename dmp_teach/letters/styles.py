@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
-from typing import Any, Self
+from typing import Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -13,6 +13,7 @@ from dmp_teach.dmp import Settings, check_point
 from dmp_teach.errors import LetterError
 from dmp_teach.letters.letter import Letter
 from dmp_teach.letters.styles_basis import learn_alike, letter_from_row, letter_to_row
+from dmp_teach.scoring import LetterLike
 from dmp_teach.trajectory import Array, all_points, lock_fields
 
 # Along a principal style [standard deviations].
@@ -62,7 +63,7 @@ class Style:
 
     @classmethod
     def of(
-        cls, letters: Iterable[Any], settings: Settings | None = None, same_size: bool = True
+        cls, letters: Iterable[LetterLike], settings: Settings | None = None, same_size: bool = True
     ) -> Self:
         """Learn a style.
 
@@ -82,9 +83,8 @@ class Style:
                 f"A style is learned from letters, but got {letters!r}; give a list of recordings."
             )
         given = list(letters)
-        characters = dict.fromkeys(
-            repr(each.character) for each in given if getattr(each, "character", None)
-        )
+        named = [getattr(each, "character", None) for each in given]
+        characters = dict.fromkeys(repr(name) for name in named if name)
         if len(characters) > 1:
             raise LetterError(
                 f"A style is of one letter, but these are {', '.join(characters)}; give one "

@@ -69,7 +69,7 @@ class Solver:
         self._posture = solver.add_joints_task()
         solver.add_regularization_task(1e-4)
         self.proximity = Proximity(JOINTS, grown=SAFETY_SHELL)
-        # What `reach.posture`, of which this module knows nothing, has found out by page.
+        # Any: what `reach.posture`, of which this module knows nothing, has found out by page.
         self.verdicts: dict[object, Any] = {}
 
     def mask(self, name: str, masked: bool = True) -> None:

@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any
 
 from dmp_teach.errors import RecordingError, kind_of
 from dmp_teach.formats import read_recording
@@ -45,12 +44,19 @@ class Stroke:
     path: Trajectory
 
 
+Given = Recording | Trajectory | Written | str | os.PathLike[str]
+RecordingsLike = Given | Iterable[Given | Iterable[Trajectory]] | None
+"""Recordings, files of them or strokes; None takes our own alphabets."""
+
+
 def own_recordings(letters: str = PAPER_LETTERS) -> tuple[Recording, ...]:
     """Return these letters of every alphabet of ours."""
     return tuple(recording_of(letter, alphabet) for letter in letters for alphabet in alphabets())
 
 
-def list_recordings(recordings: Any = None) -> tuple:
+def list_recordings(
+    recordings: RecordingsLike = None,
+) -> tuple[Recording | Trajectory | Written | Iterable[Trajectory], ...]:
     """Return what was given as a tuple, files read; our own letters where nothing was."""
     if recordings is None:
         return own_recordings()
@@ -70,7 +76,7 @@ def list_recordings(recordings: Any = None) -> tuple:
     return read
 
 
-def list_letters(recordings: Any = None) -> tuple[Written, ...]:
+def list_letters(recordings: RecordingsLike = None) -> tuple[Written, ...]:
     """Return every letter, cut into its strokes, of `Recording`s, files of them, or strokes.
 
     Strokes are a `Trajectory`, or a tuple of them for a letter; None takes our own alphabets.
@@ -82,7 +88,7 @@ def list_letters(recordings: Any = None) -> tuple[Written, ...]:
     return tuple(_letter(each, number) for number, each in enumerate(given, start=1))
 
 
-def named_strokes(recordings: Any = None) -> tuple[Stroke, ...]:
+def named_strokes(recordings: RecordingsLike = None) -> tuple[Stroke, ...]:
     """Return every stroke of every letter."""
     found = []
     for letter in list_letters(recordings):
@@ -92,7 +98,7 @@ def named_strokes(recordings: Any = None) -> tuple[Stroke, ...]:
     return tuple(found)
 
 
-def _letter(given: Any, number: int) -> Written:
+def _letter(given: object, number: int) -> Written:
     """Return one letter, whatever it was given as."""
     if isinstance(given, Written):
         return given

@@ -17,7 +17,7 @@ from tqdm.auto import tqdm
 
 from dmp_teach.errors import SettingWarning
 
-Progress = Callable[[int, int], Any]
+Progress = Callable[[int, int], object]
 
 
 def run(
@@ -50,6 +50,7 @@ def run(
     return results
 
 
+# Any: whatever a study works on, and what it finds.
 def _do(work: Callable, piece: Any) -> Any:
     """Return `work(piece)` on an executor."""
     # Filters are not safe in threads, which share those of the main thread.

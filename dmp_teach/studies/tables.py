@@ -12,7 +12,8 @@ import numpy as np
 
 from dmp_teach.trajectory import lock_fields
 
-# One mapping for each row, all with the same keys; units stand in the keys.
+# One mapping for each row, all with the same keys; units stand in the keys. Any: a cell may hold
+# words, numbers or several of them, here and below.
 TableRows = tuple[Mapping[str, Any], ...]
 # The values of each column by its head, which says the unit.
 Columns = Mapping[str, Iterable[Any]]

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Any
-
 import numpy as np
 
 from dmp_teach.errors import LetterError
@@ -49,10 +47,9 @@ def check_end(name: str) -> None:
         raise LetterError(f"A stroke has no end {name!r}; it can be led by {ends}.")
 
 
-def is_number_within(value: Any, low: float, high: float) -> bool:
+def is_number_within(value: object, low: float, high: float) -> bool:
     """Return whether `value` is a number between two others."""
-    is_number = isinstance(value, int | float) and not isinstance(value, bool)
-    return is_number and low <= value <= high
+    return isinstance(value, int | float) and not isinstance(value, bool) and low <= value <= high
 
 
 def join_choices(names: tuple[str, ...]) -> str:

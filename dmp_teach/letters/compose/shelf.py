@@ -11,6 +11,7 @@ from dmp_teach.dmp import Settings, as_settings
 from dmp_teach.errors import LetterError, kind_of
 from dmp_teach.letters.compose.piece import Piece
 from dmp_teach.letters.letter import Letter
+from dmp_teach.scoring import LetterLike
 
 
 @dataclass(frozen=True)
@@ -31,7 +32,9 @@ class Shelf:
 
     @classmethod
     def of(
-        cls, letters: Iterable[Any] | Mapping[str, Any], settings: Settings | None = None
+        cls,
+        letters: Iterable[LetterLike] | Mapping[str, LetterLike],
+        settings: Settings | None = None,
     ) -> Self:
         """Take letters apart into strokes.
 
@@ -139,7 +142,9 @@ class Shelf:
         return f"There is no {name!r} on this shelf. {said}"
 
 
-def _named(letters: Any) -> Iterator[tuple[str, Any, str | None]]:
+def _named(
+    letters: Iterable[LetterLike] | Mapping[str, LetterLike],
+) -> Iterator[tuple[str, LetterLike, str | None]]:
     """Yield character, letter or recording, and writer."""
     if isinstance(letters, Mapping):
         for name, letter in letters.items():

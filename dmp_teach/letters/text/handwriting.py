@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
-from typing import Any, Self
+from typing import Self
 from unicodedata import normalize
 
 from dmp_teach.dmp import Settings
@@ -14,14 +14,11 @@ from dmp_teach.ink import SIGNS, alphabets, characters, recording_of, signs
 from dmp_teach.letters.letter import Letter
 from dmp_teach.letters.text.connection_points import can_arrive, can_leave, split_marks
 from dmp_teach.letters.text.connections import link_strokes
-from dmp_teach.letters.text.spacing import (
-    Strokes,
-    connected_spacing,
-    letter_spacing,
-    sign_spacing,
-)
+from dmp_teach.letters.text.spacing import Strokes, connected_spacing, letter_spacing, sign_spacing
+from dmp_teach.scoring import LetterLike
 from dmp_teach.trajectory import Trajectory, all_points
 
+OwnLetters = Mapping[str, LetterLike]
 PRINTED, TYPED = "\u2018\u2019\u201a\u201c\u201d\u201e\u2013\u2014\u2212", "'''\"\"\"---"
 TYPED_FOR_PRINTED = str.maketrans({**dict(zip(PRINTED, TYPED, strict=True)), "\u2026": "..."})
 
@@ -47,13 +44,16 @@ class Hand:
 
     @classmethod
     def of(
-        cls, alphabet: str | None, letters: Mapping[str, Any] | None, settings: Settings | None
+        cls,
+        alphabet: str | None,
+        letters: OwnLetters | None,
+        settings: Settings | None,
     ) -> Self:
         """Return the hand of an alphabet, with one's own letters in place of some."""
         if letters is not None and not isinstance(letters, Mapping):
             raise LetterError(f"letters is {kind_of(letters)}, but must be {{'a': letter}}.")
         name, known = alphabet or alphabets()[0], characters(alphabet) + signs(alphabet)
-        own: Mapping[str, Any] = letters or {}
+        own: OwnLetters = letters or {}
         kept: dict[str, Strokes] = {}
 
         def glyph(character: str) -> Strokes:
@@ -152,7 +152,7 @@ def _glyph(
     character: str,
     alphabet: str,
     known: tuple[str, ...],
-    own: Mapping[str, Any],
+    own: OwnLetters,
     settings: Settings | None,
 ) -> Strokes:
     """Return a character on the line y = 0 in the size of the alphabet."""

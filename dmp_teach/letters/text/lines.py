@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
 
 import numpy as np
 
 from dmp_teach.dmp import Settings
 from dmp_teach.errors import LetterError
-from dmp_teach.letters.text.handwriting import Hand, plain_text
+from dmp_teach.letters.text.handwriting import Hand, OwnLetters, plain_text
 from dmp_teach.letters.text.spacing import Strokes, word_spacing
 from dmp_teach.letters.text.words import DEFAULT_TEMPO, Text, place_words
 from dmp_teach.trajectory import all_points
@@ -32,7 +31,7 @@ def write_lines(
     pitch: float | None = None,
     alphabet: str | None = None,
     joined: bool = False,
-    letters: Mapping[str, Any] | None = None,
+    letters: OwnLetters | None = None,
     tempo: float = DEFAULT_TEMPO,
     settings: Settings | None = None,
 ) -> Text:
@@ -87,7 +86,7 @@ def write_lines(
     return place_words(words, spots, hand.scale(x_height), tempo)
 
 
-def _check_lengths(**lengths: Any) -> None:
+def _check_lengths(**lengths: object) -> None:
     """Raise a LetterError for what is no length on a sheet."""
     for name, value in lengths.items():
         if isinstance(value, bool) or not isinstance(value, int | float) or not 0 <= value <= 10:

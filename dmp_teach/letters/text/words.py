@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from typing import Any
+from collections.abc import Sequence
 
 import numpy as np
 
 from dmp_teach.dmp import Settings
 from dmp_teach.errors import LetterError
 from dmp_teach.letters.pauses import pause_before
-from dmp_teach.letters.text.handwriting import Hand
+from dmp_teach.letters.text.handwriting import Hand, OwnLetters
 from dmp_teach.letters.text.spacing import Strokes
 from dmp_teach.trajectory import Array, Trajectory, all_points
 
@@ -51,7 +50,7 @@ def write_word(
     alphabet: str | None = None,
     *,
     joined: bool = False,
-    letters: Mapping[str, Any] | None = None,
+    letters: OwnLetters | None = None,
     x_height: float | None = DEFAULT_X_HEIGHT,
     tempo: float = DEFAULT_TEMPO,
     settings: Settings | None = None,

@@ -153,6 +153,7 @@ class Proximity:
         return reach
 
 
+# Any: coal has no types.
 def _grow(shape: Any, by: float) -> Any:
     """Return one of coal's shapes, larger on every side [m]."""
     import coal  # noqa: PLC0415

@@ -145,11 +145,7 @@ class World:
 
     def _lay(self, page: Page) -> int:
         """Lay the sheet on its table or board: a box whose upper face is the paper."""
-        halves = [
-            page.width / 2 + _TABLE_MARGIN,
-            page.height / 2 + _TABLE_MARGIN,
-            _TABLE_DEPTH / 2,
-        ]
+        halves = [page.width / 2 + _TABLE_MARGIN, page.height / 2 + _TABLE_MARGIN, _TABLE_DEPTH / 2]
         box = self.call("createCollisionShape", self.bullet.GEOM_BOX, halfExtents=halves)
         turn = Rotation.from_matrix(page.X_world_page[:3, :3]).as_quat()
         middle = page.to_world((0.0, 0.0, -_TABLE_DEPTH / 2))

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,7 +22,7 @@ from dmp_teach.letters import (
 )
 from dmp_teach.studies.authorship.answers import Answers, Attributions, takes_luck
 from dmp_teach.studies.authorship.real import distinct_takes
-from dmp_teach.studies.inputs import Written, list_letters
+from dmp_teach.studies.inputs import RecordingsLike, Written, list_letters
 from dmp_teach.studies.parallel import Progress, run
 from dmp_teach.trajectory import Array
 
@@ -78,7 +77,7 @@ class _Bowl:
 
 
 def attribute_made_letters(
-    recordings: Any = None,
+    recordings: RecordingsLike = None,
     variations: int = DEFAULT_VARIATIONS,
     *,
     executor: Executor | None = None,

@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from dmp_teach.scoring import letter_distances, measure_movement, resample, to_strokes
 from dmp_teach.studies.authorship.answers import Answers, Attributions, permutation_luck
-from dmp_teach.studies.inputs import Written, list_letters
+from dmp_teach.studies.inputs import RecordingsLike, Written, list_letters
 from dmp_teach.studies.parallel import Progress, run
 from dmp_teach.trajectory import Array, Trajectory
 
@@ -31,7 +30,10 @@ Marks = dict[str, Array]
 
 
 def classify_writers(
-    recordings: Any = None, *, executor: Executor | None = None, progress: Progress | None = None
+    recordings: RecordingsLike = None,
+    *,
+    executor: Executor | None = None,
+    progress: Progress | None = None,
 ) -> Attributions:
     """Attribute real letters to writers by the nearest neighbour, each left out of its neighbours.
 

@@ -6,14 +6,13 @@ from collections.abc import Mapping
 from concurrent.futures import Executor
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 
 from dmp_teach.dmp import Settings, named_settings
 from dmp_teach.errors import SettingError
 from dmp_teach.letters import Letter, cut_at_corners, find_bar_and_bowl
-from dmp_teach.studies.inputs import Written, list_letters, own_recordings
+from dmp_teach.studies.inputs import RecordingsLike, Written, list_letters, own_recordings
 from dmp_teach.studies.parallel import Progress, run
 from dmp_teach.studies.tables import Columns, Tabled
 from dmp_teach.trajectory import Array, Trajectory, rms
@@ -142,7 +141,7 @@ def goal_transforms() -> dict[str, Settings]:
 
 
 def make_p_from_d(
-    recordings: Any = None,
+    recordings: RecordingsLike = None,
     settings: Mapping[str, Settings] | None = None,
     *,
     executor: Executor | None = None,

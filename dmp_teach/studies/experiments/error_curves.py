@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,7 +18,7 @@ from dmp_teach.studies.experiments.variants import (
     has_ends,
     rms_error,
 )
-from dmp_teach.studies.inputs import Stroke, named_strokes
+from dmp_teach.studies.inputs import RecordingsLike, Stroke, named_strokes
 from dmp_teach.studies.parallel import Progress, run
 from dmp_teach.studies.tables import Columns, Tabled
 from dmp_teach.trajectory import Array, Trajectory
@@ -91,8 +90,8 @@ class ErrorCurves(Tabled):
 
 
 def sweep_kernel_width(
-    recordings: Any = None,
-    widths: Sequence[float] = SWEPT_WIDTHS,
+    recordings: RecordingsLike = None,
+    widths: Sequence[float] | None = None,
     variants: Mapping[str, Variant] | None = None,
     *,
     executor: Executor | None = None,
@@ -102,7 +101,7 @@ def sweep_kernel_width(
 
     Args:
         recordings: Recordings, files or strokes; None takes our own alphabets.
-        widths: Kernel widths [1/N].
+        widths: Kernel widths [1/N]; `SWEPT_WIDTHS` unless given.
         variants: Name: `Variant`; `WIDTH_VARIANTS` unless given.
         executor: As in `claims`; a piece of work is one stroke.
         progress: As in `claims`.
@@ -113,12 +112,13 @@ def sweep_kernel_width(
         return variant.on(path, kernel_width=float(width)) if possible else None
 
     named, strokes = dict(variants or WIDTH_VARIANTS), named_strokes(recordings)
+    widths = SWEPT_WIDTHS if widths is None else widths
     found = run(_errors, _pieces(widths, named, strokes, settings), executor, progress)
     return _curves("width [1/N]", widths, named, strokes, found)
 
 
 def sweep_kernel_number(
-    recordings: Any = None,
+    recordings: RecordingsLike = None,
     shares: Sequence[float] | None = None,
     variants: Mapping[str, Variant] | None = None,
     *,

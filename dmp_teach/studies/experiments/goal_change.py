@@ -5,13 +5,12 @@ from __future__ import annotations
 from collections.abc import Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 
 from dmp_teach.dmp import DMP, Settings, as_settings
 from dmp_teach.errors import SettingError
-from dmp_teach.studies.inputs import named_strokes
+from dmp_teach.studies.inputs import RecordingsLike, named_strokes
 from dmp_teach.studies.parallel import Progress, run
 from dmp_teach.studies.tables import Columns, Tabled
 from dmp_teach.trajectory import Array, Trajectory, rms
@@ -107,7 +106,7 @@ class GoalChanges(Tabled):
 
 
 def change_goals_1d(
-    recordings: Any = None,
+    recordings: RecordingsLike = None,
     shift: float = 0.01,
     settings: Settings | None = None,
     original: Settings | None = None,
@@ -140,7 +139,7 @@ def change_goals_1d(
 
 
 def change_goals_2d(
-    recordings: Any = None,
+    recordings: RecordingsLike = None,
     shift: float = 0.1,
     settings: Settings | None = None,
     original: Settings | None = None,

@@ -5,14 +5,13 @@ from __future__ import annotations
 from collections.abc import Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
 from dmp_teach.dmp import DMP, Settings, as_settings
 from dmp_teach.errors import SettingError
 from dmp_teach.studies.experiments.joint_demand import arm_at_table, greatest_acceleration
-from dmp_teach.studies.inputs import named_strokes
+from dmp_teach.studies.inputs import RecordingsLike, named_strokes
 from dmp_teach.studies.parallel import Progress, run
 from dmp_teach.studies.tables import Columns, Tabled
 from dmp_teach.trajectory import Array, Trajectory
@@ -66,7 +65,7 @@ class GoalsNearStart(Tabled):
 
 
 def change_goals_near_start(
-    recordings: Any = None,
+    recordings: RecordingsLike = None,
     shift: float = 0.01,
     ways: Sequence[float] = GOAL_OFFSETS,
     settings: Settings | None = None,

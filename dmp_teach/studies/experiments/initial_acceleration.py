@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 
 from dmp_teach.dmp import DMP, Settings, as_settings
-from dmp_teach.studies.inputs import Stroke, named_strokes
+from dmp_teach.studies.inputs import RecordingsLike, Stroke, named_strokes
 from dmp_teach.studies.parallel import Progress, run
 from dmp_teach.studies.tables import Columns, Tabled
 from dmp_teach.trajectory import Array
@@ -46,7 +45,7 @@ class InitialAcceleration(Tabled):
 
 
 def measure_initial_acceleration(
-    recordings: Any = None,
+    recordings: RecordingsLike = None,
     shift: float = 0.01,
     settings: Settings | None = None,
     *,

@@ -6,14 +6,13 @@ from collections.abc import Mapping, Sequence
 from concurrent.futures import Executor
 from contextlib import suppress
 from dataclasses import dataclass, replace
-from typing import Any
 
 import numpy as np
 
 from dmp_teach.dmp import DMP, Settings, as_settings, named_settings
 from dmp_teach.errors import SettingError
 from dmp_teach.letters import rms_distance
-from dmp_teach.studies.inputs import Written, list_letters
+from dmp_teach.studies.inputs import RecordingsLike, Written, list_letters
 from dmp_teach.studies.parallel import Progress, run
 from dmp_teach.studies.tables import Columns, Tabled
 from dmp_teach.trajectory import Trajectory
@@ -70,7 +69,7 @@ class Redrawings(Tabled):
 
 
 def redraw_letters(
-    recordings: Any = None,
+    recordings: RecordingsLike = None,
     letters: str = "abem",
     settings: Settings | Mapping[str, Settings] | None = None,
     *,
@@ -95,7 +94,7 @@ def redraw_letters(
 
 
 def redraw_at_widths(
-    recordings: Any = None,
+    recordings: RecordingsLike = None,
     letters: str = "a",
     widths: Sequence[float] = FIGURE_4_WIDTHS,
     settings: Settings | None = None,

@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
 from time import perf_counter
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +13,7 @@ from numpy.typing import NDArray
 from dmp_teach.dmp import DMP, Settings, as_settings
 from dmp_teach.errors import SettingError
 from dmp_teach.studies.experiments.variants import Variant
-from dmp_teach.studies.inputs import Stroke, named_strokes
+from dmp_teach.studies.inputs import RecordingsLike, Stroke, named_strokes
 from dmp_teach.studies.parallel import Progress, run
 from dmp_teach.studies.tables import Columns, Tabled
 from dmp_teach.trajectory import Array, Trajectory, rms
@@ -51,7 +50,7 @@ class OriginalComparison(Tabled):
 
 
 def compare_with_original(
-    recordings: Any = None,
+    recordings: RecordingsLike = None,
     settings: Settings | None = None,
     original: Settings | None = None,
     *,

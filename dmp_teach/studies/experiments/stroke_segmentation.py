@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from concurrent.futures import Executor
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.ink import Recording
 from dmp_teach.segmentation import RULES
-from dmp_teach.studies.inputs import list_recordings
+from dmp_teach.studies.inputs import RecordingsLike, list_recordings
 from dmp_teach.studies.parallel import Progress, run
 from dmp_teach.studies.tables import Columns, Tabled
 from dmp_teach.trajectory import Trajectory
@@ -65,7 +64,7 @@ class Segmentation(Tabled):
     @property
     def columns(self) -> Columns:
         """A row for each recording: strokes by each rule, and whether all ends are right."""
-        found: dict[str, list[Any]] = {
+        found: dict[str, list[object]] = {
             "recording": [item.name for item in self.items],
             "strokes": [item.strokes for item in self.items],
             "source": ["known" if item.known else "local rule" for item in self.items],
@@ -78,7 +77,10 @@ class Segmentation(Tabled):
 
 
 def compare_segmentation(
-    recordings: Any = None, *, executor: Executor | None = None, progress: Progress | None = None
+    recordings: RecordingsLike = None,
+    *,
+    executor: Executor | None = None,
+    progress: Progress | None = None,
 ) -> Segmentation:
     """Compare the paper's rule for strokes (its equations 12 and 13) with the local one.
 

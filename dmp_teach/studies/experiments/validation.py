@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from typing import Any
@@ -12,6 +12,7 @@ from scipy.interpolate import CubicSpline
 
 from dmp_teach.dmp import DMP, KERNELS_PER_SECOND, Settings, as_settings
 from dmp_teach.errors import SettingError, TrajectoryError
+from dmp_teach.ink import Recording
 from dmp_teach.studies.inputs import list_letters
 from dmp_teach.studies.parallel import Progress, run
 from dmp_teach.studies.tables import Columns, Tabled
@@ -82,7 +83,7 @@ class Choice(Tabled):
 
 
 def choose_kernels(
-    trajectory: Any,
+    trajectory: Trajectory | Recording,
     settings: Settings | None = None,
     candidates: Sequence[int] | None = None,
     tolerance: float = ERROR_TOLERANCE,
@@ -118,7 +119,7 @@ def choose_kernels(
 
 
 def choose_width(
-    trajectory: Any,
+    trajectory: Trajectory | Recording,
     settings: Settings | None = None,
     candidates: Sequence[float] | None = None,
     *,
@@ -145,10 +146,11 @@ def choose_width(
     return _choice("kernel_width [1/N]", path, named, found)
 
 
+# Any: a number of kernels, or a width.
 def _choice(
     name: str,
     path: Trajectory,
-    named: dict[Any, Settings],
+    named: Mapping[Any, Settings],
     found: Sequence[tuple[float, float]],
     tolerance: float | None = None,
 ) -> Choice:
@@ -170,11 +172,9 @@ def _rules_of_thumb(path: Trajectory) -> tuple[int, int]:
     return max(1, round(len(path) / 10)), max(1, round(KERNELS_PER_SECOND * path.duration))
 
 
-def _one_stroke(trajectory: Any) -> Trajectory:
+def _one_stroke(trajectory: Trajectory | Recording) -> Trajectory:
     """Return the one stroke of what was given, checked."""
-    strokes: tuple[Trajectory, ...] = (trajectory,)
-    if not isinstance(trajectory, Trajectory):
-        strokes = list_letters((trajectory,))[0].strokes
+    strokes = list_letters((trajectory,))[0].strokes
     if len(strokes) != 1:
         raise TrajectoryError(
             f"This letter has {len(strokes)} strokes, which need kernels of their own: choose for "

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import Unpack
 
 from dmp_teach.dmp import DMP, KERNELS, SettingChanges, Settings
 from dmp_teach.trajectory import Trajectory, rms
@@ -27,14 +27,14 @@ class Variant:
     settings: Settings
     share: float | None = PAPER_SHARE
 
-    def on(self, path: Trajectory, **changes: Any) -> Settings:
-        """Return the settings for one stroke; Any, since `changes` are checked by `Settings`."""
+    def on(self, path: Trajectory, **changes: Unpack[SettingChanges]) -> Settings:
+        """Return the settings for one stroke."""
         number = self.settings.n_kernels
         if self.share is not None:
             number = max(1, round(self.share * len(path)))
         elif number is not None:
             number = min(number, len(path))
-        return replace(self.settings, **{"n_kernels": number, **changes})
+        return replace(replace(self.settings, n_kernels=number), **changes)
 
 
 AS_PRINTED_FIT: SettingChanges = {"sharpen": False, "feed_goal": False}

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from concurrent.futures import Executor
-from typing import Any
 
+from dmp_teach.studies.inputs import RecordingsLike
 from dmp_teach.studies.parallel import Progress, run
 from dmp_teach.studies.verdicts import goals, kernels, letters
 from dmp_teach.studies.verdicts.claim import Claims
-from dmp_teach.studies.verdicts.evidence import evidence_of
+from dmp_teach.studies.verdicts.evidence import Evidence, evidence_of
 
 ALL_CLAIMS = (
     kernels.narrow_kernels,
@@ -32,7 +32,10 @@ ALL_CLAIMS = (
 
 
 def claims(
-    recordings: Any = None, *, executor: Executor | None = None, progress: Progress | None = None
+    recordings: RecordingsLike | Evidence = None,
+    *,
+    executor: Executor | None = None,
+    progress: Progress | None = None,
 ) -> Claims:
     """Compute every claim of the paper with its verdict, from recordings.
 

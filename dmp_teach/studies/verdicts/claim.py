@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 from dmp_teach.errors import SettingError
+from dmp_teach.studies.inputs import RecordingsLike
 from dmp_teach.studies.tables import Columns, Tabled
 from dmp_teach.studies.verdicts.evidence import Evidence, evidence_of
 
@@ -88,7 +89,7 @@ def claim(
     """Make a claim (name, what the paper says) of a function of verdict, figure and why."""
 
     def decorate(judge: Callable[[Evidence], tuple[str, str, str]]) -> Callable[..., Claim]:
-        def judged(recordings: Any = None) -> Claim:
+        def judged(recordings: RecordingsLike | Evidence = None) -> Claim:
             evidence = evidence_of(recordings)
             verdict, figure, why = judge(evidence)
             call = f"teach.studies.{judge.__name__}({evidence.argument}).figure"

@@ -21,7 +21,14 @@ from dmp_teach.studies.experiments import (
     star_vs_original,
     stroke_segmentation,
 )
-from dmp_teach.studies.inputs import Stroke, Written, list_letters, list_recordings, named_strokes
+from dmp_teach.studies.inputs import (
+    RecordingsLike,
+    Stroke,
+    Written,
+    list_letters,
+    list_recordings,
+    named_strokes,
+)
 from dmp_teach.trajectory import Trajectory
 
 KEPT_SAMPLES = 4
@@ -38,7 +45,7 @@ class Evidence:
         executor: Any `concurrent.futures.Executor`.
     """
 
-    recordings: Any = None
+    recordings: RecordingsLike = None
     star: Settings = field(default_factory=Settings.star)
     original: Settings = field(default_factory=Settings.original)
     executor: Executor | None = None
@@ -86,6 +93,7 @@ class Evidence:
             return False
         return True
 
+    # Any: the keywords of several studies.
     @property
     def _forms(self) -> dict[str, Any]:
         return {"settings": self.star, "original": self.original, "executor": self.executor}
@@ -172,7 +180,9 @@ class Evidence:
         return random_ink.learn_random_ink(self.star, executor=self.executor)
 
 
-def evidence_of(recordings: Any, executor: Executor | None = None) -> Evidence:
+def evidence_of(
+    recordings: RecordingsLike | Evidence, executor: Executor | None = None
+) -> Evidence:
     """Return the evidence from recordings; evidence is returned as it is."""
     evidence = recordings if isinstance(recordings, Evidence) else Evidence(recordings)
     return evidence if executor is None else replace(evidence, executor=executor)

@@ -49,8 +49,7 @@ def goal_changes(evidence: Evidence) -> tuple[str, str, str]:
 
 
 @claim(
-    "goal on the start",
-    "With goal equal to start, the original system stays at x_0 all the time.",
+    "goal on the start", "With goal equal to start, the original system stays at x_0 all the time."
 )
 def goal_on_start(evidence: Evidence) -> tuple[str, str, str]:
     """Judge whether the original form stays at x_0 where its goal is its start.
@@ -105,10 +104,7 @@ def huge_accelerations(evidence: Evidence) -> tuple[str, str, str]:
     return verdict, figure, why + evidence.borrowed
 
 
-@claim(
-    "decay term",
-    "The decay term -K (g - y0) s avoids jumps at the beginning of the movement.",
-)
+@claim("decay term", "The decay term -K (g - y0) s avoids jumps at the beginning of the movement.")
 def decay_term(evidence: Evidence) -> tuple[str, str, str]:
     """Judge whether the decay term avoids jumps at the beginning.
 

@@ -156,10 +156,7 @@ def any_ink(evidence: Evidence) -> tuple[str, str, str]:
     return verdict, figure, why
 
 
-@claim(
-    "writing style",
-    "New letters have a writing style similar to that of the demonstrations.",
-)
+@claim("writing style", "New letters have a writing style similar to that of the demonstrations.")
 def writing_style(evidence: Evidence) -> tuple[str, str, str]:
     """Judge whether bowls that DMP* led to other ends are given to their writer beyond chance.
 
