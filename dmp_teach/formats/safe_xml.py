@@ -12,10 +12,9 @@ from defusedxml.ElementTree import DefusedXMLParser
 
 from dmp_teach.errors import RecordingError
 
-LARGEST_XML = 16_000_000  # [bytes]
 MOST_ELEMENTS = 100_000
 DEEPEST_ELEMENT = 60  # elements inside one another
-CHUNK = 65_536  # [bytes]
+BEGINNING = 65_536  # of a file, in which its root is [bytes]
 FIRST_TAG = re.compile(rb"<(?:[\w.-]+:)?([A-Za-z][\w.-]*)")
 NOT_IN_XML = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
@@ -56,15 +55,9 @@ def parse_xml(data: bytes, root_tag: str, what: str) -> Element:
         RecordingError: Not well-formed XML, larger or deeper than ink needs, with entities of its
             own, or with another root.
     """
-    if len(data) > LARGEST_XML:
-        raise RecordingError(
-            f"has {len(data) / 1e6:.0f} MB, but ink in XML has at most {LARGEST_XML / 1e6:.0f}; "
-            "cut it."
-        )
     parser = DefusedXMLParser(target=_BoundedTree())
     try:
-        for k in range(0, len(data), CHUNK):
-            parser.feed(data[k : k + CHUNK])
+        parser.feed(data)
         root = parser.close()
     except RecordingError:
         raise
@@ -83,7 +76,7 @@ def parse_xml(data: bytes, root_tag: str, what: str) -> Element:
 
 def has_root(data: bytes, tag: str) -> bool:
     """Tell from the beginning of a file whether it is XML with a root of this name."""
-    begin = data[:CHUNK].replace(b"\0", b"").lstrip(b"\xef\xbb\xbf\xff\xfe \t\r\n")
+    begin = data[:BEGINNING].replace(b"\0", b"").lstrip(b"\xef\xbb\xbf\xff\xfe \t\r\n")
     plain = b"".join(part.partition(b"<!--")[0] for part in begin.split(b"-->"))
     first = FIRST_TAG.search(plain)
     return begin.startswith(b"<") and first is not None and first[1] == tag.encode()

@@ -12,7 +12,6 @@ from dmp_teach.ink.recording_json import read_json
 
 ALPHABETS_FOLDER = ASSETS / "alphabets"
 DEFAULT_ALPHABET = "round"
-CHARACTER_KINDS = ("small", "capital", "digit")
 SIGNS = ".,;:!?'\"-()¿¡«»+=/"
 
 
@@ -40,13 +39,12 @@ def characters(alphabet: str | None = None) -> tuple[str, ...]:
     Raises:
         RecordingError: No alphabet of that name; names those that there are.
     """
-    found = [(kind, letter) for kind, letter in _files(alphabet) if kind in CHARACTER_KINDS]
-    return tuple(
-        letter
-        for _, letter in sorted(
-            found, key=lambda f: (not f[1].isascii(), CHARACTER_KINDS.index(f[0]), f[1])
-        )
-    )
+    letters = [letter for letter in _letters(alphabet) if letter not in SIGNS]
+
+    def order(letter: str) -> tuple[bool, bool, bool, str]:
+        return not letter.isascii(), letter.isdigit(), letter.isupper(), letter
+
+    return tuple(sorted(letters, key=order))
 
 
 def signs(alphabet: str | None = None) -> tuple[str, ...]:
@@ -58,8 +56,8 @@ def signs(alphabet: str | None = None) -> tuple[str, ...]:
     Raises:
         RecordingError: No alphabet of that name; names those that there are.
     """
-    found = {sign for kind, sign in _files(alphabet) if kind == "sign"}
-    return tuple(sign for sign in SIGNS if sign in found)
+    letters = _letters(alphabet)
+    return tuple(sign for sign in SIGNS if sign in letters)
 
 
 def recording_of(character: str, alphabet: str | None = None) -> Recording:
@@ -103,25 +101,13 @@ def file_name(character: str) -> str:
     return f"{kind}_{letter if letter.isascii() else f'u{ord(letter):04x}'}.json"
 
 
-def _files(alphabet: str | None) -> list[tuple[str, str]]:
-    """Return the kind and the letter of every file of an alphabet that has them."""
-    found = (
-        _read_name(file.name)
-        for file in (ALPHABETS_FOLDER / _check_alphabet(alphabet)).glob("*.json")
-    )
-    return [(kind, letter) for kind, letter in found if kind]
-
-
-def _read_name(file: str) -> tuple[str, str]:
-    """Return the kind and letter of a file's name, both empty where `file_name` gives none such."""
-    kind, _, letter = file.removesuffix(".json").partition("_")
-    if kind == "sign":
-        letter = next((sign for sign in SIGNS if file_name(sign) == file), "")
-    elif re.fullmatch("u[0-9a-f]{4,5}", letter):
-        letter = chr(int(letter[1:], 16))
-    if len(letter) == 1 and (letter.isalnum() or letter in SIGNS) and file_name(letter) == file:
-        return kind, letter
-    return "", ""
+def _letters(alphabet: str | None) -> set[str]:
+    """Return the letters and signs of which an alphabet has a file."""
+    files = {file.name for file in (ALPHABETS_FOLDER / _check_alphabet(alphabet)).glob("*.json")}
+    codes = [re.fullmatch(r"[a-z]+_(?:u([0-9a-f]{4,5})|(\w))\.json", file) for file in files]
+    letters = {chr(int(code[1], 16)) if code[1] else code[2] for code in codes if code}
+    known = {letter for letter in letters if letter.isalnum()} | set(SIGNS)
+    return {letter for letter in known if file_name(letter) in files}
 
 
 def _check_alphabet(alphabet: str | None) -> str:

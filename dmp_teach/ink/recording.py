@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Self, TypedDict
@@ -12,15 +11,7 @@ from numpy.typing import ArrayLike
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.ink.svg_repr import draw_svg
-from dmp_teach.segmentation import (
-    Spans,
-    cut_at_times,
-    drop_stroke,
-    get_rule,
-    merge_with_next,
-    move_cut,
-    split_stroke,
-)
+from dmp_teach.segmentation import Spans, cut_at_times, get_rule
 from dmp_teach.trajectory import Array, Trajectory, locked
 
 
@@ -115,10 +106,10 @@ class Recording:
             SettingError: theta or sigma is not a positive number, or there is no such rule.
             RecordingError: Nothing was written.
         """
-        return tuple(
-            Trajectory(self.t[a:b], self.position[a:b, :2])
-            for a, b in self._spans(theta, sigma, rule)
-        )
+        find_by_rule, spans = get_rule(rule), self.given_strokes
+        if spans is None:
+            spans = find_by_rule(self.t, self.position, theta, sigma)
+        return tuple(Trajectory(self.t[a:b], self.position[a:b, :2]) for a, b in spans)
 
     def with_strokes(self, times: Sequence[tuple[float, float]] | None) -> Self:
         """Return the recording with its strokes cut by hand: so they are learned and kept.
@@ -132,47 +123,6 @@ class Recording:
             RecordingError: Not such pairs, a time outside the recording, or strokes that overlap.
         """
         return replace(self, given_strokes=None if times is None else cut_at_times(self.t, times))
-
-    def moved_cut(self, stroke: int, end: str, time: float) -> Self:
-        """Return the recording with one end of a stroke moved by hand.
-
-        Args:
-            stroke: Counted from 0.
-            end: "start" or "end".
-            time: Where it is now, on this recording's clock [s].
-
-        Raises:
-            RecordingError: No such stroke or time, or it would meet another stroke.
-        """
-        return replace(self, given_strokes=move_cut(self.t, self._spans(), stroke, end, time))
-
-    def split(self, stroke: int, time: float) -> Self:
-        """Cut a stroke in two at a time [s]; refused where a part has fewer than 2 samples."""
-        return replace(self, given_strokes=split_stroke(self.t, self._spans(), stroke, time))
-
-    def merge_strokes(self, stroke: int) -> Self:
-        """Merge a stroke and the next one, with what lies between; refused for the last one."""
-        return replace(self, given_strokes=merge_with_next(self._spans(), stroke))
-
-    def joined(self, stroke: int) -> Self:
-        """Merge strokes under the old name of `merge_strokes`, which stays for one version."""
-        warnings.warn(
-            "Recording.joined is now called Recording.merge_strokes.",
-            DeprecationWarning,
-            stacklevel=2,
-        )
-        return self.merge_strokes(stroke)
-
-    def without(self, stroke: int) -> Self:
-        """Return the recording without one of its strokes; refused for the only one."""
-        return replace(self, given_strokes=drop_stroke(self._spans(), stroke))
-
-    def _spans(self, theta: float = 0.10, sigma: float = 0.006, rule: str = "foot") -> Spans:
-        """Return the strokes as pairs (start, end) of samples."""
-        find_by_rule = get_rule(rule)
-        if self.given_strokes is not None:
-            return self.given_strokes
-        return find_by_rule(self.t, self.position, theta, sigma)
 
     def __repr__(self) -> str:
         """Return one line, without the numbers."""

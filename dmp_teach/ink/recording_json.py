@@ -111,63 +111,56 @@ def check_pseudonym(writer: str | None) -> None:
 # Any: JSON, in which every field is checked before it is used; so in the functions below.
 def _read_recording(content: dict[str, Any]) -> Recording:
     """Return what the JSON says, every field checked."""
-    must(content["units"] == SAMPLE_UNITS, "units", content["units"], repr(SAMPLE_UNITS))
-    for name in ("character", "writer"):
-        must(
-            content[name] is None or isinstance(content[name], str),
-            name,
-            content[name],
-            "text or null",
-        )
-    baseline, strokes, pressure = content["baseline"], content["strokes"], content["pressure"]
-    must(baseline is None or is_number(baseline), "baseline", baseline, "a number [m] or null")
-    must(
-        strokes is None or _are_pairs(strokes),
-        "strokes",
-        strokes,
-        "pairs [start, end] of whole numbers or null",
+    character, writer, baseline, strokes, pressure = (
+        content[name] for name in ("character", "writer", "baseline", "strokes", "pressure")
     )
     samples = _samples(content["samples"])
-    fits = (
-        isinstance(pressure, list)
-        and len(pressure) == len(samples)
-        and all(map(is_number, pressure))
-    )
-    must(pressure is None or fits, "pressure", pressure, "null or one number for every sample")
+    is_whole = isinstance(pressure, list) and len(pressure) == len(samples)
+    for name, fits, rule in (
+        ("units", content["units"] == SAMPLE_UNITS, repr(SAMPLE_UNITS)),
+        ("character", character is None or isinstance(character, str), "text or null"),
+        ("writer", writer is None or isinstance(writer, str), "text or null"),
+        ("baseline", baseline is None or is_number(baseline), "a number [m] or null"),
+        (
+            "strokes",
+            strokes is None or _are_pairs(strokes),
+            "pairs [start, end] of whole numbers or null",
+        ),
+        (
+            "pressure",
+            pressure is None or (is_whole and all(map(is_number, pressure))),
+            "null or one number for every sample",
+        ),
+    ):
+        must(fits, name, content[name], rule)
     if content["version"] > 1:
-        check_pseudonym(content["writer"])
-        must(
-            not samples or samples[0][0] == 0,
-            "the first time",
-            samples and samples[0][0],
-            "0: no clock is kept",
-        )
+        check_pseudonym(writer)
+        begin = samples[0][0] if samples else 0
+        must(begin == 0, "the first time", begin, "0: no clock is kept")
     return Recording(
         np.array([row[0] for row in samples], dtype=float),
         np.array([row[1:] for row in samples], dtype=float),
-        content["character"],
-        content["writer"],
+        character,
+        writer,
         baseline,
         None if strokes is None else tuple(map(tuple, strokes)),
         pressure if content["version"] > 1 else None,
     )
 
 
+# Any: as above.
 def _samples(rows: Any) -> list[list[float]]:
     """Return the rows t, x, y, z, all numbers."""
     must(isinstance(rows, list), "samples", rows, "rows [t, x, y, z]")
     for k, row in enumerate(rows):
         good = isinstance(row, list) and len(row) == len(SAMPLE_UNITS) and all(map(is_number, row))
         must(good, f"samples[{k}]", row, "four finite numbers [t, x, y, z]")
-        must(
-            max(map(abs, row[1:])) <= FARTHEST_PLACE,
-            f"samples[{k}]",
-            row,
-            f"at most {FARTHEST_PLACE:.0f} m away",
-        )
+        near = max(map(abs, row[1:])) <= FARTHEST_PLACE
+        must(near, f"samples[{k}]", row, f"at most {FARTHEST_PLACE:.0f} m away")
     return rows
 
 
+# Any: as above.
 def _are_pairs(strokes: Any) -> bool:
     """Return whether this is a list of pairs of whole numbers."""
     return isinstance(strokes, list) and all(

@@ -2,10 +2,6 @@ from .even_clock import Spans as Spans
 from .even_clock import find_runs as find_runs
 from .even_clock import lowpass_hertz as lowpass_hertz
 from .manual_cuts import cut_at_times as cut_at_times
-from .manual_cuts import drop_stroke as drop_stroke
-from .manual_cuts import merge_with_next as merge_with_next
-from .manual_cuts import move_cut as move_cut
-from .manual_cuts import split_stroke as split_stroke
 from .paper_rules import RULES as RULES
 from .paper_rules import get_rule as get_rule
 from .strokes import find_strokes as find_strokes

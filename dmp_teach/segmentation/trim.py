@@ -23,10 +23,6 @@ JOINED_PACE = 0.08
 KEPT_REST = 0.02
 # This near the edge of the recording a filter blurs moves and rests [s].
 FILTER_EDGE = 0.05
-# A span begins and ends no higher than this over its own middle [m] ...
-WRITING_HEIGHT = 0.006
-# ... unless the height wanders there: by less than this share of the pen's way.
-WANDER_SLOPE = 0.12
 # A hand that sinks or rises by more than this beside its writing is landing, or leaves [m].
 LANDING_FALL = 0.0005
 # A fall that begins so soon after the last one belongs to the same landing [s].
@@ -105,28 +101,13 @@ def _without_flight(motion: PenMotion, a: int, b: int) -> Span:
     """
     z, rise, speed = motion.z[a:b], motion.rise[a:b], motion.speed[a:b]
     way = speed * motion.dt
-    moving = speed >= 0.5 * _pace(speed)
-    is_low = z <= np.median(z[moving]) + WRITING_HEIGHT
-    low = np.flatnonzero(is_low | ~_is_afloat(z, way))
-    first, last = int(low[0]), int(low[-1])
-    brisk = np.flatnonzero(moving[first : last + 1]) + first
-    if not len(brisk):
-        return a + first, a + last + 1
+    brisk = np.flatnonzero(speed >= 0.5 * _pace(speed))
+    first = 0
     for start, end in _find_slopes(z, -rise > STILL_RISE / 2, way):
         if start <= max(brisk[0], first + LANDING_PAUSE / motion.dt):
-            first = max(first, end)
-    for start, _ in _find_slopes(z, rise > STILL_RISE, way):
-        if start >= brisk[-1]:
-            last = min(last, start)
-    return a + first, a + last + 1
-
-
-def _is_afloat(z: Array, way: Array) -> Flags:
-    """Return where a pen of height (K,) must still come down, or has left: no hand wanders so."""
-    gone = WANDER_SLOPE * np.cumsum(way)
-    later = np.minimum.accumulate((z + gone)[::-1])[::-1]
-    sooner = np.minimum.accumulate(z - gone)
-    return (z + gone > later + WRITING_HEIGHT) | (z - gone > sooner + WRITING_HEIGHT)
+            first = end
+    climbs = [k for k, _ in _find_slopes(z, rise > STILL_RISE, way) if k >= brisk[-1]]
+    return a + first, a + min([b - a, *(k + 1 for k in climbs)])
 
 
 def _find_slopes(z: Array, climbing: Flags, way: Array) -> list[Span]:
@@ -170,7 +151,7 @@ def _find_moves(z: Array, speed: Array, dt: float, lifts: tuple[bool, bool]) -> 
     moves = np.array(find_runs(speed > min(REST_SPEED, REST_PACE * pace)))
     way = np.array([speed[k:end].sum() * dt for k, end in moves])
     climb = np.array([np.ptp(z[k:end]) for k, end in moves])
-    level = (climb < np.maximum(LANDING_FALL, STEEPEST_MOVE * way)) & ~_is_aloft(z, moves, way)
+    level = climb < np.maximum(LANDING_FALL, STEEPEST_MOVE * way)
     swings = (lifts[0] & (moves[:, 0] == 0)) | (lifts[1] & (moves[:, 1] == len(z)))
     large = way > np.where(swings, SWING_SHARE, TWITCH_SHARE) * way.sum()
     durations = _durations(moves, int(np.argmax(way)), len(z))
@@ -183,15 +164,3 @@ def _durations(moves: NDArray[np.int_], main: int, samples: int) -> NDArray[np.i
     before = np.append(moves[1:, 0], samples) - moves[:, 0]
     after = moves[:, 1] - np.append(0, moves[:-1, 1])
     return np.where(np.arange(len(moves)) < main, before, after)
-
-
-def _is_aloft(z: Array, moves: NDArray[np.int_], way: Array) -> Flags:
-    """Return which moves must still come down to the longest one, or have left it (M,)."""
-    main = int(np.argmax(way))
-    gone = np.concatenate([[0.0], np.cumsum(way)])
-    falls = [z[k] - z[moves[main][0]] for k, _ in moves[:main]]
-    rises = [z[end - 1] - z[moves[main][1] - 1] for _, end in moves[main + 1 :]]
-    apart = np.concatenate([gone[main] - gone[:main], gone[main + 2 :] - gone[main + 1]])
-    return np.insert(
-        np.array([*falls, *rises]) > np.maximum(LANDING_FALL, STEEPEST_MOVE * apart), main, False
-    )

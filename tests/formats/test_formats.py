@@ -216,6 +216,11 @@ def test_files_of_one_letter_are_chosen_from_like_any_other(tmp_path):
         read_recording(path, number=1)
 
 
+def test_a_folder_that_is_not_there_cannot_be_written_to(tmp_path):
+    with pytest.raises(PathError, match=r"There is no folder .*nowhere"):
+        write_recording(recording_of("l"), tmp_path / "nowhere" / "l.json")
+
+
 def test_home_is_where_the_user_says(tmp_path, monkeypatch):
     monkeypatch.setenv("HOME", str(tmp_path))
     write_recording(recording_of("l"), "~/l.json")
@@ -275,14 +280,15 @@ def test_names_of_people_are_not_written(tmp_path, suffix):
 
 
 @pytest.mark.parametrize("suffix", WRITTEN)
-def test_a_disk_that_fails_leaves_what_was_there(tmp_path, monkeypatch, suffix):
+@pytest.mark.parametrize("broken", ["replace", "fsync"])
+def test_a_disk_that_fails_leaves_what_was_there(tmp_path, monkeypatch, suffix, broken):
     path = write_recording(recording_of("l"), tmp_path / f"a{suffix}")
     before = path.read_bytes()
 
     def full(*_):
         raise OSError(28, "No space left on device")
 
-    monkeypatch.setattr(os, "replace", full)
+    monkeypatch.setattr(os, broken, full)
     with pytest.raises(PathError, match=r"No space left on device\. What was there is unchanged"):
         write_recording(recording_of("D"), path)
     assert path.read_bytes() == before

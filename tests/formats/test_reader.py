@@ -7,7 +7,6 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
-import dmp_teach
 from dmp_teach.errors import RecordingError
 from dmp_teach.formats.read import read_recording
 from tests.formats.motive_csv import Pen, bar, bowl, lab, letter_a, motive
@@ -174,7 +173,7 @@ def test_a_hand_that_comes_to_rest_beside_a_thick_pad_is_not_seen_from_below(tmp
 def test_a_page_from_below_never_gives_a_letter_of_a_few_samples(tmp_path, lift):
     pen = Pen(speed=0.4).rest(1.0).draw(bar()).hop((0.0, 0.0), lift=lift).draw(bowl()).rest(1.0)
     with pytest.raises(
-        RecordingError, match=r"under the paper|up='-y' point out of the paper|no writing"
+        RecordingError, match=r"try up='\+y'|up='-y' point out of the paper|no writing"
     ):
         read_recording(d_file(tmp_path / "D_w07.csv", pen), up="-y")
 
@@ -211,12 +210,6 @@ def test_a_small_quick_letter_with_high_lifts_lies_on_its_page(tmp_path, lift, s
     assert max(
         np.ptp(stroke.position, axis=0)[1] for stroke in recording.strokes()
     ) == pytest.approx(0.048, abs=0.003)
-
-
-@pytest.mark.parametrize("path", [None, 5, b"a_w01.csv", ["a_w01.csv"]])
-def test_a_path_is_a_name(path):
-    with pytest.raises(RecordingError, match=r"path is .* must be the name of a file"):
-        read_recording(path)
 
 
 def test_gaps_are_filled_and_never_read_as_zero(tmp_path):
@@ -386,18 +379,6 @@ def test_unknown_markers_are_answered_with_those_that_could_be(tmp_path):
         read_recording(d_file(tmp_path / "D_w07.csv"), marker="pen")
 
 
-def test_a_missing_file_a_folder_and_a_binary_file_are_refused(tmp_path, monkeypatch):
-    with pytest.raises(RecordingError, match=r"nowhere.csv cannot be read: No such file"):
-        read_recording(tmp_path / "nowhere.csv")
-    with pytest.raises(RecordingError, match="is a folder"):
-        read_recording(tmp_path)
-    (tmp_path / "a.csv").write_bytes(b"\x89PNG\0\0\1")
-    monkeypatch.setattr("dmp_teach.files.reading.LARGEST_FILE", 5)
-    with pytest.raises(RecordingError, match=r"a\.csv has .* MB"):
-        read_recording(tmp_path / "a.csv")
-    assert issubclass(RecordingError, ValueError)
-
-
 @pytest.mark.parametrize(
     ("axes", "sentence"),
     [
@@ -405,8 +386,8 @@ def test_a_missing_file_a_folder_and_a_binary_file_are_refused(tmp_path, monkeyp
         ({"up": "y"}, "up is 'y', but must be one of '[+]x'"),
         ({"right": "+q"}, "right is '[+]q'"),
         ({"up": "+x"}, "must lie along two different axes"),
-        ({"up": "+z"}, "degrees from level.*try up='[+]y' or '-y'"),
-        ({"up": "-y"}, "under the paper; try up='[+]y'"),
+        ({"up": "+z"}, "page lies 90 degrees from level.*try up='[+]y'"),
+        ({"up": "-y"}, "page lies 180 degrees from level.*try up='[+]y'"),
     ],
 )
 def test_wrong_axes_are_answered_with_the_right_ones(tmp_path, axes, sentence):
@@ -498,7 +479,7 @@ def test_a_marker_that_flickers_all_the_time_is_read_with_a_note(tmp_path):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("leap", [0.008, 0.02, 0.06])
+@pytest.mark.parametrize("leap", [0.008, 0.02])
 @pytest.mark.parametrize("sample", [150, 170, 330, 380])
 @pytest.mark.parametrize("back", [False, True])
 def test_a_leap_off_the_paper_is_noted(tmp_path, leap, sample, back):
@@ -520,46 +501,6 @@ def test_flicker_is_noise_and_no_jump(tmp_path):
     t, page = writer_of_d().sampled()
     page[150:190] += np.where(np.random.default_rng(0).random(40) < 0.4, 0.003, 0)[:, None]
     check_d(read_recording(motive(tmp_path / "D_w07.csv", t, lab(page))))
-
-
-@settings(
-    max_examples=60, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture]
-)
-@given(data=st.data())
-def test_damaged_files_are_read_or_refused_but_never_crash(tmp_path, data):
-    path = d_file(tmp_path / "D_w07.csv")
-    text = path.read_bytes()
-    kind = data.draw(st.sampled_from(["cut", "columns", "rows", "bytes"]))
-    if kind == "cut":
-        text = text[: data.draw(st.integers(0, len(text)))]
-    elif kind == "bytes":
-        at = data.draw(st.integers(0, len(text) - 40))
-        text = text[:at] + data.draw(st.binary(max_size=40)) + text[at + 40 :]
-    else:
-        rows = text.split(b"\r\n")
-        if kind == "rows":
-            rows = data.draw(st.permutations(rows[:12])) + rows[12:]
-        else:
-            order = data.draw(st.permutations(range(12)))
-            rows = [
-                b",".join(cells[k] for k in order) if len(cells := row.split(b",")) == 12 else row
-                for row in rows
-            ]
-        text = b"\r\n".join(rows)
-    path.write_bytes(text)
-    try:
-        recording = read_recording(path)
-    except RecordingError as caught:
-        sentence = str(caught)
-        assert "D_w07.csv" in sentence
-    else:
-        assert np.isfinite(recording.position).all()
-
-
-def test_json_is_read_by_the_alphabet(tmp_path):
-    (tmp_path / "a.json").write_text("{}")
-    with pytest.raises(dmp_teach.TeachError):
-        dmp_teach.read_recording(tmp_path / "a.json")
 
 
 @pytest.mark.slow

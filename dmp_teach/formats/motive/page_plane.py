@@ -7,12 +7,11 @@ writes it stays near one plane; in the air it does not, and it is never under th
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Self
 
 import numpy as np
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.segmentation import find_runs, find_strokes, lowpass_hertz
+from dmp_teach.segmentation import find_strokes, lowpass_hertz
 from dmp_teach.trajectory import Array
 
 DIRECTIONS = {
@@ -24,10 +23,11 @@ MARKER_WANDER = 0.004  # how far the marker strays from its plane while the pen 
 LIKELY_SLOPE = 0.3  # papers are rarely steeper than this, which decides where the ink says little
 SLOPE_WEIGHT = 0.02  # and how much that counts
 STEEPEST_PAGE = np.radians(50)  # steeper than this, `up` was wrong
+UNDER_PAPER = 0.010  # a pen is never this far under the paper [m]
 SUNK_COST = 3.0  # of a share of the samples under the paper, beside one that is off it
-STEEP_COST = 0.35  # a steep plane must cost this much less before `up` is doubted
-UNDER_PAPER = 0.010  # a pen is never this far under the paper ... [m]
-DIVE_SPEED = 0.10  # ... after it went there as fast as a lift goes up, as where `up` is wrong [m/s]
+# Another plane must cost this much less before `up` is doubted: a steep one, or one from below.
+STEEP_COST = 0.35
+FLIPPED_COST = 0.1
 PLANE_DRAWS = 300
 PLANE_REFITS = 3
 
@@ -92,34 +92,11 @@ def find_page(t: Array, points: Array, up: str = "+y", right: str = "-x") -> Pag
     """
     level = level_axes(up, right)
     flat = points @ level
-    planes = _CandidatePlanes.tried(_moving(t, flat))
-    _check_side(t, _frame(level, *_fit(planes.nearest(planes.cost))).of(points)[:, 2], up)
-    planes.check_up(level, up)
-    plane = _fit(planes.nearest(planes.cost + SUNK_COST * planes.under))
+    plane = _fit(_near_best_plane(_moving(t, flat), level, up))
     for _ in range(PLANE_REFITS):
-        plane = _fit(flat[_ink_indices(t, _frame(level, *plane).of(points))])
+        strokes = find_strokes(t, _frame(level, *plane).of(points))
+        plane = _fit(np.concatenate([flat[a:b] for a, b in strokes]))
     return _frame(level, *plane)
-
-
-def _check_side(t: Array, z: Array, up: str) -> None:
-    """Raise if the pen dives under the paper, from the paper.
-
-    A wandering marker sinks slowly, and one that sinks fast from the air lands; a lift seen upside
-    down does neither.
-    """
-    dt = float(np.median(np.diff(t)))
-    rise = np.gradient(lowpass_hertz(z, dt, 12.0), t)
-    falls = [
-        (a, b)
-        for a, b in find_runs(rise < 0)
-        if rise[a:b][z[a:b] < 0].min(initial=0.0) < -DIVE_SPEED
-    ]
-    dives = any(z[a] < UNDER_PAPER / 2 for a, _ in falls)
-    if dives and np.mean(z < -UNDER_PAPER) > 0.05 and np.mean(z > UNDER_PAPER) < 0.01:
-        other = {"+": "-", "-": "+"}[up[0]] + up[1]
-        raise RecordingError(
-            f"With up={up!r} the pen goes {-z.min():.3f} m under the paper; try up={other!r}."
-        )
 
 
 def _moving(t: Array, flat: Array) -> Array:
@@ -129,75 +106,43 @@ def _moving(t: Array, flat: Array) -> Array:
     return flat[speed >= 0.2 * np.sqrt(np.mean(speed**2))]
 
 
-def _ink_indices(t: Array, points: Array) -> Array:
-    """Return the indices of the samples that belong to strokes."""
-    return np.concatenate([np.arange(a, b) for a, b in find_strokes(t, points)])
+def _near_best_plane(flat: Array, level: Array, up: str) -> Array:
+    """Return the samples (K, 3) near the plane that the fewest of them are off or under.
 
+    Planes are level, or go through three samples drawn by lot, but always the same ones.
 
-@dataclass(frozen=True)
-class _CandidatePlanes:
-    """Planes that the page may lie in.
-
-    Args:
-        flat: The moving samples, shape (K, 3) [m].
-        normals: Of the planes, up, shape (P, 3).
-        miss: How far over each plane each sample is, shape (P, K) [m].
-        cost: Which share of the samples is off each plane, shape (P,).
+    Raises:
+        RecordingError: A steep plane, or a gentle one from below, explains the samples far better.
     """
-
-    flat: Array
-    normals: Array
-    miss: Array
-    cost: Array
-
-    @classmethod
-    def tried(cls, flat: Array) -> Self:
-        """Draw planes: level ones, and those through three samples, by lot but always the same."""
-        a, b, c = flat[np.random.default_rng(0).integers(0, len(flat), (3, PLANE_DRAWS))]
-        normals = np.cross(b - a, c - a)
-        length = np.linalg.norm(normals, axis=1)
-        heights = np.quantile(flat[:, 2], np.linspace(0, 0.6, 20))[:, None] * [0.0, 0.0, 1.0]
-        points = np.vstack([heights, a[length > 0]])
-        normals = np.vstack(
-            [np.tile([0.0, 0.0, 1.0], (20, 1)), normals[length > 0] / length[length > 0, None]]
+    a, b, c = flat[np.random.default_rng(0).integers(0, len(flat), (3, PLANE_DRAWS))]
+    drawn = np.cross(b - a, c - a)
+    length = np.linalg.norm(drawn, axis=1)
+    heights = np.quantile(flat[:, 2], np.linspace(0, 0.6, 20))[:, None] * [0.0, 0.0, 1.0]
+    points = np.vstack([heights, a[length > 0]])
+    normals = np.vstack(
+        [np.tile([0.0, 0.0, 1.0], (20, 1)), drawn[length > 0] / length[length > 0, None]]
+    )
+    normals *= np.where(normals[:, 2:] < 0, -1.0, 1.0)
+    miss = normals @ flat.T - (normals * points).sum(axis=1)[:, None]
+    off = np.minimum((miss / MARKER_WANDER) ** 2, 1).mean(axis=1)
+    cost, flipped = (off + SUNK_COST * (side * miss > UNDER_PAPER).mean(axis=1) for side in (-1, 1))
+    is_gentle = normals[:, 2] > np.cos(STEEPEST_PAGE)
+    others = np.where(is_gentle, flipped + FLIPPED_COST, np.minimum(cost, flipped) + STEEP_COST)
+    other = int(np.argmin(others))
+    if others[other] < cost[is_gentle].min():
+        normal = level @ normals[other] * (1 if cost[other] < flipped[other] else -1)
+        tilt = np.degrees(np.arccos(np.clip(normal @ DIRECTIONS[up], -1, 1)))
+        best = max(DIRECTIONS, key=lambda name: float(normal @ DIRECTIONS[name]))
+        opposite = {"+": "-", "-": "+"}[best[0]] + best[1]
+        is_sure = abs(cost[other] - flipped[other]) > FLIPPED_COST
+        raise RecordingError(
+            f"The page lies {tilt:.0f} degrees from level, so up={up!r} cannot be right; try "
+            f"up={best!r}{'' if is_sure else f' or {opposite!r}'}."
         )
-        normals *= np.where(normals[:, 2:] < 0, -1.0, 1.0)
-        miss = normals @ flat.T - (normals * points).sum(axis=1)[:, None]
-        return cls(flat, normals, miss, np.minimum((miss / MARKER_WANDER) ** 2, 1).mean(axis=1))
-
-    @property
-    def under(self) -> Array:
-        """The share of the samples far under each plane, where no pen is, shape (P,)."""
-        return (-self.miss > UNDER_PAPER).mean(axis=1)
-
-    @property
-    def gentle(self) -> np.ndarray:
-        """Which planes are no steeper than a desk can be, shape (P,)."""
-        return self.normals[:, 2] > np.cos(STEEPEST_PAGE)
-
-    def nearest(self, cost: Array) -> Array:
-        """Return the samples near the cheapest plane that is not steep without need."""
-        flatness = self.normals[:, 2]
-        slope = np.sqrt(1 - np.minimum(flatness, 1) ** 2) / np.maximum(flatness, 1e-9)
-        best = np.argmin(
-            np.where(self.gentle, cost + SLOPE_WEIGHT * (slope / LIKELY_SLOPE) ** 2, np.inf)
-        )
-        return self.flat[np.abs(self.miss[best]) < MARKER_WANDER]
-
-    def check_up(self, level: Array, up: str) -> None:
-        """Raise if a steep plane, from whichever side, explains the ink that no gentle one does."""
-        over = (self.miss > UNDER_PAPER).mean(axis=1)
-        gentle = (self.cost + SUNK_COST * self.under)[self.gentle].min()
-        steep = (self.cost + SUNK_COST * np.minimum(self.under, over))[~self.gentle]
-        if len(steep) and steep.min() < gentle - STEEP_COST:
-            normal = level @ self.normals[~self.gentle][np.argmin(steep)]
-            tilt = np.degrees(np.arccos(min(1.0, abs(normal @ DIRECTIONS[up]))))
-            axis = "xyz"[int(np.argmax(np.abs(normal)))]
-            raise RecordingError(
-                f"The ink lies {tilt:.0f} degrees from level, so up={up!r} cannot be right; try "
-                f"up='+{axis}' or "
-                f"'-{axis}'."
-            )
+    flatness = normals[:, 2]
+    slope = np.sqrt(1 - np.minimum(flatness, 1) ** 2) / np.maximum(flatness, 1e-9)
+    cost = np.where(is_gentle, cost + SLOPE_WEIGHT * (slope / LIKELY_SLOPE) ** 2, np.inf)
+    return flat[np.abs(miss[np.argmin(cost)]) < MARKER_WANDER]
 
 
 def _fit(flat: Array) -> tuple[Array, float]:
