@@ -109,3 +109,23 @@ test("a stroke on empty ground lays all handles along it", () => {
   );
   assert.ok(handles.handles.length && heard.at(-1)[2]);
 });
+
+test("a line is drawn from its first handle, and again; later ones are moved", () => {
+  const { handles } = bet("xy");
+  const draw = (from, to) => {
+    handles.press(from);
+    handles.move([to]);
+    handles.drop();
+    return handles.handles.map(({ at }) => at);
+  };
+  assert.deepEqual(draw([50, 50], [50, 90])[4], [5, 1]);
+  assert.deepEqual(
+    draw([50, 50], [90, 50]),
+    [5, 6, 7, 8, 9].map((x) => [x, 5]),
+  );
+  assert.deepEqual(draw([70, 50], [70, 20]).slice(1, 4), [
+    [6, 5],
+    [7, 8],
+    [8, 5],
+  ]);
+});

@@ -136,11 +136,13 @@ export class Stage {
       demo: [],
       robot: [],
       stroke: 0,
+      ...this.handlesOf("sheet"),
       ...sheet,
       taught: this.rings.map(({ home }) => home),
       goals: this.rings.map(({ at }) => at[0]),
-      names: this.rings.map(({ label, at }) => ({ label, now: 0, text: spokenPlace(at[0]) })),
-      ...this.handlesOf("sheet"),
+      names: this.rings.map(({ label, at, knobs }) => ({
+        ...{ label, now: 0, text: spokenPlace(at[0]), isFixed: !knobs.length },
+      })),
     });
   }
 

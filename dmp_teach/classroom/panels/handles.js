@@ -127,8 +127,10 @@ export class Handles {
     if (!this.handles.length) return false;
     const pixels = this.pixels();
     const near = nearest(pixels, at);
-    const isOn = distance(pixels[near], at) <= CATCH;
     const isRow = this.handles[0].axis === "y";
+    // A line is drawn from its start, which is where the first handle is.
+    const draws = !isRow && (near === 0 || !this.touched.size);
+    const isOn = !draws && distance(pixels[near], at) <= CATCH;
     const i = isRow && !isOn ? nearest(pixels, at, 0) : near;
     const off = isOn ? [pixels[i][0] - at[0], pixels[i][1] - at[1]] : [0, 0];
     const from = [at[0] + off[0], at[1] + off[1]];

@@ -46,13 +46,14 @@ export function goalRing(i, here, listeners) {
   const place = once(placeBadge);
   /**
    * @param {Place} at [px]
-   * @param {{ label: string, now: number, text: string }} name
+   * @param {{ label: string, now: number, text: string, isFixed?: boolean }} name
    * @param {ReturnType<typeof goalLabels>} labels
    * @param {string} chosen
    */
-  const show = ([x, y], { label, now, text }, labels, chosen) => {
+  const show = ([x, y], { label, now, text, isFixed }, labels, chosen) => {
     change(node, { transform: `translate(${x.toFixed(2)} ${y.toFixed(2)})`, "aria-label": label });
     change(node, { "aria-valuenow": now, "aria-valuetext": text });
+    change(node, { tabindex: isFixed ? -1 : 0, "aria-disabled": isFixed ? "true" : null });
     place(node, labels, i, chosen);
   };
   return { node, show };
