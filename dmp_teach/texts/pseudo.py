@@ -7,8 +7,14 @@ from gettext import NullTranslations
 
 _ACCENTS = str.maketrans("aceinosuyzACEINOSUYZ", "áčéíñöšüýžÁČÉÍÑÖŠÜÝŽ")
 _PLACEHOLDER = re.compile(r"(\{[^}]*\})")
+_WORD = re.compile(r"[^\W\d_]+")
 # By so much translations from English are longer.
-_LONGER = 0.3
+_LONGER = 0.35
+
+
+def _lengthen(word: re.Match[str]) -> str:
+    """Return a word with its accents, and longer."""
+    return word.group().translate(_ACCENTS) + "~" * round(_LONGER * len(word.group()))
 
 
 class PseudoTranslations(NullTranslations):
@@ -17,9 +23,8 @@ class PseudoTranslations(NullTranslations):
     def gettext(self, message: str) -> str:
         """Return a text as it is in the pseudo-language."""
         parts = _PLACEHOLDER.split(message)
-        letters = sum(map(len, parts[::2]))
-        parts[::2] = [part.translate(_ACCENTS) for part in parts[::2]]
-        return f"[{''.join(parts)}{'~' * round(_LONGER * letters)}]"
+        parts[::2] = [_WORD.sub(_lengthen, part) for part in parts[::2]]
+        return f"[{''.join(parts)}]"
 
     def ngettext(self, msgid1: str, msgid2: str, n: int) -> str:
         """Return one of two texts as it is in the pseudo-language."""
