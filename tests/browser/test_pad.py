@@ -303,7 +303,7 @@ def test_keys_alone_suffice_and_people_who_ask_for_less_movement_get_stills(pane
     page.keyboard.press("Space")
     strokes(page, 2)
     assert page.locator(".dt-caught").inner_text() == "Stroke 2: a dot."
-    assert page.locator(".dt-rows li").count() == 3
+    assert page.locator(".dt-rows li").count() == 4
     shot(page, "pad_keys")
 
     page.get_by_role("button", name="Show it").press("Enter")

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import dmp_teach
-from tests.browser.pads import Sheet, by_mouse, into_sight, letter, open_pad, press, strokes
+from tests.browser.pads import Sheet, by_mouse, caught, into_sight, letter, open_pad, press, strokes
 
 LEFT, RIGHT = (f".dt-stage > div:{which}-child" for which in ("first", "last"))
 ONE_LINE = 1.7  # of its font's size: what is higher has wrapped
@@ -60,7 +60,7 @@ def test_yours_lies_on_the_robots_own_letter_where_the_number_compares_them(pane
     by_mouse(page, pixels, pause=5)
     page.mouse.up()
     strokes(page, 1)
-    page.get_by_role("radio", name="The robot’s own letter").check(force=True)
+    assert page.get_by_role("radio", name="The robot’s own letter").is_checked()
     dots = page.locator(f"{RIGHT} .dt-child-dots")
     dots.wait_for(state="attached")
     page.locator(".dt-told", has_text="with your dots on it").wait_for()
@@ -171,6 +171,8 @@ def test_a_pen_that_leaves_the_sheet_is_told_so(panel, ask):
     page.locator(
         ".dt-caught", has_text="Your pen left the sheet: write a little smaller."
     ).wait_for()
+    bottom = float(ask(page, "pad.sheet[1]"))
+    assert caught(page, ask)[:, 1].min() < bottom - 0.005, "the ink is where the pen was"
 
 
 def test_on_a_small_laptop_the_letter_the_sentence_and_the_robot_are_seen_together(

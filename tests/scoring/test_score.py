@@ -293,6 +293,43 @@ def test_no_sentence_shouts_and_no_fault_is_without_words():
         }
         assert re.fullmatch(r"[A-Z][^!]*\.", fault.sentence)
         assert fault.reason
+        assert re.fullmatch(r"[A-Z][^!.]*\.", fault.advice.format(model="it", models="its"))
+
+
+ADVICE = [
+    (lambda model: faulty.scaled(model, 1.6), "Write it smaller."),
+    (lambda model: faulty.scaled(model, 0.6), "Write it larger."),
+    (lambda model: faulty.leaned(model, 18), "Let it lean less to the right."),
+    (lambda model: faulty.leaned(model, -18), "Let it lean less to the left."),
+    (lambda model: faulty.widened(model, 1.7), "Write it narrower."),
+    (lambda model: faulty.widened(model, 0.6), "Write it wider."),
+    (lambda model: faulty.turned(model, 25), "Turn it back to the right."),
+    (lambda model: faulty.turned(model, -25), "Turn it back to the left."),
+]
+
+
+@for_every(product(range(len(ADVICE)), "aDbkM4"))
+def test_what_is_advised_undoes_what_was_done(number, character):
+    spoil, advice = ADVICE[number]
+    model = strokes(character)
+    assert score(spoil(model), model).faults[0].advice == advice
+
+
+@pytest.mark.parametrize("hand", ["both", None, 1])
+def test_a_hand_is_left_or_right(hand):
+    with pytest.raises(LetterError, match=r"hand is .* but must be 'right' or 'left'"):
+        score(strokes("t"), strokes("t"), hand=hand)
+
+
+@for_every(product("tfAEFHT", alphabets()))
+def test_only_a_left_hand_may_pull_bars_to_the_left_and_nothing_else_backwards(character, alphabet):
+    model = strokes(character, alphabet)
+    across = [np.abs(s.position[-1] - s.position[0]) @ [1, -2] > 0 for s in model]
+    for number, is_bar in enumerate(across):
+        written = faulty.backwards(model, number)
+        names = [fault.name for fault in score(written, model, hand="left").faults]
+        assert ("reversed" in names) is not is_bar, number
+        assert "reversed" in [fault.name for fault in score(written, model).faults], number
 
 
 def test_another_letter_is_far_but_is_scored():
