@@ -99,7 +99,7 @@ class Plan:
         return self.spring.follow(self.inputs, self.start_velocity)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Stepper:
     """A movement under way: a value; each `step` gives the next.
 
@@ -178,6 +178,10 @@ class Stepper:
         """Return the same pen, taken elsewhere by somebody's hand: `by` (D,) [m]."""
         hand = check_point("by", by, len(self.plan.start))
         return replace(self, states=self.states + np.array([hand, np.zeros_like(hand)]))
+
+    def __repr__(self) -> str:
+        of = f"{self.plan.duration:.3f} s, {self.clock:g} of {self.plan.spring.steps} steps"
+        return f"Stepper({self.t:.3f} s of {of}, pen at {self.position} m)"
 
     @property
     def position(self) -> Array:

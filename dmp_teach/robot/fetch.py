@@ -99,9 +99,9 @@ def _plan(
 ) -> tuple[Motion, str]:
     """Return the motion, and a warning where the arm is nearly stretched; or raise Unreachable."""
     report("reach", 0.0)
-    reach = check_reach(solver, page, all_points(strokes))
+    start, known, warning = check_reach(solver, page, all_points(strokes))
     report("reach", 1.0)
-    plan, q, X_world_tip, slowed = _follow(solver, reach.q, page, strokes, report)
+    plan, q, X_world_tip, slowed = _follow(solver, start, page, strokes, report)
     _check_tip(X_world_tip, plan, page)
     first, closest = find_nearest(q, JOINTS, page)
     if first is not None:
@@ -117,8 +117,8 @@ def _plan(
         strokes=strokes,
     )
     near = () if closest is None else (describe_thin_margin(closest),)
-    notes = (*slowed, *describe_overloads(motion, solver.model), *near, *reach.notes)
-    return replace(motion, notes=notes), reach.warning
+    notes = (*slowed, *describe_overloads(motion, solver.model), *near, *known)
+    return replace(motion, notes=notes), warning
 
 
 def _refusal(solver: Solver, page: Page, strokes: PlacedStrokes, error: Unreachable) -> ReachError:

@@ -153,3 +153,9 @@ def test_with_patience_the_clock_waits_for_a_pen_that_is_held():
 def test_what_cannot_be_stepped_is_said_in_a_sentence(ask, answer):
     with pytest.raises(TrajectoryError, match=answer):
         ask(DMP.imitate(letter(60, 2.5)))
+
+
+def test_a_pen_under_way_is_said_in_a_line():
+    pen = Stepper.begin(DMP.imitate(letter())).step()
+    assert repr(pen).startswith("Stepper(0.0")
+    assert len(repr(pen)) < 120

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from dmp_teach.robot.arm import Solver
@@ -28,23 +26,13 @@ class Unreachable(Exception):  # noqa: N818 (it is caught inside the robot, neve
         self.collides = collides
 
 
-@dataclass(frozen=True, eq=False)
-class Reach:
-    """How the arm gets to the ink on a page.
+def check_reach(solver: Solver, page: Page, ink: Array) -> tuple[Array, tuple[str, ...], str]:
+    """Find how the arm reaches all of a page, or else all ink (N, 2) [m], or raise Unreachable.
 
-    Args:
-        q: Joint positions over the middle of the ink, shape (J,) [rad, m].
-        notes: What the writer should know.
-        warning: The one among them that the arm is nearly stretched out; else empty.
+    Returns:
+        Joint positions over the middle of the ink, shape (J,) [rad, m]; what the writer should
+        know; and the warning among that, if the arm is nearly stretched out.
     """
-
-    q: Array
-    notes: tuple[str, ...]
-    warning: str = ""
-
-
-def check_reach(solver: Solver, page: Page, ink: Array) -> Reach:
-    """Find how the arm reaches all of a page, or else all ink (N, 2) [m], or raise Unreachable."""
     area = ink.min(axis=0), ink.max(axis=0)
     if obstacle := describe_obstacle(page):
         raise Unreachable(obstacle)
@@ -69,7 +57,7 @@ def check_reach(solver: Solver, page: Page, ink: Array) -> Reach:
             notes.append(warning)
     if odd:
         notes.append(f"the page {odd}; was it meant so?")
-    return Reach(posture.q, tuple(notes), warning)
+    return posture.q, tuple(notes), warning
 
 
 def measure_misses(solver: Solver, page: Page, area: Area, among: str = "") -> dict[str, float]:

@@ -83,15 +83,22 @@ class Claims(Tabled):
         return self.table()
 
 
+Judgement = tuple[str | Mapping[str, bool], str, str]
+"""A verdict, or the cases in which the claim holds; the figure; and on what it depends, besides."""
+
+
 def claim(
     name: str, words: str
-) -> Callable[[Callable[[Evidence], tuple[str, str, str]]], Callable[..., Claim]]:
+) -> Callable[[Callable[[Evidence], Judgement]], Callable[..., Claim]]:
     """Make a claim (name, what the paper says) of a function of verdict, figure and why."""
 
-    def decorate(judge: Callable[[Evidence], tuple[str, str, str]]) -> Callable[..., Claim]:
+    def decorate(judge: Callable[[Evidence], Judgement]) -> Callable[..., Claim]:
         def judged(recordings: RecordingsLike | Evidence = None) -> Claim:
             evidence = evidence_of(recordings)
             verdict, figure, why = judge(evidence)
+            if not isinstance(verdict, str):
+                verdict, holds = verdict_over(verdict)
+                why = holds + why
             call = f"teach.studies.{judge.__name__}({evidence.argument}).figure"
             return Claim(name, words, verdict, figure, why, call)
 

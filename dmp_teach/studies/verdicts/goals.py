@@ -11,11 +11,11 @@ from dmp_teach.studies.verdicts.claim import (
     DEPENDS,
     FAILS,
     HOLDS,
+    Judgement,
     as_times,
     claim,
     mm,
     per_cent,
-    verdict_over,
 )
 from dmp_teach.studies.verdicts.evidence import Evidence
 
@@ -24,7 +24,7 @@ from dmp_teach.studies.verdicts.evidence import Evidence
     "goal changes",
     "DMP* keeps the shape when the goal moves by 0.01 m and 0.1 m; the original mirrors letters.",
 )
-def goal_changes(evidence: Evidence) -> tuple[str, str, str]:
+def goal_changes(evidence: Evidence) -> Judgement:
     """Judge whether DMP* keeps the shape and the original does not, for both shifts of the goal.
 
     DMP* keeps it if it turns no coordinate over and stays within the shift of the demonstration
@@ -44,14 +44,13 @@ def goal_changes(evidence: Evidence) -> tuple[str, str, str]:
             f"turned over, the original mirrors {changes.mirrored} of {len(changes.cases)} and "
             f"gets {mm(farthest)} away"
         )
-    verdict, why = verdict_over(cases)
-    return verdict, f"{'; '.join(words)}.", why + evidence.borrowed
+    return cases, f"{'; '.join(words)}.", evidence.borrowed
 
 
 @claim(
     "goal on the start", "With goal equal to start, the original system stays at x_0 all the time."
 )
-def goal_on_start(evidence: Evidence) -> tuple[str, str, str]:
+def goal_on_start(evidence: Evidence) -> Judgement:
     """Judge whether the original form stays at x_0 where its goal is its start.
 
     No stroke that it can learn gets 0.001 mm away.
@@ -82,7 +81,7 @@ def goal_on_start(evidence: Evidence) -> tuple[str, str, str]:
     "With the original form and g close to x_0, a small change of g causes accelerations that "
     "break robot limits.",
 )
-def huge_accelerations(evidence: Evidence) -> tuple[str, str, str]:
+def huge_accelerations(evidence: Evidence) -> Judgement:
     """Judge whether near x_0 a small change of g breaks the robot's limits, and not with DMP*.
 
     Of the strokes that the Fetch's joints can follow as shown, at least half can no longer once the
@@ -95,17 +94,16 @@ def huge_accelerations(evidence: Evidence) -> tuple[str, str, str]:
         if way < near.shift / 1.5:
             cases[f"g {mm(way)} from the start"] = bool(broken[0] >= 0.5 and broken[1] == 0)
         words.append(f"{mm(way)}: {as_times(growth[0])}, {per_cent(broken[0])}")
-    verdict, why = verdict_over(cases)
     figure = (
         "By the goal's distance, how many times larger the acceleration gets with the original "
         f"form and how many strokes pass a joint's limit: {', '.join(words)}. DMP*: "
         f"{as_times(near.growth[:, 1].max())}, {per_cent(near.broken[:, 1].max())}."
     )
-    return verdict, figure, why + evidence.borrowed
+    return cases, figure, evidence.borrowed
 
 
 @claim("decay term", "The decay term -K (g - y0) s avoids jumps at the beginning of the movement.")
-def decay_term(evidence: Evidence) -> tuple[str, str, str]:
+def decay_term(evidence: Evidence) -> Judgement:
     """Judge whether the decay term avoids jumps at the beginning.
 
     It leaves at most a tenth of what a moved goal adds to the first acceleration. A case as
@@ -115,11 +113,10 @@ def decay_term(evidence: Evidence) -> tuple[str, str, str]:
     printed = (first.with_term / first.without).max()
     fed = (first.fed / first.without).max()
     cases = {"as printed": bool(printed <= 0.1), "goal fed forward": bool(fed <= 0.1)}
-    verdict, why = verdict_over(cases)
     figure = (
         f"A goal that moves by {mm(first.shift)} adds {np.median(first.without):.2g} m/s2 to the "
         f"first sample without the term, {np.median(first.with_term):.2g} with it, "
         f"{np.median(first.fed):.2g} with the goal fed forward (at most {per_cent(printed)} and "
         f"{per_cent(fed)} of that without)."
     )
-    return verdict, figure, why
+    return cases, figure, ""

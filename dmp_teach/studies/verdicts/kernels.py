@@ -19,11 +19,11 @@ from dmp_teach.studies.verdicts.claim import (
     DEPENDS,
     FAILS,
     HOLDS,
+    Judgement,
     as_times,
     claim,
     mm,
     per_cent,
-    verdict_over,
 )
 from dmp_teach.studies.verdicts.evidence import Evidence
 from dmp_teach.trajectory import Array
@@ -57,7 +57,7 @@ def _names(curves: ErrorCurves, chosen: NDArray[np.bool_]) -> str:
     "narrow kernels",
     "The error is large below kernel width 1/N and falls as the width grows to 1/N.",
 )
-def narrow_kernels(evidence: Evidence) -> tuple[str, str, str]:
+def narrow_kernels(evidence: Evidence) -> Judgement:
     """Judge whether the error is large below width 1/N and falls to it.
 
     Twice that of 1/N up to 0.8/N, and falling, in every variant.
@@ -75,12 +75,11 @@ def narrow_kernels(evidence: Evidence) -> tuple[str, str, str]:
         f"{as_times(np.max(ratios))} that of 1/N: {mm(narrow.min())} to {mm(narrow.max())} at "
         f"0.2/N, {mm(touching.min())} to {mm(touching.max())} at 1/N."
     )
-    verdict, why = verdict_over(cases)
-    return verdict, figure, why
+    return cases, figure, ""
 
 
 @claim("best width", "The error is least for kernel widths between 1/N and 4/N.")
-def best_width(evidence: Evidence) -> tuple[str, str, str]:
+def best_width(evidence: Evidence) -> Judgement:
     """Judge whether the minimum lies between 1/N and 4/N.
 
     No width has less error, and 1, 2, 3, 4/N have at most twice as much. HOLDS if both hold in
@@ -111,7 +110,7 @@ def best_width(evidence: Evidence) -> tuple[str, str, str]:
 
 
 @claim("wide kernels", "The error rises above kernel width 4/N and is stable from 20/N on.")
-def wide_kernels(evidence: Evidence) -> tuple[str, str, str]:
+def wide_kernels(evidence: Evidence) -> Judgement:
     """Judge whether the error rises above 4/N and is flat from 20/N.
 
     20/N at least 1.1 times 4/N; 28, 40/N and full within a tenth of 20/N.
@@ -121,7 +120,7 @@ def wide_kernels(evidence: Evidence) -> tuple[str, str, str]:
     wider = np.stack([_median_at(curves, x) for x in (28, 40, np.inf)]) / _median_at(curves, 20)
     flat = np.nanmax(np.abs(wider - 1), axis=0)
     rising = zip(curves.variants, rise, flat, strict=True)
-    verdict, why = verdict_over({v: bool(r >= 1.1 and f <= 0.1) for v, r, f in rising})
+    cases = {v: bool(r >= 1.1 and f <= 0.1) for v, r, f in rising}
     words = [
         f"{as_times(r)}, then {w:.2g} ({v})"
         for v, r, w in zip(curves.variants, rise, wider[1], strict=True)
@@ -130,14 +129,14 @@ def wide_kernels(evidence: Evidence) -> tuple[str, str, str]:
         "The error grows so many times from 4/N to 20/N, and from there to 40/N: "
         f"{', '.join(words)}."
     )
-    return verdict, figure, why
+    return cases, figure, ""
 
 
 @claim(
     "truncation",
     "Truncated kernels are more accurate than full Gaussians, since each is fitted by itself.",
 )
-def truncation(evidence: Evidence) -> tuple[str, str, str]:
+def truncation(evidence: Evidence) -> Judgement:
     """Judge whether truncated Gaussians (the best of 1 to 4/N) beat full ones, with each fit.
 
     Half of their error or less. The paper's reason is that kernels learn together; so the fit
@@ -150,18 +149,17 @@ def truncation(evidence: Evidence) -> tuple[str, str, str]:
             ratio = error[np.isinf(curves.x)][0] / error[cut].min()
             cases[variant] = bool(ratio >= 2)
             words.append(f"{as_times(ratio)} ({variant})")
-    verdict, why = verdict_over(cases)
     figure = (
         f"Full Gaussians have so many times the error of the best cut ones: {', '.join(words)}."
     )
-    return verdict, figure, why
+    return cases, figure, ""
 
 
 @claim(
     "gaps between kernels",
     "Kernels of width 2/3N, which leave gaps, are the worst of 1/N, 2/3N, 10/N and full Gaussians.",
 )
-def gaps_between_kernels(evidence: Evidence) -> tuple[str, str, str]:
+def gaps_between_kernels(evidence: Evidence) -> Judgement:
     """Judge whether 2/3N is the worst of 1/N, 2/3N, 10/N and full Gaussians.
 
     In nine of ten strokes, for each fit of Gaussians.
@@ -173,16 +171,15 @@ def gaps_between_kernels(evidence: Evidence) -> tuple[str, str, str]:
     worst = (gaps >= np.max(others, axis=0)).mean(axis=1)
     cases = {v: bool(share >= 0.9) for v, share in zip(names, worst, strict=True)}
     words = ", ".join(f"{per_cent(share)} ({v})" for v, share in zip(names, worst, strict=True))
-    verdict, why = verdict_over(cases)
     figure = (
         f"Gaps cost {mm(gaps.min())} to {mm(gaps.max())}; they are the worst of the four in "
         f"{words} of the strokes."
     )
-    return verdict, figure, why
+    return cases, figure, ""
 
 
 @claim("number of kernels", "The error is stable and low from N = Num/10 kernels on.")
-def number_of_kernels(evidence: Evidence) -> tuple[str, str, str]:
+def number_of_kernels(evidence: Evidence) -> Judgement:
     """Judge whether the error is level from N = Num/10: five times as many do not halve it.
 
     A case for each variant on the samples as they are, and on every fourth sample.
@@ -196,13 +193,12 @@ def number_of_kernels(evidence: Evidence) -> tuple[str, str, str]:
             tenth, half = error[np.argmin(np.abs(curves.x - 0.1))], error[-1]
             cases[f"{variant}, {samples}"] = bool(half >= tenth / 2)
             words.append(f"{mm(tenth)} and {mm(half)} ({variant}, {samples})")
-    verdict, why = verdict_over(cases)
     figure = f"The errors of Num/10 and of Num/2 kernels are {', '.join(words)}."
-    why += (
+    why = (
         f". What counts is kernels in a second: Num/10 is {KERNELS_PER_SECOND} of them at 120 "
         "samples, and 3 at 30"
     )
-    return verdict, figure, why
+    return cases, figure, why
 
 
 @claim(
@@ -210,7 +206,7 @@ def number_of_kernels(evidence: Evidence) -> tuple[str, str, str]:
     "On the letter a, width 1/N is best, 10/N worse but better than full Gaussians, and 2/3N the "
     "worst.",
 )
-def four_widths_on_a(evidence: Evidence) -> tuple[str, str, str]:
+def four_widths_on_a(evidence: Evidence) -> Judgement:
     """Judge whether on 'a' 1/N is best, then 10/N, then full Gaussians, then 2/3N.
 
     Medians in that order, for each fit of Gaussians. All strokes are taken where no 'a' was
@@ -225,8 +221,7 @@ def four_widths_on_a(evidence: Evidence) -> tuple[str, str, str]:
         order = [float(np.median(error)) for error in errors]
         cases[variant] = bool((np.diff(order) > 0).all())
         words.append(f"{', '.join(map(mm, order))} ({variant})")
-    verdict, why = verdict_over(cases)
     figure = (
         f"The errors of 1/N, 10/N, full and 2/3N over {of_a.sum()} strokes: {'; '.join(words)}."
     )
-    return verdict, figure, why
+    return cases, figure, ""

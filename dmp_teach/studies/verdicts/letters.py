@@ -11,10 +11,10 @@ from dmp_teach.studies.verdicts.claim import (
     DEPENDS,
     FAILS,
     HOLDS,
+    Judgement,
     claim,
     mm,
     per_cent,
-    verdict_over,
 )
 from dmp_teach.studies.verdicts.evidence import Evidence, evidence_of
 
@@ -23,7 +23,7 @@ SIGNIFICANT_LUCK = 0.05
 
 
 @claim("D becomes P", "A D becomes a P when the goal of its second stroke moves.")
-def d_becomes_p(evidence: Evidence) -> tuple[str, str, str]:
+def d_becomes_p(evidence: Evidence) -> Judgement:
     """Judge whether D becomes P by moving the goal of its bowl, recognisably in nine of ten.
 
     HOLDS if the bowl is besides within 5 % of the bar (median) of the D's own bowl turned and
@@ -60,7 +60,7 @@ def d_becomes_p(evidence: Evidence) -> tuple[str, str, str]:
 @claim(
     "strokes from height", "Strokes are told apart by dz/dt > theta and the height over the plane."
 )
-def strokes_from_height(evidence: Evidence) -> tuple[str, str, str]:
+def strokes_from_height(evidence: Evidence) -> Judgement:
     """Judge whether dz/dt and z give the strokes: count and all ends right in 0.9 of recordings.
 
     An end is right within 0.05 s of the given strokes, or of the local rule's where the source
@@ -89,7 +89,7 @@ def strokes_from_height(evidence: Evidence) -> tuple[str, str, str]:
 
 
 @claim("redrawn letters", "The letters a, b, e and m are reproduced in nearly identical shapes.")
-def redrawn_letters(evidence: Evidence) -> tuple[str, str, str]:
+def redrawn_letters(evidence: Evidence) -> Judgement:
     """Judge whether a, b, e and m are redrawn: rms at most 1 % of their size, nowhere above 3 %.
 
     A case for each letter; all that were recorded where none of the four was.
@@ -103,16 +103,15 @@ def redrawn_letters(evidence: Evidence) -> tuple[str, str, str]:
         cases[letter] = bool(error <= 0.01 and largest <= 0.03)
         worst = mm(max(item.error for item in own))
         words.append(f"{letter} {worst} ({per_cent(error)}), largest {per_cent(largest)}")
-    verdict, why = verdict_over(cases)
     figure = f"Worst of each letter, rms and in parts of its size: {'; '.join(words)}."
-    return verdict, figure, why
+    return cases, figure, ""
 
 
 @claim(
     "accuracy and efficiency",
     "The choice of number and shape of kernels improves both accuracy and efficiency.",
 )
-def accuracy_and_efficiency(evidence: Evidence) -> tuple[str, str, str]:
+def accuracy_and_efficiency(evidence: Evidence) -> Judgement:
     """Judge whether kernels well chosen improve accuracy and efficiency over the original form.
 
     Error at most 0.8 of the original's and time at most 0.9, both at N = Num/10. Time is measured,
@@ -124,19 +123,18 @@ def accuracy_and_efficiency(evidence: Evidence) -> tuple[str, str, str]:
         ratio = float(np.median(found.error[:, 0] / found.error[:, 1]))
         star, original = np.median(found.error, axis=0)
     cases = {"accuracy": ratio <= 0.8, "time on this computer": found.time_ratio <= 0.9}
-    verdict, why = verdict_over(cases)
     figure = (
         f"Over {len(found.strokes)} strokes DMP* makes {per_cent(ratio)} of the original's error "
         f"({mm(star)} against {mm(original)}) in {per_cent(found.time_ratio)} of its time."
     )
-    return verdict, figure, why + evidence.borrowed
+    return cases, figure, evidence.borrowed
 
 
 @claim(
     "any shape",
     "Trajectories of arbitrary shape, scale, strokes, starting and ending positions are learned.",
 )
-def any_ink(evidence: Evidence) -> tuple[str, str, str]:
+def any_ink(evidence: Evidence) -> Judgement:
     """Judge whether random ink is learned within 2 % of its size, and moved goals met within 2 %.
 
     Medians; a case for each rate at which the pen turns. The ink is random, so recordings do not
@@ -148,16 +146,15 @@ def any_ink(evidence: Evidence) -> tuple[str, str, str]:
     for rate, e, m in zip(ink.rates, error, miss, strict=True):
         cases[f"{rate:g} turns a second"] = bool(e <= 0.02 and m <= 0.02)
         words.append(f"{per_cent(e)} at {rate:g} Hz")
-    verdict, why = verdict_over(cases)
     figure = (
         f"Worst kind of ink by turns a second: {', '.join(words)} of its size; moved goals missed "
         f"by {per_cent(miss.max())}."
     )
-    return verdict, figure, why
+    return cases, figure, ""
 
 
 @claim("writing style", "New letters have a writing style similar to that of the demonstrations.")
-def writing_style(evidence: Evidence) -> tuple[str, str, str]:
+def writing_style(evidence: Evidence) -> Judgement:
     """Judge whether bowls that DMP* led to other ends are given to their writer beyond chance.
 
     HOLDS if all four questions are (less than 5 % by luck): with the ends of the recipe and with
