@@ -44,10 +44,7 @@ class Hand:
 
     @classmethod
     def of(
-        cls,
-        alphabet: str | None,
-        letters: OwnLetters | None,
-        settings: Settings | None,
+        cls, alphabet: str | None, letters: OwnLetters | None, settings: Settings | None
     ) -> Self:
         """Return the hand of an alphabet, with one's own letters in place of some."""
         if letters is not None and not isinstance(letters, Mapping):

@@ -43,16 +43,13 @@ HIGHEST_BAND = 4.0
 
 
 def letter_spacing(
-    left: Sequence[Trajectory],
-    right: Sequence[Trajectory],
-    x_height: float,
-    white: float = LETTER_WHITE,
+    left: Strokes, right: Strokes, x_height: float, white: float = LETTER_WHITE
 ) -> float:
     """Return how far right a letter is moved to follow another; may be negative [m].
 
     Both stand on the line y = 0; `white` is the mean distance that they get, in x-heights.
     """
-    right_edge, left_edge = _edge(tuple(left), x_height, 1), _edge(tuple(right), x_height, -1)
+    right_edge, left_edge = _edge(left, x_height, 1), _edge(right, x_height, -1)
     apart = -left_edge - right_edge
     top = max(1.0, min(_top(left, x_height), _top(right, x_height), HIGHEST_BAND))
     zone = slice(
@@ -76,39 +73,35 @@ def connected_spacing(
     end, start = bodies[0][-1], bodies[1][0]
     a = leaving_sample(end, x_height)
     here = end.position[a]
-    left = [_part(end, slice(a + 1)) if stroke is end else stroke for stroke in glyphs[0]]
-    right, step = list(glyphs[1]), 0.0
+    left = tuple(_part(end, slice(a + 1)) if each is end else each for each in glyphs[0])
+    right, step = glyphs[1], 0.0
     for _ in range(3):
         step = letter_spacing(left, right, x_height, CONNECTED_WHITE)
         met = find_meeting(here - (step, 0.0), start, x_height)
         step += max(0.0, missing_run(here - (step, 0.0), start.position[met.sample], x_height))
         met = find_meeting(here - (step, 0.0), start, x_height)
         kept = slice(0 if met.back else met.sample, None)
-        right = [_part(start, kept) if stroke is start else stroke for stroke in glyphs[1]]
+        right = tuple(_part(start, kept) if each is start else each for each in glyphs[1])
     return step
 
 
-def word_spacing(
-    left: Sequence[Trajectory], right: Sequence[Trajectory], x_height: float, lean: float
-) -> float:
+def word_spacing(left: Strokes, right: Strokes, x_height: float, lean: float) -> float:
     """Return the same for two words: a space more, and white that no overhanging letter fills.
 
     The white between words leans as the words do: `lean` is the x gained for each y.
     """
-    right_edge, left_edge = _edge(tuple(left), x_height, 1), _edge(tuple(right), x_height, -1)
+    right_edge, left_edge = _edge(left, x_height, 1), _edge(right, x_height, -1)
     across = x_height * _overlap(right_edge, left_edge, WORD_VIEW)
     white = WORD_WHITE * x_height + max(across, _overlap_along(left, right, lean))
     return max(letter_spacing(left, right, x_height) + WORD_SPACE * x_height, white)
 
 
-def sign_spacing(
-    left: Sequence[Trajectory], right: Sequence[Trajectory], x_height: float, lean: float
-) -> float:
+def sign_spacing(left: Strokes, right: Strokes, x_height: float, lean: float) -> float:
     """Return the same where one is a sign: beside what is at its height, else after all of it.
 
     An apostrophe is past an o along the lean of the hand.
     """
-    right_edge, left_edge = _edge(tuple(left), x_height, 1), _edge(tuple(right), x_height, -1)
+    right_edge, left_edge = _edge(left, x_height, 1), _edge(right, x_height, -1)
     if np.isfinite(_overlap(right_edge, left_edge, SIGN_NEIGHBOURHOOD)):
         return x_height * (SIGN_WHITE + _overlap(right_edge, left_edge, SIGN_VIEW))
     return SIGN_AFTER_INK * x_height + _overlap_along(left, right, lean)
@@ -153,7 +146,7 @@ def _overlap(right_edge: Array, left_edge: Array, view: float) -> float:
     return float((right + left).max())
 
 
-def _overlap_along(left: Sequence[Trajectory], right: Sequence[Trajectory], lean: float) -> float:
+def _overlap_along(left: Strokes, right: Strokes, lean: float) -> float:
     """Return how far ink reaches over ink along a line that leans, at whatever heights [m]."""
     ends, begins = (
         np.concatenate([s.position @ (1.0, -lean) for s in strokes]) for strokes in (left, right)
@@ -161,5 +154,5 @@ def _overlap_along(left: Sequence[Trajectory], right: Sequence[Trajectory], lean
     return float(ends.max() - begins.min())
 
 
-def _top(strokes: Sequence[Trajectory], x_height: float) -> float:
+def _top(strokes: Strokes, x_height: float) -> float:
     return max(float(stroke.position[:, 1].max()) for stroke in strokes) / x_height

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -136,15 +137,18 @@ class Run:
     @property
     def findings(self) -> tuple[str, ...]:
         """What went wrong, in sentences with the cure; empty where nothing did."""
+        stopped = (
+            f"Stopped after {self.duration:.2f} s of {self.planned.duration:.2f} s; what was "
+            "written until then is kept."
+        )
         checks = (
-            _describe_stop,
             _describe_missing_ink,
-            _describe_pressure,
-            _describe_offset,
+            _describe_force,
             _describe_stray_ink,
             _describe_tired_joint,
         )
-        return tuple(sentence for check in checks if (sentence := check(self)))
+        found = [sentence for check in checks for sentence in check(self)]
+        return (stopped, *found) if self.stopped else tuple(found)
 
     def __repr__(self) -> str:
         low, high = self.force_band
@@ -173,93 +177,71 @@ def measure_distances(points: Array, planned: Motion) -> Array:
     return np.linalg.norm(offset - part[..., None] * along, axis=-1).min(axis=1)
 
 
-def _describe_stop(run: Run) -> str:
-    """Say when the simulation was interrupted."""
-    if not run.stopped:
-        return ""
-    return (
-        f"Stopped after {run.duration:.2f} s of {run.planned.duration:.2f} s; what was written "
-        "until then is kept."
-    )
-
-
-def _describe_missing_ink(run: Run) -> str:
+def _describe_missing_ink(run: Run) -> Iterator[str]:
     """Say where ink is missing, and how far the pen was from the paper there."""
     down = run.motion.pen_down
-    if not down.any():
-        return ""
     gap = 1000 * np.maximum(run.nib[down, 2], 0.0)
-    if not run.writing.any():
-        return (
+    if down.any() and not run.writing.any():
+        yield (
             f"No ink: the pen's tip stayed {gap.min():.1f} to {gap.max():.1f} mm over the paper. "
             f"{_PLAN_AGAIN}"
         )
-    share = run.missing.mean()
-    if share < _SPARE:
-        return ""
-    where = describe_part(run.letter[: len(run.missing)], run.missing)
-    over = gap[run.missing].max(initial=0.0)
-    return (
-        f"{_percent(share)} of the letter has no ink, {where}: there the tip is up to {over:.1f} "
-        f"mm over the paper. {_PLAN_AGAIN}"
-    )
+    elif down.any() and (share := run.missing.mean()) >= _SPARE:
+        where = describe_part(run.letter[: len(run.missing)], run.missing)
+        over = gap[run.missing].max(initial=0.0)
+        yield (
+            f"{_percent(share)} of the letter has no ink, {where}: there the tip is up to "
+            f"{over:.1f} mm over the paper. {_PLAN_AGAIN}"
+        )
 
 
-def _describe_pressure(run: Run) -> str:
+def _describe_force(run: Run) -> Iterator[str]:
     """Say where the pen was pressed too hard, and whether it survives."""
     hard = run.force[run.motion.pen_down] > FORCE_BAND[1]
     most = run.greatest_force
     if run.pen == "rigid" and most > BREAKING_FORCE:
-        return (
+        yield (
             f"The pen would break: it is pushed with {most:.0f} N, and {BREAKING_FORCE:.0f} N are "
             'enough to break one. A rigid pen cannot give way: use pen="sprung".'
         )
-    if not hard.any() or hard.mean() < _SPARE:
-        return ""
-    where = describe_part(run.letter[: len(hard)], hard)
-    cure = 'Use pen="sprung".' if run.pen == "rigid" else _PLAN_AGAIN
-    fate = f", and {BREAKING_FORCE:.0f} N would break the pen" if most > BREAKING_FORCE else ""
-    return (
-        f"Pressed too hard, {where}: up to {most:.1f} N, where {FORCE_BAND[1]} N are enough{fate}. "
-        f"{cure}"
-    )
+    elif hard.any() and hard.mean() >= _SPARE:
+        where = describe_part(run.letter[: len(hard)], hard)
+        cure = 'Use pen="sprung".' if run.pen == "rigid" else _PLAN_AGAIN
+        fate = f", and {BREAKING_FORCE:.0f} N would break the pen" if most > BREAKING_FORCE else ""
+        yield (
+            f"Pressed too hard, {where}: up to {most:.1f} N, where {FORCE_BAND[1]} N are "
+            f"enough{fate}. {cure}"
+        )
 
 
-def _describe_offset(run: Run) -> str:
-    """Say how far the ink is beside the letter."""
-    if not run.writing.any() or run.shape_error <= _ASTRAY:
-        return ""
-    return (
-        f"The ink is {1000 * run.shape_error:.1f} mm from the letter on average: the arm could not "
-        "follow. Write more slowly: letter.write(duration=...)."
-    )
+def _describe_stray_ink(run: Run) -> Iterator[str]:
+    """Say how far the ink is beside the letter, and how much lies between the strokes."""
+    if run.writing.any() and run.shape_error > _ASTRAY:
+        yield (
+            f"The ink is {1000 * run.shape_error:.1f} mm from the letter on average: the arm could "
+            "not follow. Write more slowly: letter.write(duration=...)."
+        )
+    if run.ink_in_the_air > 0.0005:
+        yield (
+            f"{1000 * run.ink_in_the_air:.0f} mm of ink lie between the strokes, where the pen was "
+            f"meant to be up. {_PLAN_AGAIN}"
+        )
 
 
-def _describe_stray_ink(run: Run) -> str:
-    """Say how much ink lies between the strokes."""
-    if run.ink_in_the_air <= 0.0005:
-        return ""
-    return (
-        f"{1000 * run.ink_in_the_air:.0f} mm of ink lie between the strokes, where the pen was "
-        f"meant to be up. {_PLAN_AGAIN}"
-    )
-
-
-def _describe_tired_joint(run: Run) -> str:
+def _describe_tired_joint(run: Run) -> Iterator[str]:
     """Say which joint gave all it has, or had to give more, and not just for a moment."""
     share = (np.abs(run.effort) >= 0.999 * run.limits).mean(axis=0)
-    if share.max(initial=0.0) < _SPARE or run.greatest_force > BREAKING_FORCE:
-        return ""
-    worst = int(np.argmax(share))
-    name = run.planned.joint_names[worst]
-    limit = run.limits[worst]
-    most = np.abs(run.effort[:, worst]).max()
-    unit = "N" if name == "torso_lift_joint" else "N m"
-    does = "needs up to" if most > 1.001 * limit else "gives all of"
-    return (
-        f"{name} {does} {most:.0f} {unit} for {_percent(share[worst])} of the time; it has "
-        f"{limit:.0f}. Write more slowly, or move the page nearer to the robot."
-    )
+    if share.max(initial=0.0) >= _SPARE and run.greatest_force <= BREAKING_FORCE:
+        worst = int(np.argmax(share))
+        name = run.planned.joint_names[worst]
+        limit = run.limits[worst]
+        most = np.abs(run.effort[:, worst]).max()
+        unit = "N" if name == "torso_lift_joint" else "N m"
+        does = "needs up to" if most > 1.001 * limit else "gives all of"
+        yield (
+            f"{name} {does} {most:.0f} {unit} for {_percent(share[worst])} of the time; it has "
+            f"{limit:.0f}. Write more slowly, or move the page nearer to the robot."
+        )
 
 
 def describe_part(letter: Array, chosen: BoolArray) -> str:
