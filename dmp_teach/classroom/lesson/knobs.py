@@ -24,7 +24,7 @@ class Slider:
         high: Where it ends.
         step: Between two values; of a logarithmic slider the browser's own.
         unit: "mm", or nothing.
-        digits: How many are shown behind the point; None: two figures.
+        digits: How many are shown behind the point, 0 of whole numbers; None: two figures.
         is_log: Equal ways are equal factors.
         is_drawn_here: What it changes is drawn in the browser; the kernel hears of it on release.
         icons: The drawings at its ends, "narrow", "one", "many".
@@ -68,6 +68,10 @@ class Slider:
                 _("{name} is {value!r}, but must be a number from {low:g} to {high:g}.").format(
                     name=name, value=value, low=self.low, high=self.high
                 )
+            )
+        if self.digits == 0 and value != int(value):  # type: ignore[call-overload]
+            raise SettingError(
+                _("{name} is {value!r}, but must be a whole number.").format(name=name, value=value)
             )
         # As it came: an int that came back as a float would be sent to the browser again.
         return value  # type: ignore[return-value]

@@ -1,0 +1,239 @@
+"""Lesson 04: how many kernels are enough (the paper's figure on their number, and N = Num/10)."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Sequence
+from functools import lru_cache
+
+import numpy as np
+
+from dmp_teach.classroom import (
+    Answer,
+    Condition,
+    Drawing,
+    DrawnBet,
+    KeptBet,
+    Knobs,
+    Lesson,
+    LessonState,
+    OneOf,
+    Picture,
+    Slider,
+    Task,
+    at_most,
+)
+from dmp_teach.dmp import Settings
+from dmp_teach.errors import SettingWarning
+from dmp_teach.ink import recording_of
+from dmp_teach.lessons.drawing import draw_sheet, error_axis, error_of, millimetres, paths_of
+from dmp_teach.letters import Letter
+from dmp_teach.texts import gettext as _
+from dmp_teach.trajectory import Trajectory
+
+FEWEST, MOST = 2, 80
+BET_NUMBERS = (2, 5, 10, 20, 40, 80)
+CURVE_NUMBERS = sorted({round(n) for n in np.geomspace(FEWEST, MOST, 36)})
+LETTERS = "aegmbdhnS"
+LIMITS = (0.4, 0.5, 0.6, 0.8, 1.0)
+RATES = ("60", "120", "240")
+PAPER_RATE = "120"
+# The smallest number, and a tenth more, will do.
+SPARE = 1.1
+
+
+@lru_cache(maxsize=1024)
+def learn(character: str, number: int, rate: str = PAPER_RATE) -> Letter:
+    """Learn a letter, sampled so often a second, with so many touching kernels."""
+    strokes = [_resample(stroke, int(rate)) for stroke in recording_of(character).strokes()]
+    # With few kernels the spring is soft, and says so.
+    with warnings.catch_warnings(action="ignore", category=SettingWarning):
+        return Letter.learn(strokes, Settings.star(n_kernels=number, sharpen=False))
+
+
+def _resample(stroke: Trajectory, rate: int) -> Trajectory:
+    """Return a stroke with so many samples a second."""
+    t = np.linspace(stroke.t[0], stroke.t[-1], round(stroke.duration * rate) + 1)
+    axes = [np.interp(t, stroke.t, axis) for axis in stroke.position.T]
+    return Trajectory(t, np.column_stack(axes))
+
+
+def error_mm(character: str, number: float, rate: str = PAPER_RATE) -> float:
+    """Return how far off a letter is with so many kernels, on average [mm]."""
+    return 1000 * error_of(learn(character, int(number), rate))
+
+
+@lru_cache(maxsize=64)
+def find_smallest(character: str, limit: float) -> int:
+    """Return the smallest number of kernels with which a letter is within a limit [mm]."""
+    return next(n for n in range(FEWEST, MOST + 1) if error_mm(character, n) <= limit)
+
+
+class HowManyBumps(Lesson):
+    """Each doubling leaves a quarter of the error; what counts is kernels a second."""
+
+    key = "04"
+    slug = "how_many_bumps"
+
+    def vary(self, random: np.random.Generator | None) -> None:
+        """Choose the letter, and how near is near enough."""
+        self.letter = "a" if random is None else str(random.choice(list(LETTERS)))
+        self.limit = 0.5 if random is None else float(random.choice(LIMITS))
+        self.smallest = find_smallest(self.letter, self.limit)
+        self.duration = learn(self.letter, FEWEST).strokes[0].duration
+        self.start = {"n_kernels": 5, "rate": PAPER_RATE}
+        self.solution = {"n_kernels": self.smallest, "rate": PAPER_RATE}
+
+    @property
+    def question(self) -> str:
+        """The title."""
+        return _("How many bumps are enough?")
+
+    @property
+    def knobs(self) -> Knobs:
+        """What a pupil can turn; how often the pen was seen is no part of the answer."""
+        rates = {rate: _("{n} a second").format(n=rate) for rate in RATES}
+        return {
+            "n_kernels": Slider.of("n_kernels", FEWEST, MOST, icons=("one", "many")),
+            "rate": OneOf(_("The pen was seen"), rates, is_view=True),
+        }
+
+    @property
+    def bet(self) -> DrawnBet:
+        """The curve of errors."""
+        question = _(
+            "Five bumps for a whole {letter} are too few. How far off will the robot be with more "
+            "of them? Pull the dots to where you think."
+        )
+        places = np.array([[number, 10.0] for number in BET_NUMBERS])
+        labels = [_("How far off with {n} bumps").format(n=number) for number in BET_NUMBERS]
+        asked = question.format(letter=self.letter)
+        return DrawnBet(asked, "curve", places, labels, step=0.1, unit="mm")
+
+    @property
+    def tasks(self) -> Sequence[Task]:
+        """What to try."""
+        return (
+            Task(
+                _("Take 10 bumps, then 20, then 40. How much nearer does it come each time?"),
+                lambda v: v["n_kernels"] >= 40,
+            ),
+            Task(
+                _("Find the last bump that you can still see in the line."),
+                lambda v: 12 <= v["n_kernels"] <= 30,
+            ),
+            Task(
+                _("See the pen twice as often, 240 times a second. Are more bumps needed?"),
+                lambda v: v["rate"] == "240",
+            ),
+        )
+
+    @property
+    def challenge(self) -> str:
+        """What is checked."""
+        return _(
+            "Every bump must be stored and learned. Find the smallest number of bumps that keeps "
+            "{letter} within {limit} mm. A tenth more than the smallest is fine."
+        ).format(letter=self.letter, limit=self.limit)
+
+    @property
+    def hints(self) -> tuple[str, str, str]:
+        """Each more direct."""
+        return (
+            _("Go up until the number is under the limit. Then go back one by one."),
+            _("Four times less error needs about twice as many bumps."),
+            _("Try {n}.").format(n=self.smallest),
+        )
+
+    def conditions(self, answer: Answer) -> Sequence[Condition]:
+        """Return the error; that fewer would do is told by `mistakes`, which keeps the number."""
+        return [at_most(self.letter, error_mm(self.letter, answer["n_kernels"]), self.limit, "mm")]
+
+    def mistakes(self, answer: Answer) -> Sequence[tuple[bool, str]]:
+        """Return whether there are too few or too many."""
+        number = int(answer["n_kernels"])
+        error = error_mm(self.letter, number)
+        each = 1000 * self.duration / number
+        facts = {"n": number, "letter": self.letter, "limit": self.limit, "each": f"{each:.0f}"}
+        facts |= {"error": millimetres(error / 1000)}
+        few = _(
+            "{n} bumps: each one holds the same push for {each} thousandths of a second, so bends "
+            "are cut short. {letter} is {error} mm off; the limit is {limit}."
+        )
+        many = _(
+            "{n} bumps bring {letter} to {error} mm, and {limit} would be near enough. Fewer will "
+            "do."
+        )
+        found = [(error > self.limit, few), (number > SPARE * self.smallest, many)]
+        return [(is_made, words.format(**facts)) for is_made, words in found]
+
+    def praise(self, answer: Answer) -> str:
+        """Return what was found, as bumps a second."""
+        words = _("{n} bumps are {rate:.0f} a second of writing: {letter} is {error} mm off.")
+        number = int(answer["n_kernels"])
+        error = millimetres(error_mm(self.letter, number) / 1000)
+        rate = number / self.duration
+        return words.format(n=number, rate=rate, letter=self.letter, error=error)
+
+    def tell_bet(self, bet: KeptBet) -> str:
+        """Return where the bet was near, where it was far off, and the law."""
+        truth = [error_mm(self.letter, number) for number, _y in bet]
+        off = [abs(np.log(y / true)) for (_x, y), true in zip(bet, truth, strict=True)]
+        far = int(np.argmax(off))
+        words = _(
+            "The surprise is at {n:g} bumps: you said {said} mm, it is {true}. From about ten "
+            "bumps on, twice as many leave a quarter of the error."
+        )
+        said, true = millimetres(bet[far][1] / 1000), millimetres(truth[far] / 1000)
+        return words.format(n=bet[far][0], said=said, true=true)
+
+    def draw(self, state: LessonState) -> Picture:
+        """Draw the letter, and the curve with the paper's rule."""
+        number, rate = int(state.values["n_kernels"]), str(state.values["rate"])
+        letter = learn(self.letter, number, rate)
+        written = letter.write()
+        note = _("{n} bumps").format(n=number)
+        caption = {"caption": _("On paper"), "note": note}
+        sheet = draw_sheet(letter.strokes, paths_of(written), **caption)
+        curve = self._draw_curve(state, 1000 * error_of(letter))
+        return Picture(self._say(number, rate), sheet, {"curve": curve}, written)
+
+    def _draw_curve(self, state: LessonState, error: float) -> Drawing:
+        """Draw the errors that were tried, or all; and where the paper's N = Num/10 is."""
+        number, rate = int(state.values["n_kernels"]), str(state.values["rate"])
+        numbers = sorted({int(each["n_kernels"]) for each in state.tried})
+        kind = {"kind": "quiet"}
+        if state.is_revealed:
+            numbers, kind = CURVE_NUMBERS, {"kind": "truth", "label": _("the robot")}
+        points = np.array([[n, error_mm(self.letter, n, rate)] for n in numbers])
+        rule = self.duration * int(rate) / 10
+        ticks = [[2, "2"], [5, "5"], [10, "10"], [20, "20"], [40, "40"], [80, "80"]]
+        x = {"label": _("how many bumps"), "low": FEWEST, "high": MOST, "log": True}
+        curve: Drawing = {
+            "caption": _("How far off"),
+            "note": _("your bet, and the truth") if state.is_revealed else "",
+            "x": {**x, "ticks": ticks},
+            "y": error_axis(),
+            "lines": [{"points": points, **kind}] if len(points) > 1 else [],
+            "dots": [{"at": [number, error], "kind": "robot"}],
+        }
+        if state.step != "bet":
+            band = {"from": 0.97 * rule, "to": 1.03 * rule, "label": _("samples / 10")}
+            curve["bands"] = [band]
+        return curve
+
+    def _say(self, number: int, rate: str) -> dict[str, str]:
+        """Return the number and the sentence."""
+        error = error_mm(self.letter, number, rate) / 1000
+        a_second = _("{rate:.1f} bumps for each second of writing. ")
+        text = a_second.format(rate=number / self.duration)
+        if error > 0.001:
+            strong = _("Bends are cut short: more bumps can tell more places apart.")
+        elif error > 0.0003:
+            strong = _("The line is within its own thickness.")
+        else:
+            strong = _("Nobody can see what more bumps would change.")
+        return {"number": millimetres(error), "unit": "mm", "text": text} | {
+            "strong": strong,
+            "after": "",
+        }
