@@ -44,7 +44,7 @@ PAIRS = (("a", "D"), ("e", "B"), ("g", "R"), ("m", "P"), ("h", "S"), ("d", "G"))
 
 
 @lru_cache(maxsize=2048)
-def learn(character: str, kernel: str, width: float, fit: str) -> Letter:
+def learn_with_width(character: str, kernel: str, width: float, fit: str) -> Letter:
     """Learn a letter of our alphabet with kernels of one shape and width [1/N]."""
     preset = Settings.joint if fit == "joint" else Settings.star
     settings = preset(
@@ -58,10 +58,12 @@ def learn(character: str, kernel: str, width: float, fit: str) -> Letter:
         return Letter.learn(recording_of(character), settings)
 
 
-def error_mm(character: str, answer: Answer) -> float:
+def error_at_width(character: str, answer: Answer) -> float:
     """Return how far off a letter is with these settings, on average [mm]."""
     width = float(answer["kernel_width"])
-    return 1000 * error_of(learn(character, str(answer["kernel"]), width, str(answer["fit"])))
+    return 1000 * error_of(
+        learn_with_width(character, str(answer["kernel"]), width, str(answer["fit"]))
+    )
 
 
 class BumpWidth(Lesson):
@@ -75,7 +77,7 @@ class BumpWidth(Lesson):
         self.pair = PAIRS[0] if random is None else PAIRS[random.integers(len(PAIRS))]
         self.kernel = "box" if random is None else ("box", "cut")[random.integers(2)]
         best: Answer = {"kernel_width": 1.1, "kernel": self.kernel, "fit": "lwr"}
-        self.limit = math.ceil(18 * max(error_mm(each, best) for each in self.pair)) / 10
+        self.limit = math.ceil(18 * max(error_at_width(each, best) for each in self.pair)) / 10
         self.start = {**best, "kernel_width": 10.0, "letter": self.pair[0]}
         self.solution = {**best, "letter": self.pair[0]}
 
@@ -151,14 +153,14 @@ class BumpWidth(Lesson):
 
     def conditions(self, answer: Answer) -> Sequence[Condition]:
         """Return the error of each letter."""
-        return [at_most(each, error_mm(each, answer), self.limit, "mm") for each in self.pair]
+        return [at_most(each, error_at_width(each, answer), self.limit, "mm") for each in self.pair]
 
     def mistakes(self, answer: Answer) -> Sequence[tuple[bool, str]]:
         """Return what is wrong with the width, the shape or the fit."""
         width, kernel = float(answer["kernel_width"]), answer["kernel"]
-        worst = max(self.pair, key=lambda each: error_mm(each, answer))
+        worst = max(self.pair, key=lambda each: error_at_width(each, answer))
         facts: Answer = {"width": f"{width:.2g}", "letter": worst, "limit": self.limit}
-        facts["mm"] = f"{error_mm(worst, answer):.1f}"
+        facts["mm"] = f"{error_at_width(worst, answer):.1f}"
         facts["share"] = f"{100 * (1 - width):.0f}"
         together = _(
             "All together each bump is told what the others do, so width {width} hardly matters: "
@@ -182,19 +184,19 @@ class BumpWidth(Lesson):
             (kernel == "bell", endless),
             (kernel != self.kernel, other),
             (width < 1, gaps),
-            (error_mm(worst, answer) > self.limit, piled),
+            (error_at_width(worst, answer) > self.limit, piled),
         ]
         return [(is_made, words.format(**facts)) for is_made, words in found]
 
     def praise(self, answer: Answer) -> str:
         """Return what was found."""
         words = _("Width {width:.2g} keeps both: {errors}. Bumps that just touch are enough.")
-        errors = [f"{each} {error_mm(each, answer):.2f} mm" for each in self.pair]
+        errors = [f"{each} {error_at_width(each, answer):.2f} mm" for each in self.pair]
         return words.format(width=answer["kernel_width"], errors=", ".join(errors))
 
     def tell_bet(self, bet: KeptBet) -> str:
         """Return where the bet was near, and where it was far off."""
-        truth = [error_mm(self.pair[0], self.start | {"kernel_width": x}) for x, _y in bet]
+        truth = [error_at_width(self.pair[0], self.start | {"kernel_width": x}) for x, _y in bet]
         ratios = [y / true for (_x, y), true in zip(bet, truth, strict=True)]
         far = int(np.argmax(np.abs(np.log(ratios))))
         near = int(np.argmin(np.abs(np.log(ratios))))
@@ -218,9 +220,9 @@ class BumpWidth(Lesson):
         values = state.values
         character, kernel = str(values["letter"]), str(values["kernel"])
         width, fit = float(values["kernel_width"]), str(values["fit"])
-        letter = learn(character, kernel, width, fit)
+        letter = learn_with_width(character, kernel, width, fit)
         written = letter.write()
-        error = error_mm(character, values)
+        error = error_at_width(character, values)
         sheet = draw_sheet(
             letter.strokes,
             paths_of(written),
@@ -235,7 +237,7 @@ class BumpWidth(Lesson):
         values = state.values
         of = {"letter": values["letter"], "kernel": values["kernel"], "fit": values["fit"]}
         tried = sorted(
-            (float(each["kernel_width"]), error_mm(self.pair[0], each))
+            (float(each["kernel_width"]), error_at_width(self.pair[0], each))
             for each in state.tried
             if all(each.get(name) == value for name, value in of.items())
         )
@@ -244,7 +246,7 @@ class BumpWidth(Lesson):
         lines = [{"points": np.array(tried), "kind": "quiet"}] if len(tried) > 1 else []
         if state.is_revealed:
             true = [
-                [each, error_mm(str(values["letter"]), values | {"kernel_width": each})]
+                [each, error_at_width(str(values["letter"]), values | {"kernel_width": each})]
                 for each in map(float, CURVE_WIDTHS)
             ]
             lines = [{"points": np.array(true), "kind": "truth", "label": _("the robot")}]

@@ -43,7 +43,7 @@ SPARE = 1.1
 
 
 @lru_cache(maxsize=1024)
-def learn(character: str, number: int, rate: str = PAPER_RATE) -> Letter:
+def learn_with_number(character: str, number: int, rate: str = PAPER_RATE) -> Letter:
     """Learn a letter, sampled so often a second, with so many touching kernels."""
     strokes = [_resample(stroke, int(rate)) for stroke in recording_of(character).strokes()]
     # With few kernels the spring is soft, and says so.
@@ -58,15 +58,15 @@ def _resample(stroke: Trajectory, rate: int) -> Trajectory:
     return Trajectory(t, np.column_stack(axes))
 
 
-def error_mm(character: str, number: float, rate: str = PAPER_RATE) -> float:
+def error_with_number(character: str, number: float, rate: str = PAPER_RATE) -> float:
     """Return how far off a letter is with so many kernels, on average [mm]."""
-    return 1000 * error_of(learn(character, int(number), rate))
+    return 1000 * error_of(learn_with_number(character, int(number), rate))
 
 
 @lru_cache(maxsize=64)
 def find_smallest(character: str, limit: float) -> int:
     """Return the smallest number of kernels with which a letter is within a limit [mm]."""
-    return next(n for n in range(FEWEST, MOST + 1) if error_mm(character, n) <= limit)
+    return next(n for n in range(FEWEST, MOST + 1) if error_with_number(character, n) <= limit)
 
 
 class HowManyBumps(Lesson):
@@ -80,7 +80,7 @@ class HowManyBumps(Lesson):
         self.letter = "a" if random is None else str(random.choice(list(LETTERS)))
         self.limit = 0.5 if random is None else float(random.choice(LIMITS))
         self.smallest = find_smallest(self.letter, self.limit)
-        self.duration = learn(self.letter, FEWEST).strokes[0].duration
+        self.duration = learn_with_number(self.letter, FEWEST).strokes[0].duration
         self.start = {"n_kernels": 5, "rate": PAPER_RATE}
         self.solution = {"n_kernels": self.smallest, "rate": PAPER_RATE}
 
@@ -147,12 +147,16 @@ class HowManyBumps(Lesson):
 
     def conditions(self, answer: Answer) -> Sequence[Condition]:
         """Return the error; that fewer would do is told by `mistakes`, which keeps the number."""
-        return [at_most(self.letter, error_mm(self.letter, answer["n_kernels"]), self.limit, "mm")]
+        return [
+            at_most(
+                self.letter, error_with_number(self.letter, answer["n_kernels"]), self.limit, "mm"
+            )
+        ]
 
     def mistakes(self, answer: Answer) -> Sequence[tuple[bool, str]]:
         """Return whether there are too few or too many."""
         number = int(answer["n_kernels"])
-        error = error_mm(self.letter, number)
+        error = error_with_number(self.letter, number)
         each = 1000 * self.duration / number
         facts = {"n": number, "letter": self.letter, "limit": self.limit, "each": f"{each:.0f}"}
         facts |= {"error": millimetres(error / 1000)}
@@ -171,13 +175,13 @@ class HowManyBumps(Lesson):
         """Return what was found, as bumps a second."""
         words = _("{n} bumps are {rate:.0f} a second of writing: {letter} is {error} mm off.")
         number = int(answer["n_kernels"])
-        error = millimetres(error_mm(self.letter, number) / 1000)
+        error = millimetres(error_with_number(self.letter, number) / 1000)
         rate = number / self.duration
         return words.format(n=number, rate=rate, letter=self.letter, error=error)
 
     def tell_bet(self, bet: KeptBet) -> str:
         """Return where the bet was near, where it was far off, and the law."""
-        truth = [error_mm(self.letter, number) for number, _y in bet]
+        truth = [error_with_number(self.letter, number) for number, _y in bet]
         off = [abs(np.log(y / true)) for (_x, y), true in zip(bet, truth, strict=True)]
         far = int(np.argmax(off))
         words = _(
@@ -190,7 +194,7 @@ class HowManyBumps(Lesson):
     def draw(self, state: LessonState) -> Picture:
         """Draw the letter, and the curve with the paper's rule."""
         number, rate = int(state.values["n_kernels"]), str(state.values["rate"])
-        letter = learn(self.letter, number, rate)
+        letter = learn_with_number(self.letter, number, rate)
         written = letter.write()
         note = _("{n} bumps").format(n=number)
         caption = {"caption": _("On paper"), "note": note}
@@ -205,7 +209,7 @@ class HowManyBumps(Lesson):
         kind = {"kind": "quiet"}
         if state.is_revealed:
             numbers, kind = CURVE_NUMBERS, {"kind": "truth", "label": _("the robot")}
-        points = np.array([[n, error_mm(self.letter, n, rate)] for n in numbers])
+        points = np.array([[n, error_with_number(self.letter, n, rate)] for n in numbers])
         rule = self.duration * int(rate) / 10
         ticks = [[2, "2"], [5, "5"], [10, "10"], [20, "20"], [40, "40"], [80, "80"]]
         x = {"label": _("how many bumps"), "low": FEWEST, "high": MOST, "log": True}
@@ -224,7 +228,7 @@ class HowManyBumps(Lesson):
 
     def _say(self, number: int, rate: str) -> dict[str, str]:
         """Return the number and the sentence."""
-        error = error_mm(self.letter, number, rate) / 1000
+        error = error_with_number(self.letter, number, rate) / 1000
         a_second = _("{rate:.1f} bumps for each second of writing. ")
         text = a_second.format(rate=number / self.duration)
         if error > 0.001:
