@@ -17,6 +17,7 @@ import shutil
 import subprocess
 import sys
 import time
+from contextlib import contextmanager
 from pathlib import Path
 from types import SimpleNamespace
 from urllib.parse import urlsplit
@@ -82,18 +83,13 @@ def chromium():
         browser.close()
 
 
-@pytest.fixture(scope="session")
-def lab(tmp_path_factory):
-    """Our server on a copy of the notebooks: .url, .folder (of the copy), .process, .log()."""
-    home = tmp_path_factory.mktemp("lab")
+@contextmanager
+def serve(home, notebooks):
+    """Run our server in a folder on notebooks, name: text; .url, .folder, .process, .log()."""
     folder = home / "notebooks"
     folder.mkdir()
-    for notebook in sorted((ROOT / "notebooks").glob("*.ipynb")):
-        content = json.loads(notebook.read_text(encoding="utf-8"))
-        for cell in content["cells"]:
-            if cell["cell_type"] == "code":
-                cell.update(execution_count=None, outputs=[])
-        (folder / notebook.name).write_text(json.dumps(content), encoding="utf-8")
+    for name, text in notebooks.items():
+        (folder / name).write_text(text, encoding="utf-8")
     port = launcher.free_port()
     command = launcher.lab_command(sys.executable, home, port)
     command += ["--ServerApp.open_browser=False", "--LabApp.expose_app_in_browser=True"]
@@ -113,7 +109,7 @@ def lab(tmp_path_factory):
         deadline = time.monotonic() + PATIENCE / 1000
         while not launcher.is_up(port):
             if process.poll() is not None or time.monotonic() > deadline:
-                pytest.fail((home / "lab.log").read_text())
+                raise RuntimeError((home / "lab.log").read_text())
             time.sleep(0.1)
         yield SimpleNamespace(
             url=f"http://127.0.0.1:{port}",
@@ -125,6 +121,23 @@ def lab(tmp_path_factory):
         )
     finally:
         launcher.end_family(sys.executable, process)
+
+
+def bare(notebook):
+    """A notebook of ours as text, its cells not yet run."""
+    content = json.loads(notebook.read_text(encoding="utf-8"))
+    for cell in content["cells"]:
+        if cell["cell_type"] == "code":
+            cell.update(execution_count=None, outputs=[])
+    return json.dumps(content)
+
+
+@pytest.fixture(scope="session")
+def lab(tmp_path_factory):
+    """Our server on a copy of the notebooks."""
+    ours = {each.name: bare(each) for each in sorted((ROOT / "notebooks").glob("*.ipynb"))}
+    with serve(tmp_path_factory.mktemp("lab"), ours) as served:
+        yield served
 
 
 def listen(page):
