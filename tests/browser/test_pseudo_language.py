@@ -10,6 +10,7 @@ teach.explore()""",
 pad""",
     """pad.load(teach.recording_of("D"))
 pad.load(teach.recording_of("D", "slanted"))""",
+    "from dmp_teach.views import SceneView\nSceneView()",
 )
 SIZES = {
     "laptop": {"width": 1366, "height": 768},
@@ -19,7 +20,7 @@ SIZES = {
 TEXTS = """() => {
     const told = new Set();
     const tell = text => text && told.add(text.trim());
-    for (const panel of document.querySelectorAll('.dt-panel')) {
+    for (const panel of document.querySelectorAll('.dt-panel, .dt-scene')) {
         panel.innerText.split(/[\\n\\t]/).forEach(tell);
         for (const node of panel.querySelectorAll('svg title, svg text, option'))
             if (node.checkVisibility() || node.matches('title')) tell(node.textContent);
@@ -34,7 +35,7 @@ CROWDED = """() => {
     const found = [];
     const unseen = '.dt-spoken, legend, .dts-hidden, svg, select, input';
     const isLeftOut = node => node.closest(unseen);
-    for (const panel of document.querySelectorAll('.dt-panel')) {
+    for (const panel of document.querySelectorAll('.dt-panel, .dt-scene')) {
         const edge = panel.getBoundingClientRect();
         for (const node of panel.querySelectorAll('*')) {
             if (!node.checkVisibility() || isLeftOut(node)) continue;
