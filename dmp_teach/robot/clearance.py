@@ -7,6 +7,8 @@ from operator import attrgetter
 from dmp_teach.robot.model.proximity import Near, Proximity
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.pen_path import MOTION_RATE
+from dmp_teach.texts import gettext as _
+from dmp_teach.texts import marked
 from dmp_teach.trajectory import Array
 
 LEAST_CLEARANCE = 0.010
@@ -19,21 +21,21 @@ PAGE_SURROUND = 0.2
 """What the page lies on is thought to go on for so far beyond it, on every side [m]."""
 
 _WORDS = {
-    "torso_fixed_link": "torso",
-    "torso_lift_link": "torso",
-    "head_pan_link": "head",
-    "head_tilt_link": "head",
-    "shoulder_pan_link": "shoulder",
-    "shoulder_lift_link": "shoulder",
-    "upperarm_roll_link": "upper arm",
-    "elbow_flex_link": "elbow",
-    "forearm_roll_link": "forearm",
-    "wrist_flex_link": "wrist",
-    "wrist_roll_link": "wrist",
-    "r_gripper_finger_link": "right finger",
-    "l_gripper_finger_link": "left finger",
-    "pen_tip": "pen",
-    "page": "what the page lies on",
+    "torso_fixed_link": marked("torso"),
+    "torso_lift_link": marked("torso"),
+    "head_pan_link": marked("head"),
+    "head_tilt_link": marked("head"),
+    "shoulder_pan_link": marked("shoulder"),
+    "shoulder_lift_link": marked("shoulder"),
+    "upperarm_roll_link": marked("upper arm"),
+    "elbow_flex_link": marked("elbow"),
+    "forearm_roll_link": marked("forearm"),
+    "wrist_flex_link": marked("wrist"),
+    "wrist_roll_link": marked("wrist"),
+    "r_gripper_finger_link": marked("right finger"),
+    "l_gripper_finger_link": marked("left finger"),
+    "pen_tip": marked("pen"),
+    "page": marked("what the page lies on"),
 }
 
 
@@ -73,10 +75,12 @@ def describe_collision(near: Near) -> str:
 
 def describe_thin_margin(near: Near) -> str:
     """Note how near the arm comes where it may stay so."""
-    return (
-        f"after {near.row / MOTION_RATE:.2f} s the arm's {get_plain_name(near.link)} comes within "
-        f"{1000 * near.distance:.0f} mm of {_describe_other(near)}"
-    )
+    note = _("after {t:.2f} s the arm's {part} comes within {mm:.0f} mm of the robot's {other}")
+    if near.other == "page":
+        note = _("after {t:.2f} s the arm's {part} comes within {mm:.0f} mm of {other}")
+    part, other = (_(get_plain_name(link)) for link in (near.link, near.other))
+    t = near.row / MOTION_RATE
+    return note.format(t=t, part=part, mm=1000 * near.distance, other=other)
 
 
 def get_plain_name(link: str) -> str:

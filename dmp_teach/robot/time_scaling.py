@@ -15,6 +15,7 @@ from scipy.interpolate import CubicHermiteSpline
 from scipy.ndimage import convolve1d, find_objects, label, minimum_filter1d
 
 from dmp_teach.robot.pen_path import MOTION_RATE, PenPath
+from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Array
 
 SPEED_SHARE = 0.9
@@ -68,7 +69,8 @@ class TimeScaling:
         worst = self._needed.max(axis=0)
         names = ", ".join(self._names[joint] for joint in np.argsort(-worst) if worst[joint] > 1)
         before, after = self._path.rests[-1] / MOTION_RATE, (len(self.samples) - 1) / MOTION_RATE
-        return (f"slowed from {before:.2f} s to {after:.2f} s: {names}",) if names else ()
+        note = _("slowed from {before:.2f} s to {after:.2f} s: {joints}")
+        return (note.format(before=before, after=after, joints=names),) if names else ()
 
 
 def compute_lateness(needed: Array) -> Array:

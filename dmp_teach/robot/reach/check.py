@@ -14,6 +14,7 @@ from dmp_teach.robot.reach.posture import (
     list_rim_places,
 )
 from dmp_teach.robot.reach.suggest import Area, Suggestion, suggest_page, whole_area
+from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Array
 
 
@@ -42,7 +43,7 @@ def check_reach(solver: Solver, page: Page, ink: Array) -> tuple[Array, tuple[st
     posture = find_posture(solver, page, *whole_area(page))
     if posture.trouble:
         posture = find_posture(solver, page, *area)
-        notes.append("the arm reaches this ink, but not all of the page")
+        notes.append(_("the arm reaches this ink, but not all of the page"))
     if posture.trouble:
         short = _shortfall(solver, page, area)
         problem = f"{f'The page {odd}. ' if odd else ''}{short or posture.trouble}"
