@@ -13,4 +13,8 @@ from .recording_json import recording_from_json as recording_from_json
 from .recording_json import recording_to_json as recording_to_json
 from .recording_json import write_json as write_json
 from .svg_repr import INK_CLASS as INK_CLASS
+from .svg_repr import PERSON_INK as PERSON_INK
+from .svg_repr import ROBOT_INK as ROBOT_INK
+from .svg_repr import SHEET_COLOR as SHEET_COLOR
+from .svg_repr import SHEET_EDGE_COLOR as SHEET_EDGE_COLOR
 from .svg_repr import draw_svg as draw_svg

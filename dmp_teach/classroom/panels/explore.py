@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import warnings
 from pathlib import Path
+from unicodedata import normalize
 
 import numpy as np
 import traitlets
@@ -11,10 +12,11 @@ import traitlets
 from dmp_teach.classroom.panels import messages
 from dmp_teach.classroom.panels.robot_panel import RobotPanel, list_letter_choices, pack_points
 from dmp_teach.classroom.panels.sheets import fit_goal_sheet
+from dmp_teach.classroom.panels.still import Still
 from dmp_teach.dmp import Settings, knob_of
 from dmp_teach.errors import SettingWarning
 from dmp_teach.files import join_modules, join_styles
-from dmp_teach.ink import Recording, recording_of
+from dmp_teach.ink import Recording, characters, recording_of
 from dmp_teach.letters import Letter, rms_distance
 from dmp_teach.robot import Page
 from dmp_teach.texts import gettext as _
@@ -32,8 +34,8 @@ def explore(recording: Recording | str | Path | None = None, page: Page | None =
     """Show a live panel: change a letter with sliders and goals, then let the robot write it.
 
     Args:
-        recording: A recording, or the path of one, to begin with; None begins with our own
-            alphabet.
+        recording: What to begin with: a letter of our alphabet such as "e", a recording, or the
+            path of one; None begins with our "a".
         page: Where the robot writes; None for a sheet of A4 on the table.
 
     Raises:
@@ -77,8 +79,17 @@ class Explore(RobotPanel):
         self.choices = list_letter_choices()
         if recording is None:
             self.letter = "a"
+        elif isinstance(recording, str) and normalize("NFC", recording) in characters():
+            self.letter = normalize("NFC", recording)
         else:
             self.load(recording)
+
+    def draw_still(self) -> Still:
+        """Return the letter and the robot's; of a recording of one's own, the sentence alone."""
+        plain = super().draw_still()
+        if self.letter == OWN_RECORDING:
+            return plain
+        return plain._replace(person=self._demo, robot=self._strokes)
 
     def _show_own(self, own: Recording) -> None:
         """Show a recording beside the letters of the alphabet."""

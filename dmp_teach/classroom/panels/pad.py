@@ -9,19 +9,13 @@ from typing import Any
 import traitlets
 from numpy.typing import ArrayLike
 
-from dmp_teach.classroom.panels import messages
+from dmp_teach.classroom.panels import messages, sheets
 from dmp_teach.classroom.panels.attempts import Attempt, Attempts
 from dmp_teach.classroom.panels.kept import forget, kept
-from dmp_teach.classroom.panels.pad_view import describe_pad, unpack_stroke
+from dmp_teach.classroom.panels.pad_view import describe_empty_pad, describe_pad, unpack_stroke
 from dmp_teach.classroom.panels.robot_panel import RobotPanel, list_letter_choices, pack_points
 from dmp_teach.classroom.panels.saved_attempts import SavedAttempts, list_files
-from dmp_teach.classroom.panels.sheets import (
-    check_character,
-    extend_sheet,
-    find_writing_lines,
-    fit_pad_sheet,
-    place_on_sheet,
-)
+from dmp_teach.classroom.panels.still import Still
 from dmp_teach.errors import RecordingError
 from dmp_teach.files import join_modules, join_styles
 from dmp_teach.ink import Recording, characters, check_pseudonym, pad_stroke, recording_of
@@ -98,9 +92,13 @@ class Pad(RobotPanel):
         super().__init__(page)
         self.choices = [["", _("any"), _("any letter"), ""], *list_letter_choices()]
         if character:
-            self.character = check_character(character)
+            self.character = sheets.check_character(character)
         else:
             self._choose()
+
+    def draw_still(self) -> Still:
+        """Return an empty sheet with the robot's own letter: what a pupil wrote is kept nowhere."""
+        return describe_empty_pad(self._model, self.character)
 
     @property
     def recordings(self) -> tuple[Recording, ...]:
@@ -174,10 +172,10 @@ class Pad(RobotPanel):
         self.start_again()
         if own.character in characters():
             self.character = own.character
-        attempt = Attempt(place_on_sheet(own, self.sheet), (), self._model, self.hand)
+        attempt = Attempt(sheets.place_on_sheet(own, self.sheet), (), self._model, self.hand)
         self._is_done = True
         self._put(attempt)
-        self.sheet = extend_sheet(self.sheet, attempt.ink)
+        self.sheet = sheets.extend_sheet(self.sheet, attempt.ink)
         self.caught = _("Your recording, {seconds:.1f} s.").format(seconds=own.duration)
 
     def write(self) -> None:
@@ -264,7 +262,7 @@ class Pad(RobotPanel):
     @traitlets.validate("character")
     def _check(self, proposal: dict[str, object]) -> str:
         """Refuse a word before it becomes a letter."""
-        return check_character(proposal["value"])
+        return sheets.check_character(proposal["value"])
 
     @traitlets.observe("character")
     def _choose(self, change: object = None) -> None:
@@ -273,8 +271,8 @@ class Pad(RobotPanel):
         strokes = self._model.strokes() if self._model else ()
         with self.hold_sync():
             self.wanted = messages.add_article(self.character)
-            self.sheet = fit_pad_sheet(strokes)
-            self.lines = find_writing_lines()
+            self.sheet = sheets.fit_pad_sheet(strokes)
+            self.lines = sheets.find_writing_lines()
             self.model = pack_points(strokes)
             self.model_times = [(stroke.t - strokes[0].t[0]).tolist() for stroke in strokes]
             self.start_again()

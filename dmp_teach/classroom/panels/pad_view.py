@@ -9,7 +9,10 @@ import numpy as np
 from dmp_teach.classroom.panels import messages
 from dmp_teach.classroom.panels.attempts import Attempt, Attempts, list_rows
 from dmp_teach.classroom.panels.robot_panel import pack_points
+from dmp_teach.classroom.panels.sheets import fit_pad_sheet
+from dmp_teach.classroom.panels.still import Still
 from dmp_teach.errors import RecordingError
+from dmp_teach.ink import Recording
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Array
 
@@ -44,6 +47,14 @@ def describe_pad(attempts: Attempts, character: str, is_done: bool) -> dict[str,
         "tried": pack_points([stroke for attempt in shown for stroke in attempt.aligned]),
         "shift": shift,
     }
+
+
+def describe_empty_pad(model: Recording | None, character: str) -> Still:
+    """Return a pad's still picture: the robot's own letter, and none of a pupil's."""
+    strokes = model.strokes() if model else ()
+    title = _("The robot’s own {letter}.").format(letter=character) if model else ""
+    message = messages.invite_to_write(character)
+    return Still(title, message, fit_pad_sheet(strokes), robot=strokes)
 
 
 def _describe_attempt_now(

@@ -12,9 +12,11 @@ from typing import Any
 import anywidget
 import numpy as np
 import traitlets
+from IPython.display import display, update_display
 
 from dmp_teach.classroom.panels.background_job import Job, Report, StopPressed
 from dmp_teach.classroom.panels.resting import RESTING_SCRIPT
+from dmp_teach.classroom.panels.still import Still
 from dmp_teach.errors import ReachWarning, RecordingError, TeachError
 from dmp_teach.formats import known_formats, read_recording
 from dmp_teach.ink import Recording, characters
@@ -131,6 +133,22 @@ class RobotPanel(anywidget.AnyWidget):
         """Return the scripts' texts in the language that is spoken now."""
         return javascript_texts()
 
+    def draw_still(self) -> Still:
+        """Return what an exported notebook shows of the panel: nothing that a pupil has written."""
+        return Still(self.title, self.message, self.sheet)
+
+    def _ipython_display_(self) -> None:
+        """Show the panel, and below it the still picture, which a living panel hides."""
+        bundle, metadata = self._repr_mimebundle_()
+        display(bundle, metadata=metadata, raw=True)
+        display({"text/html": self.draw_still().html()}, raw=True, display_id=self.model_id)
+
+    # Any: what IPython passes on.
+    def _repr_mimebundle_(self, **kwargs: Any) -> tuple[dict[str, Any], dict[str, Any]]:
+        """Return the living panel, and its sentence for where there is only text."""
+        bundle, metadata = super()._repr_mimebundle_(**kwargs) or ({}, {})
+        return {**bundle, "text/plain": self.draw_still().text()}, metadata
+
     def load(self, recording: Recording | str | Path) -> None:
         """Show a recording of one's own.
 
@@ -176,6 +194,10 @@ class RobotPanel(anywidget.AnyWidget):
             self._job.stop()
         elif kind == "cure":
             self._apply_cure()
+        elif kind == "still":
+            update_display(
+                {"text/html": self.draw_still().html()}, raw=True, display_id=self.model_id
+            )
         elif kind == "close":
             self.work = _IDLE
         elif kind == "file":
