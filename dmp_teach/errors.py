@@ -7,7 +7,7 @@ Every one is a `TeachError` and also the built-in error that one would expect, s
 from typing import Any
 
 
-def kind_of(value: Any, first: bool = False) -> str:
+def kind_of(value: object, first: bool = False) -> str:
     """Return the type of a value with its article: "an int", "a list"; None is "None".
 
     Args:
@@ -28,6 +28,7 @@ class TeachError(Exception):
         cure: A value that would work, if one is known: a `Page`, or the `size` of a letter [m].
     """
 
+    # Any: a cure is of the type of the argument that it would replace.
     def __init__(self, *words: str, cure: Any = None):
         super().__init__(*words)
         self.cure = cure

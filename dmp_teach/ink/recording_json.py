@@ -5,8 +5,8 @@ line [m], the strokes as pairs of samples (or null: found from the height), the 
 number from 0 to 1 for every sample (or null), and a row t [s], x, y, z [m] for each sample. It has
 no place for a name, a date or a time of day.
 
-Version 2 begins its times at 0 and refuses a writer that is no pseudonym. Version 1 did neither,
-and said nothing of what its pressure meant: it is read, without pressure.
+A writer that is no pseudonym is neither written nor read. Version 2 begins its times at 0. Version
+1 did not, and said nothing of what its pressure meant: it is read, without pressure.
 """
 
 from __future__ import annotations
@@ -102,9 +102,7 @@ def recording_to_json(recording: Recording) -> str:
 def check_pseudonym(writer: str | None) -> None:
     """Raise a RecordingError that says what a pseudonym is, unless the writer is one."""
     fits = writer is None or (isinstance(writer, str) and is_pseudonym(writer))
-    rule = (
-        "a pseudonym such as 'w01' or null: at most 20 letters, digits, - and _, no name, no date"
-    )
+    rule = "a pseudonym such as 'w01', 'pupil-3' or 'fox', or null: no name, no date"
     must(fits, "writer", writer, rule)
 
 
@@ -134,14 +132,13 @@ def _read_recording(content: dict[str, Any]) -> Recording:
     ):
         must(fits, name, content[name], rule)
     if content["version"] > 1:
-        check_pseudonym(writer)
         begin = samples[0][0] if samples else 0
         must(begin == 0, "the first time", begin, "0: no clock is kept")
     return Recording(
         np.array([row[0] for row in samples], dtype=float),
         np.array([row[1:] for row in samples], dtype=float),
         character,
-        writer,
+        writer if writer and is_pseudonym(writer) else None,
         baseline,
         None if strokes is None else tuple(map(tuple, strokes)),
         pressure if content["version"] > 1 else None,
