@@ -11,7 +11,7 @@ import numpy as np
 from dmp_teach.dmp.fit import forcing
 from dmp_teach.dmp.integrators import INTEGRATORS, Spring
 from dmp_teach.dmp.kernels import KERNELS, PLACEMENTS, Cells, Kernels, Overlap
-from dmp_teach.dmp.phases import PHASES, Phase
+from dmp_teach.dmp.phases import PHASES
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.dmp.transformations import TRANSFORMATIONS, Transformation
 from dmp_teach.trajectory import Array
@@ -93,11 +93,7 @@ def kernels_of(settings: Settings) -> Kernels:
         cast(int, settings.n_kernels),
         settings.kernel_width,
         KERNELS[settings.kernel].of(settings),
-        _phase_of(settings),
+        PHASES[settings.phase].of(settings),
         PLACEMENTS[settings.kernel_centers].of(settings),
         settings.kernel_sides == "one",
     )
-
-
-def _phase_of(settings: Settings) -> Phase:
-    return PHASES[settings.phase].of(settings)

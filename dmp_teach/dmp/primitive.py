@@ -156,7 +156,10 @@ class DMP:
             if goal is None:
                 return from_rollout(self.times, self._demonstrated)
             if TRANSFORMATIONS[self.settings.transform].is_translation:
-                return from_rollout(self.times, self._path_to(goal))
+                # It is affine in its goal, y(t; g) = A(t) g + b(t).
+                position = self._goal_gain * check_point("goal", goal, len(self.start))
+                position += self._path_to_zero
+                return from_rollout(self.times, position)
         start = self.start if start is None else check_point("start", start, len(self.start))
         goal = self.goal if goal is None else check_point("goal", goal, len(self.start))
         T = self.duration if duration is None else check_duration("duration", duration)
@@ -212,13 +215,6 @@ class DMP:
         path.setflags(write=False)
         self.__dict__["nominal_path"] = path
         return self
-
-    def _path_to(self, goal: ArrayLike) -> Array:
-        """Return the path of DMP* to another goal at the sample times, shape (T, D) [m]."""
-        # It is affine in its goal, y(t; g) = A(t) g + b(t): a slider costs a product and a sum.
-        position = self._goal_gain * check_point("goal", goal, len(self.start))
-        position += self._path_to_zero
-        return position
 
     @cached_property
     def _goal_gain(self) -> Array:

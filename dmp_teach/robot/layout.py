@@ -53,7 +53,11 @@ def lay_out(
     strokes = check_strokes(strokes)
     points = all_points(strokes)
     low, high = points.min(axis=0), points.max(axis=0)
-    _check_metres(high - low)
+    if (high - low).max() > _HUGE:
+        raise PageError(
+            "The ink is {:.0f} x {:.0f} m. Positions are in metres: if yours are in millimetres, "
+            "divide them by 1000.".format(*(high - low))
+        )
     for number, stroke in enumerate(strokes):
         _check_jump(number, stroke)
     scale = _scale(high - low, page, size)
@@ -85,15 +89,6 @@ def check_strokes(strokes: Iterable[Trajectory] | Trajectory) -> tuple[Trajector
                 "Trajectory(stroke.t, stroke.position[:, :2]) keeps x and y."
             )
     return strokes
-
-
-def _check_metres(extent: Array) -> None:
-    """Raise where ink (2,) is so large that its numbers must be millimetres."""
-    if extent.max() > _HUGE:
-        raise PageError(
-            f"The ink is {extent[0]:.0f} x {extent[1]:.0f} m. Positions are in metres: "
-            "if yours are in millimetres, divide them by 1000."
-        )
 
 
 def _check_jump(number: int, stroke: Trajectory) -> None:

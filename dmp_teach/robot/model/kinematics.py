@@ -5,7 +5,7 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
-from functools import cached_property
+from functools import cache, cached_property
 from pathlib import Path
 
 import numpy as np
@@ -39,8 +39,9 @@ class Model:
     joints: tuple[Joint, ...]
 
     @classmethod
+    @cache
     def load(cls, path: str | Path = ASSETS / "fetch.urdf") -> Model:
-        """Read a URDF: the Fetch with a fixed pen unless another one is named."""
+        """Read a URDF, once: the Fetch with a fixed pen unless another one is named."""
         return cls(Path(path), *read_robot(Path(path)))
 
     @property

@@ -157,7 +157,6 @@ def _try_posture(solver: Solver, start: Array, page: Page, low: Array, high: Arr
     if trouble := _trouble(solver, page, middle):
         return ArmPosture(q, np.inf, *trouble)
     solver.stand(q, page.normal, torso=False)
-    effort = 0.0
     joints: list[Array] = []
     jacobians: list[Array] = []
     places = [*list_rim_places(low, high).values(), middle]
@@ -168,24 +167,20 @@ def _try_posture(solver: Solver, start: Array, page: Page, low: Array, high: Arr
                 return ArmPosture(q, np.inf, *trouble)
             joints.append(solver.joints())
             jacobians.append(solver.jacobian())
-    above = joints[1::2]
-    for k in range(1, len(places)):
-        effort = max(
-            effort, _effort_between(solver, places[k] - places[k - 1], above[k] - above[k - 1])
-        )
-    return ArmPosture(
-        q, max(effort, _effort_at(solver, page, np.array(joints), np.array(jacobians)))
-    )
+    between = _effort_between(solver, np.array(places), np.array(joints[1::2]))
+    at = _effort_at(solver, page, np.array(joints), np.array(jacobians))
+    return ArmPosture(q, max(between, at))
 
 
-def _effort_between(solver: Solver, moved: Array, turned: Array) -> float:
-    """Return what a way between places asks of the joints, in parts of their speed limits.
+def _effort_between(solver: Solver, places: Array, q: Array) -> float:
+    """Return what ways between places (N, 3) ask of joints (N, J), in parts of their limits.
 
-    Only here shows an arm that is straight between two places, or a joint that passes half a turn.
+    Only here shows an arm that is straight between two, or a joint that passes half a turn.
     """
-    far = np.linalg.norm(moved)
-    speeds = SWIFT_WRITING * np.abs(turned[1:]) / solver.fastest[1:]
-    return float(speeds.max() / far) if far > 1e-3 else 0.0
+    far = np.linalg.norm(np.diff(places, axis=0), axis=1)
+    speeds = SWIFT_WRITING * np.abs(np.diff(q, axis=0)[:, 1:]) / solver.fastest[1:]
+    asked = speeds.max(axis=1) / np.maximum(far, 1e-3)
+    return float(asked[far > 1e-3].max(initial=0.0))
 
 
 def list_rim_places(low: Array, high: Array) -> dict[str, Array]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 from collections.abc import Callable
-from functools import lru_cache
 
 import numpy as np
 
@@ -102,7 +101,7 @@ class _Recorder:
 
     def __init__(self, motion: Motion, pen: str) -> None:
         self.motion = motion
-        self.model = _model(pen)
+        self.model = Model.load(PENS[pen])
         self.names = (*motion.joint_names, *([SLIDE_JOINT] if pen == "sprung" else []))
         self.limits = np.array([self.model.joint(name).effort for name in motion.joint_names])
         length, joints = motion.q.shape
@@ -161,12 +160,6 @@ class _Recorder:
             motors=motors,
             stopped=stopped,
         )
-
-
-@lru_cache(maxsize=2)
-def _model(pen: str) -> Model:
-    """Return the robot with a pen, read once."""
-    return Model.load(PENS[pen])
 
 
 def _strokes(t: Array, nib: Array, contact: BoolArray) -> tuple[Trajectory, ...]:

@@ -158,18 +158,15 @@ def make_p_from_d(
         progress: As in `claims`.
     """
     named = named_settings(settings, goal_transforms())
-    cut = [_cut_apart(letter) for letter in list_letters(recordings)]
-    given = [letter for letter in cut if letter.character == "D" and len(letter.strokes) > 1]
+    cut = (
+        each if len(each.strokes) > 1 else replace(each, strokes=cut_at_corners(each.strokes[0]))
+        for each in list_letters(recordings)
+        if each.character == "D"
+    )
+    given = [letter for letter in cut if len(letter.strokes) > 1]
     pieces = [(letter, named) for letter in given or list_letters(own_recordings("D"))]
     found = run(_make, pieces, executor, progress)
     return MadeLetters(tuple(item for way in zip(*found, strict=True) for item in way), not given)
-
-
-def _cut_apart(letter: Written) -> Written:
-    """Return the letter, cut at its corners if it was drawn without a lift."""
-    if len(letter.strokes) > 1:
-        return letter
-    return replace(letter, strokes=cut_at_corners(letter.strokes[0]))
 
 
 def _make(piece: tuple[Written, Mapping[str, Settings]]) -> tuple[MadeLetter, ...]:

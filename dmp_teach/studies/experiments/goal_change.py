@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from concurrent.futures import Executor
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
 from dmp_teach.dmp import DMP, Settings, as_settings
 from dmp_teach.errors import SettingError
+from dmp_teach.studies.experiments.variants import Variant
 from dmp_teach.studies.inputs import RecordingsLike, named_strokes
 from dmp_teach.studies.parallel import Progress, run
 from dmp_teach.studies.tables import Columns, Tabled
@@ -186,18 +187,12 @@ def _change_goal(
 ) -> tuple[GoalChange, ...] | str:
     """Return one stroke with all shifts; its name where the original form refuses it."""
     name, path, shifts, settings, original = piece
-    star = DMP.imitate(path, _limited(settings, path))
+    star = DMP.imitate(path, Variant(settings, share=None).on(path))
     try:
-        old = DMP.imitate(path, _limited(original, path))
+        old = DMP.imitate(path, Variant(original, share=None).on(path))
     except SettingError:
         return name
     return tuple(_case(name, path, np.array(shift), star, old) for shift in shifts)
-
-
-def _limited(settings: Settings, path: Trajectory) -> Settings:
-    """Return the settings, with no more kernels than samples."""
-    number = settings.n_kernels
-    return settings if number is None else replace(settings, n_kernels=min(number, len(path)))
 
 
 def _case(name: str, path: Trajectory, shift: Array, star: DMP, old: DMP) -> GoalChange:

@@ -44,7 +44,11 @@ def draw_contact_sheet(
         RecordingError: No such alphabet, both an alphabet and recordings, or no recording.
     """
     chosen = _choose_recordings(alphabet, recordings)
-    letters = _scale_to_sheet([_place_on_line(recording) for recording in chosen])
+    placed = [_place_on_line(recording) for recording in chosen]
+    # In one scale, the largest as large as the sheet has room for [inch].
+    largest = max(np.ptp(np.concatenate(letter), axis=0).max() for letter in placed)
+    scale = LARGEST_LETTER / max(largest, 1e-9)
+    letters = [[scale * stroke for stroke in letter] for letter in placed]
     boxes = np.array([[ink.min(axis=0), ink.max(axis=0)] for ink in map(np.concatenate, letters)])
     width = np.ptp(boxes[:, :, 0], axis=1).max() + LETTER_GAP
     top = boxes[:, 1, 1].max() + LETTER_GAP / 2
@@ -93,13 +97,6 @@ def _place_on_line(recording: Recording) -> list[Array]:
     if line is None:
         line = min(stroke[:, 1].min() for stroke in strokes)
     return [stroke - (0.0, line) for stroke in strokes]
-
-
-def _scale_to_sheet(letters: list[list[Array]]) -> list[list[Array]]:
-    """Return letters in one scale, the largest as large as the sheet has room for [inch]."""
-    largest = max(np.ptp(np.concatenate(letter), axis=0).max() for letter in letters)
-    scale = LARGEST_LETTER / max(largest, 1e-9)
-    return [[scale * stroke for stroke in letter] for letter in letters]
 
 
 def _plot_letter(panel: Axes, strokes: list[Array], numbers: bool) -> None:

@@ -49,7 +49,7 @@ def draw_attribution_bars(*found: Attributions) -> Figure:
         panel.text(
             1.02,
             place,
-            f"{hits} of {count}, by luck {_format_probability(each.luck)}",
+            f"{hits} of {count}, by luck {each.luck:.{3 if each.luck < 0.1 else 2}f}",
             transform=panel.get_yaxis_transform(),
             va="center",
             color=MUTED_COLOR,
@@ -100,7 +100,8 @@ def _plot_bars(panel: Axes, places: np.ndarray, questions: list[Answers]) -> Non
     rates = 100 * np.array([each.rate for each in questions])
     intervals = 100 * np.array([each.interval for each in questions])
     chances = 100 * np.array([each.chance for each in questions])
-    panel.barh(places, rates, 0.62, color=[_find_color(each) for each in questions], alpha=0.85)
+    colors = [FORM_COLORS.get(each.question.split(",")[0], PERSON_COLOR) for each in questions]
+    panel.barh(places, rates, 0.62, color=colors, alpha=0.85)
     label = "95 % interval, a writer counting as one answer"
     panel.hlines(places, *intervals.T, color=TEXT_COLOR, linewidth=1.4, label=label)
     dashes: DrawStyle = {"linestyle": (0, (2, 1.5)), "linewidth": 1.6}
@@ -119,13 +120,3 @@ def _frame_cells(panel: Axes, count: int) -> None:
         panel.plot(*(square + k).T, color=TEXT_COLOR, linewidth=1)
     panel.set_xlim(-0.5, count - 0.5)
     panel.set_ylim(count - 0.5, -0.5)
-
-
-def _find_color(answers: Answers) -> str:
-    """Return the colour of the way in which letters were made, or of people's letters."""
-    return FORM_COLORS.get(answers.question.split(",")[0], PERSON_COLOR)
-
-
-def _format_probability(value: float) -> str:
-    """Return a probability in plain numbers."""
-    return f"{value:.3f}" if value < 0.1 else f"{value:.2f}"

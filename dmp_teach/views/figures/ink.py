@@ -119,7 +119,9 @@ def draw_goal_paths(paths: GoalPaths) -> Figure:
             panel.plot(*path.T, **look, linewidth=2, label=form)
         panel.plot(*shown[-1], color=MUTED_COLOR, label="old goal", **ring)
         panel.plot(*goal, color=TEXT_COLOR, mew=2.2, label="new goal", **ring)
-        style_paper(panel, name + _describe_mirroring(name, paths))
+        axes = [axis for axis, factor in zip("xy", paths.factor, strict=True) if factor < 0]
+        mirrored = f", mirrored in {' and '.join(axes)}" if name == "original" and axes else ""
+        style_paper(panel, name + mirrored)
         _mark_leaving(panel, in_mm[name], shown)
     set_same_view(panels.flat, kept)
     add_legend_below(figure, panels.flat[0])
@@ -175,12 +177,6 @@ def _plot_redrawn(panel: Axes, item: Redrawn) -> None:
     for number, stroke in enumerate(item.drawn or ()):
         label = "" if number else "as it was drawn"
         plot_path(panel, stroke.position, color=ROBOT_COLOR, linewidth=1.8, label=label)
-
-
-def _describe_mirroring(form: str, paths: GoalPaths) -> str:
-    """Return ", mirrored in x" where the original form mirrors a path, else nothing."""
-    axes = [axis for axis, factor in zip("xy", paths.factor, strict=True) if factor < 0]
-    return f", mirrored in {' and '.join(axes)}" if form == "original" and axes else ""
 
 
 def _space_dots(path: Array) -> Array:

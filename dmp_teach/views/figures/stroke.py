@@ -49,7 +49,7 @@ def draw_strokes_by_rule(recording: Recording, theta: float = 0.10, sigma: float
             for side in (-1, 1):
                 look = {"color": MUTED_COLOR, "linewidth": 0.9, "linestyle": (0, (4, 3))}
                 left.axhline(z.mean() + side * 1e3 * sigma, **look)
-        title = f"{RULE_NAMES[rule]}: {_count_strokes(strokes)}"
+        title = f"{RULE_NAMES[rule]}: {len(strokes) or 'no'} stroke{'s' * (len(strokes) > 1)}"
         left.set_title(title, color=TEXT_COLOR, fontsize=10.5, loc="left")
         _plot_on_paper(right, recording, strokes)
     for panel in panels[:-1, 0]:
@@ -119,9 +119,3 @@ def _plot_on_paper(panel: Axes, recording: Recording, strokes: Sequence[Trajecto
         color = STROKE_COLORS[number % len(STROKE_COLORS)]
         plot_path(panel, stroke.position, color=color, linewidth=2.0)
         plot_path(panel, stroke.position[:1], color=color, **ring)
-
-
-def _count_strokes(strokes: Sequence[Trajectory]) -> str:
-    """Return the number of strokes in words."""
-    number = len(strokes)
-    return "no stroke" if not number else "1 stroke" if number == 1 else f"{number} strokes"
