@@ -22,6 +22,7 @@ class Plan:
     """The input that a pen will have on its way, if nothing disturbs it; per movement.
 
     Args:
+        primitive: What was learned.
         inputs: The input of the spring at each step, shape (M, D).
         offset: From start to goal, shape (D,) [m].
         start: y0, shape (D,) [m].
@@ -30,6 +31,7 @@ class Plan:
         spring: The left side of the equation.
     """
 
+    primitive: DMP
     inputs: Array
     offset: Array
     start: Array
@@ -58,7 +60,7 @@ class Plan:
             inputs = transformation.retarget(inputs, taught, offset, equation.input_gain())
             velocity = transformation.retarget(velocity, taught, offset, 0.0)
         T = p.duration if duration is None else check_duration("duration", duration)
-        return cls(inputs, offset, start, velocity, T, equation.spring)
+        return cls(p, inputs, offset, start, velocity, T, equation.spring)
 
     def input_at(self, clock: float) -> Array:
         """Return the input after so many steps; before and after, it holds the pen at rest."""
@@ -182,6 +184,15 @@ class Stepper:
     def __repr__(self) -> str:
         of = f"{self.plan.duration:.3f} s, {self.clock:g} of {self.plan.spring.steps} steps"
         return f"Stepper({self.t:.3f} s of {of}, pen at {self.position} m)"
+
+    def led(self, goal: ArrayLike) -> Self:
+        """Return the same pen with another goal (D,) [m] from now on.
+
+        Raises:
+            TrajectoryError: As `DMP.rollout`.
+        """
+        plan = self.plan
+        return replace(self, plan=Plan.of(plan.primitive, plan.start, goal, plan.duration))
 
     @property
     def position(self) -> Array:

@@ -75,6 +75,27 @@ def test_a_pen_that_a_hand_has_moved_comes_back_too():
     assert np.abs(to_the_end(taken).position[-1] - p.rollout().position[-1]).max() < 1e-6
 
 
+@few
+@given(letters(), st.sampled_from([Settings.star(), Settings.original()]), st.floats(0.0, 0.8))
+def test_a_goal_that_moves_on_the_way_changes_the_rest_alone_and_in_proportion(demo, kind, when):
+    p = DMP.imitate(demo, kind)
+
+    def led(shift):
+        pen, path = Stepper.begin(p), []
+        while not pen.over:
+            if len(path) == round(when * p.steps):
+                pen = pen.led(p.goal + shift)
+            path.append(pen.position)
+            pen = pen.step()
+        return np.array([*path, pen.position])
+
+    at_rest, near, far = (led(shift) for shift in (0.0, 0.01, 0.03))
+    gone = round(when * p.steps) + 1
+    assert np.array_equal(near[:gone], at_rest[:gone])
+    assert np.abs(near[-1] - at_rest[-1]).max() > 1e-3
+    assert np.abs((far - at_rest) - 3 * (near - at_rest)).max() <= 1e-9 * np.abs(far).max()
+
+
 def test_every_step_is_a_new_value():
     pen = Stepper.begin(DMP.imitate(letter()))
     later = pen.step(push=(1.0, 0.0))
