@@ -1,0 +1,205 @@
+"""A letter whose goal was moved, by one of the rules for it, and figures of what became of it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property, lru_cache
+
+import numpy as np
+
+from dmp_teach.classroom import Affine, Answer
+from dmp_teach.dmp import DMP, Settings, Stepper
+from dmp_teach.ink import recording_of
+from dmp_teach.trajectory import Array, Trajectory, arc_lengths
+
+CM = 0.01
+FARTHEST = 12.0, 6.0
+"""How far a goal may be moved aside, and up or down [cm]."""
+# All else is the same, so that they draw the same letter to its old goal.
+RULES = {
+    "original": Settings.star(transform="original"),
+    "printed": Settings.star(feed_goal=False),
+    "star": Settings.star(),
+    "similarity": Settings.star(transform="similarity"),
+}
+
+
+@lru_cache(maxsize=16)
+def strokes_of(character: str) -> tuple[Trajectory, ...]:
+    """Return the person's letter."""
+    return recording_of(character).strokes()
+
+
+@lru_cache(maxsize=64)
+def learn(character: str, rule: str) -> DMP:
+    """Learn the one stroke of a letter, with one of the rules for its goal."""
+    return DMP.imitate(strokes_of(character)[0], RULES[rule])
+
+
+def draw_moved(primitive: DMP, goal: Array, step: int) -> Array:
+    """Return the path (T, D) [m] of a pen whose goal moves after so many steps of the spring.
+
+    `Stepper.led` does the same, one step after the other.
+    """
+    before, after = Stepper.begin(primitive).plan, Stepper.begin(primitive, goal=goal).plan
+    inputs = np.vstack([before.inputs[:step], after.inputs[step:]])
+    velocity = (before if step else after).start_velocity
+    path = before.spring.follow(inputs, velocity)
+    return primitive.start + primitive.at_sample_times(path)
+
+
+@lru_cache(maxsize=1024)
+def responses(character: str, rule: str, moves_at: float) -> tuple[Array, Array]:
+    """Return the path to the old goal (T, 2), and what 1 cm of x and y adds (2, T, 2) [m].
+
+    A goal that moves at a moment [s] keeps the path affine in it, by every rule.
+    """
+    primitive = learn(character, rule)
+    step = round(min(moves_at / primitive.duration, 1) * primitive.steps)
+    base = draw_moved(primitive, primitive.goal, 0)
+    moved = [draw_moved(primitive, primitive.goal + CM * axis, step) for axis in np.eye(2)]
+    return base, np.array(moved) - base
+
+
+@dataclass(frozen=True)
+class MovedLetter:
+    """A letter whose goal was moved.
+
+    Args:
+        character: The letter.
+        values: `rule`, `moves_at` [s], `goal_x` and `goal_y` [cm].
+    """
+
+    character: str
+    values: Answer
+
+    @cached_property
+    def primitive(self) -> DMP:
+        """What was learned."""
+        return learn(self.character, str(self.values["rule"]))
+
+    @property
+    def strokes(self) -> tuple[Trajectory, ...]:
+        """The person's."""
+        return strokes_of(self.character)
+
+    @property
+    def times(self) -> Array:
+        """From 0, shape (T,) [s]."""
+        return self.primitive.times - self.primitive.times[0]
+
+    @cached_property
+    def shift(self) -> Array:
+        """How far its goal moved, to the right and up, shape (2,) [cm]."""
+        return np.array([float(self.values["goal_x"]), float(self.values["goal_y"])])
+
+    @property
+    def following(self) -> Affine:
+        """Its path as it follows the goal [m]."""
+        moves_at = float(self.values["moves_at"])
+        base, terms = responses(self.character, str(self.values["rule"]), moves_at)
+        return Affine(base, {"goal_x": terms[0], "goal_y": terms[1]})
+
+    @cached_property
+    def path(self) -> Array:
+        """The robot's line, shape (T, 2) [m]."""
+        line = self.following
+        return line.base + sum(
+            by * term for by, term in zip(self.shift, line.terms.values(), strict=True)
+        )
+
+    @cached_property
+    def offsets(self) -> tuple[Array, Array]:
+        """From the start to the old goal and to the new one, shape (2,) each [m]."""
+        old = self.primitive.goal - self.primitive.start
+        return old, old + CM * self.shift
+
+    @property
+    def factors(self) -> Array:
+        """(g' - y0) / (g - y0), sideways and upwards: what the original rule multiplies by."""
+        old, new = self.offsets
+        return new / old
+
+    @property
+    def turn(self) -> tuple[float, float]:
+        """By how much a similarity turns it [degrees], and what it multiplies its size by."""
+        (a, b), (c, d) = self.offsets
+        quotient = complex(c, d) / complex(a, b)
+        return abs(float(np.degrees(np.angle(quotient)))), abs(quotient)
+
+    @property
+    def miss(self) -> float:
+        """How far from its goal the pen stops [mm]."""
+        goal = self.primitive.goal + CM * self.shift
+        return float(1000 * np.linalg.norm(self.path[-1] - goal))
+
+    @property
+    def hurry(self) -> float:
+        """The greatest speed of the pen after its goal has moved [cm/s]."""
+        t = self.times
+        speed = np.linalg.norm(np.gradient(self.path, t, axis=0), axis=1)
+        return float(speed[t >= min(float(self.values["moves_at"]), t[-2])].max() / CM)
+
+    @cached_property
+    def share(self) -> float:
+        """How much of its line goes the way of the person's, to within 45 degrees [%]."""
+        paths = self.path, self.strokes[0].position
+        line, taught = (np.diff(each, axis=0) for each in paths)
+        length = np.linalg.norm(line, axis=1)
+        along = np.sum(line * taught, axis=1)
+        is_same = along > np.sqrt(0.5) * length * np.linalg.norm(taught, axis=1)
+        return float(100 * length[is_same].sum() / max(length.sum(), 1e-9))
+
+    @property
+    def facts(self) -> Answer:
+        """Return the numbers that sentences name, and the letter."""
+        (x, y), (fx, fy) = self.shift, (f"{each:.2f}".replace("-", "−") for each in self.factors)
+        degrees, scale = self.turn
+        return {
+            **{"letter": self.character, "share": self.share, "mm": self.miss, "hurry": self.hurry},
+            **{"x": abs(x), "y": abs(y), "cm": np.hypot(x, y), "s": float(self.values["moves_at"])},
+            **{"fx": fx, "fy": fy, "degrees": degrees, "scale": scale},
+        }
+
+    @property
+    def box(self) -> list[float]:
+        """A sheet with room for the letter, and for its goal wherever it may be moved [m]."""
+        goal, reach = self.primitive.goal, CM * np.array(FARTHEST)
+        points = np.vstack([self.strokes[0].position, goal - reach, goal + reach])
+        return [*(points.min(axis=0) - CM), *(points.max(axis=0) + CM)]
+
+    def sideways(self, order: int) -> Affine:
+        """Return how far right of its start it is [cm], order 0, or how fast, 1, over time."""
+        line, t = self.following, self.times
+        terms = {name: self._over(0 * t, term, 0.0, order) for name, term in line.terms.items()}
+        return Affine(self._over(t, line.base, self.primitive.start[0], order), terms)
+
+    def person_sideways(self, order: int) -> Array:
+        """Return the same of the person's letter."""
+        return self._over(self.times, self.strokes[0].position, self.primitive.start[0], order)
+
+    def sideways_limits(self, order: int) -> tuple[float, float]:
+        """Return the limits of a plot of it, the same wherever the goal is."""
+        values = self.person_sideways(order)[:, 1]
+        if order:
+            fastest = float(1.6 * np.abs(values).max())
+            return -fastest, fastest
+        # More room on the side that the goal comes to when it crosses the start.
+        room = (3.0, 8.0) if self.offsets[0][0] < 0 else (8.0, 3.0)
+        return float(values.min() - room[0]), float(values.max() + room[1])
+
+    def _over(self, t: Array, path: Array, zero: float, order: int) -> Array:
+        """Return x of a path [cm], or its derivative, over `t`, shape (T, 2)."""
+        x = (path[:, 0] - zero) / CM
+        return np.column_stack([t, np.gradient(x, self.times) if order else x])
+
+
+def mean_distance(drawn: Array, path: Array) -> float:
+    """Return how far a drawn line is from a path on average, at equal parts of their ways [m]."""
+    ways = (arc_lengths(line) for line in (drawn, path))
+    u = np.linspace(0, 1, 100)
+    a, b = (
+        np.column_stack([np.interp(u * way[-1], way, axis) for axis in line.T])
+        for line, way in zip((drawn, path), ways, strict=True)
+    )
+    return float(np.linalg.norm(a - b, axis=1).mean())

@@ -1,0 +1,291 @@
+"""Lesson 05: a goal that moves (the paper's figures of one and of two degrees of freedom)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from dmp_teach.classroom import (
+    Affine,
+    Answer,
+    Condition,
+    Drawing,
+    DrawnBet,
+    KeptBet,
+    Knobs,
+    Lesson,
+    LessonState,
+    OneOf,
+    Picture,
+    Slider,
+    Task,
+    at_least,
+    at_most,
+)
+from dmp_teach.lessons.drawing import draw_sheet, millimetres
+from dmp_teach.lessons.goals import CM, FARTHEST, MovedLetter, mean_distance
+from dmp_teach.texts import gettext as _
+from dmp_teach.trajectory import Trajectory
+
+LETTERS = ("S", "2", "6", "G", "e")
+# Its goal is nearly straight below its start, 1 mm beside it.
+STEEP = "C"
+ASIDE, UPWARDS = 10.0, 4.0
+LEAST_SHARE, MOST_MISS = 95.0, 1.0
+BET_POINTS = 9
+
+
+class MoveGoal(Lesson):
+    """A rule that keeps the shape, beside one that mirrors it and one that turns it."""
+
+    key = "05"
+    slug = "move_goal"
+
+    def vary(self, random: np.random.Generator | None) -> None:
+        """Choose the letter, and whether its goal is to go up or down."""
+        self.letter = LETTERS[0] if random is None else LETTERS[random.integers(len(LETTERS))]
+        self.up = 1 if random is None else (1, -1)[random.integers(2)]
+        self.start = {"goal_x": 0.0, "goal_y": 0.0, "moves_at": 0.0, "rule": "original"}
+        self.start["letter"] = self.letter
+        led = MovedLetter(self.letter, self.start)
+        offset = float(led.offsets[0][0] / CM)
+        self.side = -1 if offset > 0 else 1
+        self.latest = int(9 * led.times[-1]) / 10
+        # Across the start, where the letter is mirrored and not made wider.
+        self.start["goal_x"] = self.side * min(FARTHEST[0], round(2 * abs(offset), 1))
+        self.solution = self.start | {"rule": "star"}
+        self.solution |= {"goal_x": 10.5 * self.side, "goal_y": 4.5 * self.up}
+
+    @property
+    def question(self) -> str:
+        """The title."""
+        return _("What happens when the goal moves?")
+
+    @property
+    def knobs(self) -> Knobs:
+        """What a pupil can set."""
+        rules = {"original": _("first rule"), "printed": _("DMP* as printed")}
+        rules |= {"star": "DMP*", "similarity": _("similarity")}
+        x = Slider(_("Goal to the right"), "g", -FARTHEST[0], FARTHEST[0], 0.1, "cm", 1)
+        y = Slider(_("Goal upwards"), "g", -FARTHEST[1], FARTHEST[1], 0.1, "cm", 1)
+        letters = {each: each for each in (self.letter, STEEP)}
+        return {
+            "goal_x": replace(x, is_drawn_here=True),
+            "goal_y": replace(y, is_drawn_here=True),
+            "moves_at": Slider(_("When the goal moves"), "t", 0.0, self.latest, 0.1, "s", 1),
+            "rule": OneOf(_("Rule"), rules),
+            "letter": OneOf(_("Letter"), letters, is_view=True),
+        }
+
+    @property
+    def bet(self) -> DrawnBet:
+        """The line that the robot will write."""
+        question = _(
+            "The robot learned this {letter} by the first rule that was invented. Now its goal has "
+            "moved to the other side of the start. Draw the line that the robot will write, from "
+            "the start to the ring."
+        )
+        led = MovedLetter(self.letter, self.start)
+        u = np.linspace(0.12, 0.74, BET_POINTS)[:, None]
+        places = led.primitive.start + u * led.offsets[1]
+        labels = [_("Place {n} of the line").format(n=n + 1) for n in range(BET_POINTS)]
+        return DrawnBet(question.format(letter=self.letter), "sheet", places, labels, axis="xy")
+
+    @property
+    def tasks(self) -> Sequence[Task]:
+        """What to try."""
+        return (
+            Task(
+                _("Drag the ring across the start, by each rule. Which keeps the shape?"),
+                lambda v: v["rule"] in ("star", "printed") and v["goal_x"] != self.start["goal_x"],
+            ),
+            Task(
+                _("C, first rule: its goal is under its start. Drag its ring aside by 1 cm."),
+                lambda v: v["rule"] == "original" and v["letter"] == STEEP,
+            ),
+            Task(
+                _("Let the goal move while the pen is on its way. What does the pen do?"),
+                lambda v: v["moves_at"] > 0.2 * self.latest,
+            ),
+        )
+
+    @property
+    def challenge(self) -> str:
+        """What is checked."""
+        words = _(
+            "Lead the goal of the {letter} at least {x:g} cm {aside} and {y:g} cm {up}. At least "
+            "{least:g} % of the line must go the way that the person’s went, and the pen must stop "
+            "at its goal."
+        )
+        return words.format(x=ASIDE, y=UPWARDS, least=LEAST_SHARE, **self._wanted())
+
+    @property
+    def hints(self) -> tuple[str, str, str]:
+        """Each more direct."""
+        solution = _(
+            "Take DMP*, let the goal move at 0.0 s, and put it {x:.1f} cm {aside} and {y:.1f} cm "
+            "{up}."
+        )
+        x, y = (abs(self.solution[name]) for name in ("goal_x", "goal_y"))
+        return (
+            _("One rule multiplies the letter, one turns it, one slides it. Which do you need?"),
+            _("Slide it, from the very beginning on. And look where the pen stops."),
+            solution.format(x=x, y=y, **self._wanted()),
+        )
+
+    def conditions(self, answer: Answer) -> Sequence[Condition]:
+        """Return how far the goal moved, how much kept its way, and where the pen stops."""
+        led, wanted = MovedLetter(self.letter, answer), self._wanted()
+        x, y = map(float, led.shift * (self.side, self.up))
+        return [
+            at_least(wanted["aside"], x, ASIDE, "cm"),
+            at_least(wanted["up"], y, UPWARDS, "cm"),
+            at_least(_("the same way"), led.share, LEAST_SHARE, "%"),
+            at_most(_("from the goal"), led.miss, MOST_MISS, "mm"),
+        ]
+
+    def mistakes(self, answer: Answer) -> Sequence[tuple[bool, str]]:
+        """Return what is wrong with the rule, the moment or the place."""
+        led = MovedLetter(self.letter, answer)
+        aside, up, same, from_goal = (each.is_met for each in self.conditions(answer))
+        is_multiplied_or_turned = answer["rule"] in ("original", "similarity")
+        same_way = _(" {share:.0f} % of the line goes the same way.")
+        jumps = _(
+            "At {s:.1f} s a part of the {letter} is written already; then the pen runs after its "
+            "goal at {hurry:.0f} cm/s."
+        )
+        lags = _(
+            "As printed, DMP* does not tell the pen how the way grows: the pen is always late, and "
+            "stops {mm:.1f} mm from its goal."
+        )
+        hasty = _("At {s:.1f} s the goal moves too late: the pen stops {mm:.1f} mm from it.")
+        leans = _("A goal {cm:.1f} cm away slides the {letter} so far that it leans.")
+        short = _("The goal has moved {x:.1f} cm {x_way}; it is to move {x_least:g} cm {aside}.")
+        low = _("The goal has moved {y:.1f} cm {y_way}; it is to move {y_least:g} cm {up}.")
+        found = [
+            (not same and is_multiplied_or_turned, "".join(_tell_rule(led)) + same_way),
+            (not same and answer["moves_at"] > 0, jumps + same_way),
+            (not from_goal and answer["rule"] == "printed", lags),
+            (not from_goal, hasty),
+            (not same, leans + same_way),
+            (not aside, short),
+            (not up, low),
+        ]
+        facts = led.facts | {"x_least": ASIDE, "y_least": UPWARDS} | self._wanted()
+        facts["x_way"], facts["y_way"] = _ways(*led.shift)
+        return [(is_made, words.format(**facts)) for is_made, words in found]
+
+    def _wanted(self) -> dict[str, str]:
+        """Return the letter, and where its goal is to go."""
+        aside, up = _ways(self.side, self.up)
+        return {"letter": self.letter, "aside": aside, "up": up}
+
+    def praise(self, answer: Answer) -> str:
+        """Return what was found."""
+        words = _(
+            "{share:.0f} % of the {letter} goes the same way, {cm:.1f} cm from its old goal. The "
+            "first rule would have multiplied it by {fx} sideways."
+        )
+        return words.format(**MovedLetter(self.letter, answer).facts)
+
+    def tell_bet(self, bet: KeptBet) -> str:
+        """Return how far the drawn line is from the robot's, and whose it is like."""
+        led = MovedLetter(self.letter, self.start)
+        slid = MovedLetter(self.letter, self.start | {"rule": "star"})
+        off, off_slid = (mean_distance(np.array(bet), each.path) for each in (led, slid))
+        words = _(
+            "On average your line is {off} mm from the robot’s. The first rule multiplies the "
+            "{letter} by {fx} sideways: it is mirrored."
+        )
+        kept = _("You kept the shape, as a newer rule does.")
+        seen = _("You saw that coming.")
+        told = words.format(off=millimetres(off), **led.facts)
+        return f"{told} {kept if off_slid < off else seen}"
+
+    def draw(self, state: LessonState) -> Picture:
+        """Draw the letter, and one coordinate of it over time by two rules."""
+        led = MovedLetter(str(state.values["letter"]), state.values)
+        is_hidden = state.step == "bet" and not state.is_revealed
+        goal = led.primitive.goal
+        axes = dict(zip(("goal_x", "goal_y"), CM * np.eye(2)[:, None], strict=True))
+        ring = {"home": goal.tolist(), "at": Affine(goal[None], axes), "label": _("goal")}
+        ring |= {"scale": CM, "knobs": [] if state.step == "bet" else list(axes)}
+        sheet = draw_sheet(
+            led.strokes,
+            [] if is_hidden else [led.following],
+            box=led.box,
+            rings=[ring],
+            caption=_("On paper"),
+            **({} if state.values == self.start else {"bet": []}),
+        )
+        plots = self._draw_plots(led, is_hidden, state.step != "bet")
+        says = self._ask(led) if is_hidden else _say(led)
+        return Picture(says, sheet, plots, (Trajectory(led.primitive.times, led.path),))
+
+    def _draw_plots(self, led: MovedLetter, is_hidden: bool, has_knob: bool) -> dict[str, Drawing]:
+        """Draw left and right over time, and the velocity, by this rule and by another one."""
+        names = {"original": _("first"), "similarity": _("similarity")}
+        rule = str(led.values["rule"])
+        other = "star" if rule == "original" else "original"
+        beside = MovedLetter(led.character, led.values | {"rule": other})
+        x = {"label": "", "low": 0.0, "high": float(led.times[-1])}
+        plots: dict[str, Drawing] = {}
+        for order, name in enumerate(("position", "velocity")):
+            person = led.person_sideways(order)
+            lines = [{"points": person, "kind": "child"}]
+            for each, kind in () if is_hidden else ((beside, "quiet"), (led, "robot")):
+                label = names.get(str(each.values["rule"]), "DMP*")
+                lines.append({"points": each.sideways(order), "kind": kind, "label": label})
+            low, high = led.sideways_limits(order)
+            plots[name] = {"x": x, "y": {"label": "", "low": low, "high": high}, "lines": lines}
+        plots["position"] |= {"caption": _("How far right of its start the pen is [cm]")}
+        plots["velocity"] |= {"caption": _("How fast it goes to the right [cm/s]")}
+        plots["velocity"]["x"] = x | {"label": _("time [s]")}
+        if has_knob:
+            s = float(led.values["moves_at"])
+            knob = {"name": "moves_at", "axis": "x", "value": s, "text": f"{s:.1f} s"}
+            knob |= {"low": 0.0, "high": self.latest, "step": 0.1, "label": _("the goal moves")}
+            plots["position"]["thresholds"] = [knob]
+        return plots
+
+    def _ask(self, led: MovedLetter) -> dict[str, str]:
+        """Return what is said before the truth is seen."""
+        text = _("is how far the goal has moved, to the other side of the start. ")
+        says = {"number": f"{abs(led.shift[0]):.1f}", "unit": "cm", "text": text}
+        return says | {"strong": _("What will the robot write?"), "after": ""}
+
+
+def _say(led: MovedLetter) -> dict[str, str]:
+    """Return the number and the sentence."""
+    text, strong = _tell_rule(led)
+    after = _(" It runs after its goal at {hurry:.0f} cm/s.") if led.values["moves_at"] else ""
+    if not led.shift.any():
+        text, strong, after = _("The goal is where it was. "), _("Drag the ring."), ""
+    says = {"text": text, "strong": strong, "after": after}
+    says = {name: words.format(**led.facts) for name, words in says.items()}
+    return {"number": f"{led.share:.0f}", "unit": _("% the same way"), **says}
+
+
+def _tell_rule(led: MovedLetter) -> tuple[str, str]:
+    """Return what the rule does, and what becomes of the letter."""
+    if led.values["rule"] == "similarity":
+        text = _("Similarity turns by {degrees:.0f}° and makes {scale:.1f} times as large. ")
+        return text, _("The {letter} is as it was, but does not stand as it stood.")
+    if led.values["rule"] != "original":
+        text = _("DMP* keeps each push, and all slides along. ")
+        return text, _("The pen stops {mm:.1f} mm from its goal.")
+    text = _("The first rule multiplies by (g′ − y₀)/(g − y₀): {fx} sideways, {fy} upwards. ")
+    if np.abs(led.factors).min() < 0.1:
+        return text, _("Goal and start are level: the {letter} is pressed flat.")
+    if led.factors.min() < 0:
+        return text, _("Below 0 the {letter} is mirrored.")
+    is_near = np.abs(led.factors - 1).max() < 0.1
+    return text, _("That is nearly 1.") if is_near else _("The {letter} is stretched.")
+
+
+def _ways(x: float, y: float) -> tuple[str, str]:
+    """Return the words for a way aside and one up or down."""
+    aside = _("to the right") if x >= 0 else _("to the left")
+    return aside, _("up") if y >= 0 else _("down")
