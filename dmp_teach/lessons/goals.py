@@ -16,7 +16,7 @@ CM = 0.01
 FARTHEST = 12.0, 6.0
 """How far a goal may be moved aside, and up or down [cm]."""
 # All else is the same, so that they draw the same letter to its old goal.
-RULES = {
+GOAL_RULES = {
     "original": Settings.star(transform="original"),
     "printed": Settings.star(feed_goal=False),
     "star": Settings.star(),
@@ -33,7 +33,7 @@ def strokes_of(character: str) -> tuple[Trajectory, ...]:
 @lru_cache(maxsize=64)
 def learn(character: str, rule: str) -> DMP:
     """Learn the one stroke of a letter, with one of the rules for its goal."""
-    return DMP.imitate(strokes_of(character)[0], RULES[rule])
+    return DMP.imitate(strokes_of(character)[0], GOAL_RULES[rule])
 
 
 def draw_moved(primitive: DMP, goal: Array, step: int) -> Array:

@@ -29,7 +29,7 @@ from dmp_teach.lessons.goals import CM, FARTHEST, MovedLetter, mean_distance
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Trajectory
 
-LETTERS = ("S", "2", "6", "G", "e")
+MIRRORED_LETTERS = ("S", "2", "6", "G", "e")
 # Its goal is nearly straight below its start, 1 mm beside it.
 STEEP = "C"
 ASIDE, UPWARDS = 10.0, 4.0
@@ -45,7 +45,11 @@ class MoveGoal(Lesson):
 
     def vary(self, random: np.random.Generator | None) -> None:
         """Choose the letter, and whether its goal is to go up or down."""
-        self.letter = LETTERS[0] if random is None else LETTERS[random.integers(len(LETTERS))]
+        self.letter = (
+            MIRRORED_LETTERS[0]
+            if random is None
+            else MIRRORED_LETTERS[random.integers(len(MIRRORED_LETTERS))]
+        )
         self.up = 1 if random is None else (1, -1)[random.integers(2)]
         self.start = {"goal_x": 0.0, "goal_y": 0.0, "moves_at": 0.0, "rule": "original"}
         self.start["letter"] = self.letter

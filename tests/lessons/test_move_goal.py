@@ -7,7 +7,7 @@ import pytest
 
 import dmp_teach as teach
 from dmp_teach.dmp import Stepper
-from dmp_teach.lessons.goals import RULES, MovedLetter, draw_moved, learn
+from dmp_teach.lessons.goals import GOAL_RULES, MovedLetter, draw_moved, learn
 
 VARIANTS = [teach.lesson("05", pupil=f"w{n:02d}") for n in range(30)]
 
@@ -17,7 +17,7 @@ def moved(lesson, **values):
     return MovedLetter(lesson.letter, lesson.solution | values)
 
 
-@pytest.mark.parametrize("rule", RULES)
+@pytest.mark.parametrize("rule", GOAL_RULES)
 @pytest.mark.parametrize("step", [0, 37, 150])
 def test_a_moved_goal_is_drawn_as_the_stepper_draws_it(rule, step):
     primitive = learn("S", rule)
@@ -33,12 +33,12 @@ def test_a_moved_goal_is_drawn_as_the_stepper_draws_it(rule, step):
 
 def test_all_rules_draw_the_same_letter_to_its_old_goal():
     home = {"goal_x": 0.0, "goal_y": 0.0}
-    paths = [moved(VARIANTS[0], rule=rule, **home).path for rule in RULES]
+    paths = [moved(VARIANTS[0], rule=rule, **home).path for rule in GOAL_RULES]
     assert max(np.abs(a - b).max() for a, b in itertools.pairwise(paths)) < 1e-9
 
 
 def test_the_line_that_follows_the_ring_is_the_rollout():
-    for rule in RULES:
+    for rule in GOAL_RULES:
         led = moved(VARIANTS[0], rule=rule, goal_x=-7.3, goal_y=2.1)
         drawn = led.primitive.rollout(goal=led.primitive.goal + np.array([-0.073, 0.021])).position
         assert np.abs(led.path - drawn).max() < 1e-9
@@ -83,7 +83,7 @@ def test_each_mistake_is_told_with_the_numbers_of_the_answer(values, words):
 
 def test_a_bet_on_the_old_shape_is_told_what_keeps_it():
     lesson = teach.lesson("05")
-    lines = {name: MovedLetter("S", lesson.start | {"rule": name}).path for name in RULES}
+    lines = {name: MovedLetter("S", lesson.start | {"rule": name}).path for name in GOAL_RULES}
     told = {name: lesson.tell_bet(line[::20].tolist()) for name, line in lines.items()}
     assert "as a newer rule does" in told["star"]
     assert "You saw that coming" in told["original"]
