@@ -1,0 +1,203 @@
+"""Every lesson as a pupil meets it, in a real JupyterLab: bet, try, miss twice, hint, green card."""
+
+import json
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+import dmp_teach as teach
+from dmp_teach.lessons import lessons
+
+NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
+TOOLS = Path(__file__).parents[1] / "javascript"
+KEYS = list(lessons())
+SMALL_LAPTOP = {"width": 1366, "height": 768}
+SET = """(input, place) => {
+    input.value = String(place);
+    for (const type of ["input", "change"]) input.dispatchEvent(new Event(type, {bubbles: true}));
+}"""
+VIOLATIONS = """async () => {
+    const rules = {type: "tag", values: ["wcag2a", "wcag2aa", "wcag21a", "wcag21aa"]};
+    const found = await axe.run(document.querySelector(".dt-lesson"), {runOnly: rules});
+    return found.violations.map(v => `${v.id}: ${v.nodes.map(n => n.html.slice(0, 120))}`);
+}"""
+KEPT = "() => Object.entries(sessionStorage).find(([name]) => name.includes(' 03 '))[1]"
+FITS = """() => {
+    const seen = document.querySelector(".jp-WindowedPanel-outer, .jp-Notebook");
+    const { top, bottom } = seen.getBoundingClientRect();
+    const parts = [".dt-card", ".dt-stage", ".dt-says .dt-box"];
+    const boxes = parts.map(part => document.querySelector(part).getBoundingClientRect());
+    const low = Math.max(...boxes.map(box => box.bottom));
+    return [Math.min(...boxes.map(box => box.top)) - top, bottom - low];
+}"""
+
+
+@pytest.fixture(scope="module")
+def axe():
+    """The script that finds what a screen reader would stumble over."""
+    script = TOOLS / "node_modules" / "axe-core" / "axe.min.js"
+    if not script.exists():
+        npm = shutil.which("npm")
+        if npm is None:
+            pytest.skip("npm is not installed: with Node.js 18 or newer this is checked, too")
+        subprocess.run([npm, "ci", "--no-audit", "--no-fund"], cwd=TOOLS, check=True, timeout=300)
+    return script
+
+
+def notebook_of(key):
+    return next(NOTEBOOKS.glob(f"{key}_*.ipynb")).name
+
+
+@pytest.fixture
+def lesson(open_notebook):
+    """Open a lesson's notebook, and only its panel's cell is run."""
+
+    def open_it(key, **context):
+        page = open_notebook(notebook_of(key), run=False, **{"viewport": SMALL_LAPTOP, **context})
+        page.locator(".jp-CodeCell").first.locator(".jp-InputArea-editor").click()
+        page.keyboard.press("Shift+Enter")
+        page.wait_for_selector(".dt-lesson[data-dt-drawing]")
+        page.locator(".dt-lesson").scroll_into_view_if_needed()
+        return page
+
+    return open_it
+
+
+def press(page, name):
+    page.locator(".dt-lesson").get_by_role("button", name=name, exact=True).click()
+
+
+def bet(page, spec):
+    """Bet by keyboard: the first handle is moved, or the first answer chosen."""
+    if "options" in spec:
+        page.locator(".dt-card .dt-choice input").first.press("Space")
+    else:
+        handle = page.locator(".dt-handle").first
+        handle.focus()
+        for key in ("ArrowDown", "ArrowDown", "ArrowUp"):
+            page.keyboard.press(key)
+    page.wait_for_function(
+        "() => !document.querySelector('.dt-card .dt-main').getAttribute('aria-disabled')"
+    )
+
+
+def turn(page, lesson, values):
+    """Turn every knob by hand to a value."""
+    for name, knob in lesson.knobs.items():
+        row = page.locator(".dt-knobs")
+        if isinstance(knob.allowed[0], str):
+            label = dict(knob.options)[values[name]]
+            group = row.get_by_role("radiogroup", name=knob.label).or_(
+                row.get_by_role("group", name=knob.label)
+            )
+            group.get_by_role("radio", name=label, exact=True).check(force=True)
+        else:
+            slider = row.get_by_role("slider", name=knob.label)
+            place = values[name]
+            if knob.is_log:
+                place = page.evaluate("value => Math.round(1000 * Math.log10(value)) / 1000", place)
+            slider.evaluate(SET, place)
+    page.wait_for_timeout(600)
+
+
+@pytest.mark.parametrize("key", KEYS)
+def test_a_pupil_bets_tries_misses_takes_a_hint_and_meets_the_challenge(lesson, axe, shot, key):
+    page = lesson(key)
+    spec = teach.lesson(key)
+    shot(page, f"lesson_{key}_bet")
+    assert min(page.evaluate(FITS)) >= 0, page.evaluate(FITS)
+    bet(page, spec.bet.described())
+    press(page, "Lay the truth over it")
+    page.get_by_role("button", name="Now try it").wait_for()
+    assert page.locator(".dt-card .dt-ask").inner_text() != spec.bet.question
+    shot(page, f"lesson_{key}_truth")
+    press(page, "Now try it")
+    page.locator(".dt-tasks").wait_for()
+    shot(page, f"lesson_{key}_try")
+    press(page, "To the challenge")
+    page.get_by_text(spec.challenge, exact=True).wait_for()
+    for _ in range(2):
+        press(page, "Check")
+        page.locator(".dt-reason").wait_for()
+    press(page, "Show a hint")
+    page.get_by_text(spec.hints[0], exact=True).wait_for()
+    shot(page, f"lesson_{key}_hint")
+    page.add_script_tag(path=axe)
+    assert page.evaluate(VIOLATIONS) == []
+    turn(page, spec, spec.solution)
+    press(page, "Check")
+    page.locator(".dt-card.dt-passed").wait_for()
+    page.get_by_role("button", name="Robot, write it").wait_for()
+    shot(page, f"lesson_{key}_done")
+    assert page.evaluate(VIOLATIONS) == []
+
+
+def test_the_robot_writes_what_was_found(lesson, shot):
+    page = lesson("03", viewport={"width": 820, "height": 1180})
+    page.locator(".dt-step-bar").get_by_role("radio", name="3 Challenge").check(force=True)
+    turn(page, teach.lesson("03"), teach.lesson("03").solution)
+    press(page, "Check")
+    press(page, "Robot, write it")
+    page.wait_for_selector(".dt-scene[data-dt-awake='true']", timeout=60_000)
+    page.wait_for_selector(".dt-scene[data-dt-state='ready']", timeout=60_000)
+    shot(page, "lesson_03_robot_tablet")
+    assert int(page.locator(".dt-scene").get_attribute("data-dt-ink")) > 0
+
+
+def test_a_bet_and_the_knobs_outlive_a_restart_and_a_reload(lesson):
+    page = lesson("03")
+    bet(page, teach.lesson("03").bet.described())
+    press(page, "Lay the truth over it")
+    page.get_by_role("button", name="Now try it").click()
+    page.locator(".dt-knobs").get_by_role("slider", name="How wide each bump is").press("ArrowLeft")
+    page.wait_for_timeout(800)
+    kept = page.evaluate(
+        "() => Object.entries(sessionStorage).find(([k]) => k.includes(' 03 '))[1]"
+    )
+    page.evaluate(
+        "() => window.jupyterapp.shell.currentWidget.sessionContext.session.kernel.restart()"
+    )
+    page.wait_for_timeout(2000)
+    page.locator(".jp-CodeCell").first.locator(".jp-InputArea-editor").click()
+    page.keyboard.press("Shift+Enter")
+    page.locator(".dt-lesson .dt-tasks").wait_for()
+    again = page.evaluate(
+        "() => Object.entries(sessionStorage).find(([k]) => k.includes(' 03 '))[1]"
+    )
+    assert json.loads(again) == json.loads(kept)
+
+
+def test_a_goal_that_is_dragged_asks_the_kernel_once(lesson):
+    """Between press and release nothing is sent; the line follows all the same."""
+    page = lesson("01")
+    page.locator(".dt-step-bar").get_by_role("radio", name="2 Try").check(force=True)
+    page.locator(".dt-tasks").wait_for()
+    page.wait_for_timeout(500)
+    page.evaluate(
+        """() => {
+            window.sent = 0;
+            const { send } = WebSocket.prototype;
+            WebSocket.prototype.send = function (...all) {
+                window.sent += 1;
+                return send.apply(this, all);
+            };
+        }"""
+    )
+    box = page.locator(".dt-goal").bounding_box()
+    x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
+    line = "() => document.querySelector('.dt-robot-line').getAttribute('d')"
+    before = page.evaluate(line)
+    page.mouse.move(x, y)
+    page.mouse.down()
+    for n in range(1, 20):
+        page.mouse.move(x - 3 * n, y + 2 * n)
+    page.wait_for_timeout(200)
+    assert page.evaluate("() => window.sent") == 0
+    held = page.evaluate(line)
+    assert held != before
+    page.mouse.up()
+    page.wait_for_function("() => window.sent > 0")
+    page.wait_for_timeout(800)
+    assert page.evaluate(line) == held
