@@ -1,4 +1,4 @@
-"""Every lesson as a pupil meets it, in a real JupyterLab: bet, try, miss twice, hint, green card."""
+"""Every lesson as a pupil meets it in JupyterLab: bet, try, miss twice, hint, green card."""
 
 import json
 import shutil
