@@ -36,7 +36,7 @@ class FlatStroke:
     Args:
         xy: Its points, right and up, shape (K, 2).
         t: When the pen was there, shape (K,) [s]; None where the file does not say.
-        force: How hard it pressed, 0 to 1, shape (K,); None where the file does not say.
+        force: How hard it pressed, from 0, shape (K,); None where the file does not say.
     """
 
     xy: Array
@@ -90,13 +90,14 @@ def _recording(letter: FlatLetter, scale: float) -> Recording:
     forces = [stroke.force for stroke in strokes if stroke.force is not None]
     is_forced = len(forces) == len(strokes)
     if is_forced:
-        rows = [np.column_stack(each) for each in zip(rows, forces, strict=True)]
+        # In a unit that the file does not say, force is a share of the hardest press.
+        hardest = max([1.0, *(float(force.max()) for force in forces)])
+        rows = [np.column_stack([xy, f / hardest]) for xy, f in zip(rows, forces, strict=True)]
     # Times that stand still say no more than none.
     times = [t for t in (stroke.t for stroke in strokes) if t is not None and _goes_on(t)]
     laid = on_one_clock(times, rows) if len(times) == len(strokes) else at_hand_pace(rows)
-    corner = np.concatenate([xy for _, xy in laid])[:, :2].min(axis=0)
+    corner = np.concatenate([row[:, :2] for _, row in laid]).min(axis=0)
     origin = corner if letter.origin is None else np.asarray(letter.origin)
-    check_place(corner, origin)
     begin = laid[0][0][0]
     return add_lifts(
         [Trajectory(t - begin, row[:, :2] - origin) for t, row in laid],
@@ -151,15 +152,6 @@ def check_size(strokes: Sequence[Array]) -> None:
         )
 
 
-def check_place(corner: Array, origin: ArrayLike) -> None:
-    """Raise where the ink's lower left corner (2,) is too far from the page's origin (2,) [m]."""
-    away = np.asarray(origin) - corner
-    if not (np.abs(away) < LARGEST_INK).all():
-        raise RecordingError(
-            f"the page's origin is {away} m from the ink, but no page is so large; move the ink."
-        )
-
-
 def check_flat(strokes: Sequence[Array], suffix: str) -> None:
     """Raise a RecordingError where strokes (K, 2) in a file could not be read again.
 
@@ -169,7 +161,6 @@ def check_flat(strokes: Sequence[Array], suffix: str) -> None:
     """
     try:
         check_size(strokes)
-        check_place(np.concatenate(strokes).min(axis=0), (0.0, 0.0))
     except RecordingError as error:
         raise RecordingError(
             f"This cannot be written as {suffix}: {error} A .json file keeps any ink."

@@ -44,7 +44,7 @@ def add_lifts(
         RecordingError: No stroke, one that is not 2-D, strokes that overlap in time, or a pressure
             that cannot be.
     """
-    _check(strokes, pressures)
+    _check(strokes)
     step = float(np.median(np.concatenate([np.diff(stroke.t) for stroke in strokes])))
     pieces: list[Array] = []
     force: list[ArrayLike] = []
@@ -84,7 +84,7 @@ def _eased(share: Array) -> Array:
     return share**3 * (10 - 15 * share + 6 * share**2)
 
 
-def _check(strokes: Sequence[Trajectory], pressures: Sequence[ArrayLike] | None) -> None:
+def _check(strokes: Sequence[Trajectory]) -> None:
     """Raise a RecordingError that names the stroke that breaks a rule."""
     if not len(strokes):
         raise RecordingError("There is no stroke, but a letter has at least one.")
@@ -99,8 +99,3 @@ def _check(strokes: Sequence[Trajectory], pressures: Sequence[ArrayLike] | None)
                 f"Stroke {number} begins at {after.t[0]} s, but stroke {number - 1} ends at "
                 f"{before.t[-1]} s; strokes must follow each other on one clock."
             )
-    lengths = [len(stroke) for stroke in strokes]
-    if pressures is not None and [np.size(pressure) for pressure in pressures] != lengths:
-        raise RecordingError(
-            f"pressures must have one number for every sample: {lengths} for the strokes."
-        )

@@ -338,10 +338,6 @@ BROKEN = {
         svg("".join(f'<path d="M{k} {k % 70} h1"/>' for k in range(1001))),
         "1001 strokes .* are no letter",
     ),
-    "a foreign origin": (
-        svg(L, 'data-origin="99999 0" width="9cm" viewBox="0 0 90 9"'),
-        "no page is so large",
-    ),
 }
 
 

@@ -88,7 +88,7 @@ def test_what_cannot_be_strokes_is_named():
     ):
         add_lifts([line, line])
     with pytest.raises(
-        RecordingError, match=r"pressures must have one number for every sample: \[5\]"
+        RecordingError, match=r"pressure must be one number for every sample, shape \(5,\)"
     ):
         add_lifts([line], [[0.5]])
     with pytest.raises(RecordingError, match=r"pressure\[0\] is 2"):

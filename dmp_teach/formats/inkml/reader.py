@@ -11,7 +11,6 @@ continue others are refused.
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 from functools import partial
 from xml.etree.ElementTree import Element
 
@@ -57,23 +56,7 @@ def read_inkml(data: bytes, _name: str, _: CaptureOptions) -> tuple[Recording, .
     letters = [letter for letter in letters if letter.strokes]
     if not letters:
         raise RecordingError("has no trace of a pen that was down, so there is no ink in it.")
-    return flat_recordings(_with_shares(letters), 1.0 if in_metres else None)
-
-
-def _with_shares(letters: list[FlatLetter]) -> list[FlatLetter]:
-    """Return the letters with forces as shares of the hardest press, where the file says none."""
-    every = [stroke for letter in letters for stroke in letter.strokes]
-    hardest = max([1.0, *(float(each.force.max()) for each in every if each.force is not None)])
-    return [
-        replace(
-            letter,
-            strokes=[
-                stroke if stroke.force is None else replace(stroke, force=stroke.force / hardest)
-                for stroke in letter.strokes
-            ],
-        )
-        for letter in letters
-    ]
+    return flat_recordings(letters, 1.0 if in_metres else None)
 
 
 def _read_traces(

@@ -13,8 +13,7 @@ from dmp_teach.trajectory import Array
 
 # A gap up to this long is filled with a straight line without a word.
 LONGEST_FILLED_GAP = 0.1  # [s]
-EDGE = 0.05  # how long a marker is watched before it is lost, or after it is found [s]
-WRITING_SPEED = 0.03  # a marker that is lost slower than this had written all there was [m/s]
+EDGE = 0.02  # a stroke that ends so soon before the marker is lost goes on [s]
 LEAP = 0.004  # a step that is this much longer than its neighbours was no pen ... [m]
 PEN_ACCELERATION = 8.0  # ... unless a pen could do it between two samples ... [m/s2]
 AIR_ACCELERATION = 50.0  # ... or a hand in the air, or one that knocks on the paper [m/s2]
@@ -29,7 +28,7 @@ def find_doubts(take: Take, position: Array, strokes: Spans) -> tuple[str, ...]:
         position: The pen on its page with its gaps filled, shape (T, 3) [m].
         strokes: As (first sample, one after the last).
     """
-    notes = [*_gaps(take, strokes), *_edges(take, position, strokes)]
+    notes = [*_gaps(take, strokes), *_edges(take, strokes)]
     notes += _leaps(take, position, strokes)
     if take.pen.rivals:
         notes.append(
@@ -58,23 +57,19 @@ def _longest_gap(take: Take) -> float:
     return LONGEST_FILLED_GAP + float(np.median(np.diff(take.t)))
 
 
-def _edges(take: Take, position: Array, strokes: Spans) -> list[str]:
+def _edges(take: Take, strokes: Spans) -> list[str]:
     """Return where the take goes on without the marker, which was writing."""
-    notes = []
-    last = len(take.t) - 1
-    sides = ((0, 0, "is first seen at"), (last, len(strokes) - 1, "is lost for good after"))
-    for (edge, number, verb), unseen in zip(sides, take.unseen, strict=True):
-        near = np.flatnonzero(np.abs(take.t - take.t[edge]) <= EDGE)
-        near = near[(near >= strokes[number][0]) & (near < strokes[number][1])]
-        if unseen <= _longest_gap(take) or len(near) < 2:
-            continue
-        way = np.linalg.norm(position[near[-1], :2] - position[near[0], :2])
-        if way > WRITING_SPEED * (take.t[near[-1]] - take.t[near[0]]):
-            notes.append(
-                f"The marker {verb} {take.at(edge)}, inside stroke {number}, of which {unseen:.2f} "
-                "s may be missing. Mend it in Motive, or record again."
-            )
-    return notes
+    t, last = take.t, len(strokes) - 1
+    sides = (
+        (0, 0, t[strokes[0][0]] - t[0], "is first seen at"),
+        (len(t) - 1, last, t[-1] - t[strokes[last][1] - 1], "is lost for good after"),
+    )
+    return [
+        f"The marker {verb} {take.at(edge)}, inside stroke {number}, of which {unseen:.2f} s may "
+        "be missing. Mend it in Motive, or record again."
+        for (edge, number, away, verb), unseen in zip(sides, take.unseen, strict=True)
+        if unseen > _longest_gap(take) and away <= EDGE
+    ]
 
 
 def _leaps(take: Take, position: Array, strokes: Spans) -> list[str]:

@@ -26,14 +26,9 @@ HEADER = re.compile(
 MOST_NAMES = 20  # in a sentence
 LONGEST_NAME = 60  # in a sentence [characters]
 LONGEST_ROW_STEP = 60.0  # no take waits longer from row to row [s]
-METRES_BY_NAMES = {
-    1.0: ("m", "meter", "meters", "metre", "metres"),
-    0.01: ("cm", "centimeter", "centimeters", "centimetre", "centimetres"),
-    0.001: ("mm", "millimeter", "millimeters", "millimetre", "millimetres"),
-    0.0254: ("in", "inch", "inches"),
-    0.3048: ("ft", "foot", "feet"),
-}
-LENGTH_UNITS = {name: metres for metres, names in METRES_BY_NAMES.items() for name in names}
+LENGTH_UNITS = {"m": 1.0, "meter": 1.0, "metre": 1.0}
+LENGTH_UNITS |= {"cm": 0.01, "centimeter": 0.01, "centimetre": 0.01}
+LENGTH_UNITS |= {"mm": 0.001, "millimeter": 0.001, "millimetre": 0.001}
 UTF16_MARKS = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
 Rows = list[list[str]]
 AxisColumns = dict[str, int]  # of "X", "Y" and "Z", from 0
@@ -133,10 +128,10 @@ def _scale(top: Rows) -> float:
         for key, value in pairwise(row):
             if key.strip().lower() != "length units":
                 continue
-            if (unit := value.strip().lower().rstrip(".")) not in LENGTH_UNITS:
+            if (unit := value.strip().lower().rstrip(".").removesuffix("s")) not in LENGTH_UNITS:
                 raise RecordingError(
-                    f"row {k}: 'Length Units' is {value[:40]!r}, but must be Meters, Centimeters, "
-                    "Millimeters, Inches or Feet; export again."
+                    f"row {k}: 'Length Units' is {value[:40]!r}, but must be Meters, Centimeters "
+                    "or Millimeters; export again."
                 )
             return LENGTH_UNITS[unit]
     return 1.0

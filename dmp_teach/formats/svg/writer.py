@@ -53,14 +53,17 @@ def write_svg(recording: Recording) -> str:
 
 def _attributes(recording: Recording) -> str:
     """Return what the root says of the letter, for us to read again."""
-    line, labels = recording.baseline, {}
-    if line is not None:
-        labels["data-baseline"] = f"{1000 * line:.4f}"
-    if recording.character is not None:
-        labels["data-character"] = recording.character
-    if recording.writer is not None:
-        labels["data-writer"] = recording.writer
-    return "".join(f" {name}={quoteattr(only_xml_signs(text))}" for name, text in labels.items())
+    line = recording.baseline
+    labels = {
+        "baseline": None if line is None else f"{1000 * line:.4f}",
+        "character": recording.character,
+        "writer": recording.writer,
+    }
+    return "".join(
+        f" data-{name}={quoteattr(only_xml_signs(text))}"
+        for name, text in labels.items()
+        if text is not None
+    )
 
 
 def _title(recording: Recording) -> str:
