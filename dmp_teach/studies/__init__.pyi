@@ -32,6 +32,7 @@ from .experiments.validation import choose_width as choose_width
 from .experiments.variants import NUMBER_VARIANTS as NUMBER_VARIANTS
 from .experiments.variants import WIDTH_VARIANTS as WIDTH_VARIANTS
 from .experiments.variants import Variant as Variant
+from .inputs import RecordingsLike as RecordingsLike
 from .parallel import progress_bar as progress_bar
 from .verdicts.all import claims as claims
 from .verdicts.claim import Claim as Claim
