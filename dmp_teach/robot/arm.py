@@ -167,12 +167,8 @@ class Solver:
     ) -> Array:
         """Solve for the joints along a path (T, 3) in the world, shape (T, J) [rad, m], unwrapped.
 
-        Args:
-            start: Where the arm stands before, shape (J,) [rad, m]; the torso stays as it is.
-            normal: Out of the paper, shape (3,).
-            path: In the world, shape (T, 3) [m].
-            report: Called with "joints" and how much is done.
-            solves: Solutions and updates for every sample.
+        The arm stands at `start` before, its torso stays, and the pen looks against `normal`; every
+        sample gets so many `solves`. `report` is called with "joints" and how much is done.
         """
         self.stand(start, normal, torso=False)
         self.glide(path[0])

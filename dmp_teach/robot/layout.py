@@ -28,22 +28,12 @@ def lay_out(
     at: ArrayLike | None = None,
     size: float | None = None,
 ) -> tuple[Trajectory, ...]:
-    """Lay strokes out on a page, their clock unchanged.
+    """Lay 2-D strokes [s, m] out on a page, in its frame, their clock unchanged.
 
-    Args:
-        strokes: 2-D strokes on one clock, x right and y up [s, m]; a single Trajectory is one
-            stroke.
-        page: The sheet.
-        at: Where the middle of the ink's bounding box goes, shape (2,); None: the page's centre
-            [m].
-        size: Height of the ink; None: as it was written [m].
-
-    Returns:
-        The strokes in the page's frame, origin at its centre [m].
+    The arguments are those of `Fetch.write`; a single Trajectory is one stroke.
 
     Raises:
-        TrajectoryError: No strokes, something that is no stroke, three dimensions, a jump inside a
-            stroke.
+        TrajectoryError: No strokes, something that is no stroke, three dimensions, or a jump.
         PageError: No page, ink that does not fit, or `at` or `size` that cannot be.
     """
     if not isinstance(page, Page):

@@ -57,13 +57,10 @@ class PenPlan:
 
 @dataclass(frozen=True, eq=False)
 class Segment:
-    """A part of the pen's path, from rest to rest.
+    """A part of the pen's path from rest to rest, in so many samples where nothing slows it.
 
-    Args:
-        steps: How many samples it takes when nothing slows it, at least 1.
-        at: Places on the page, with their heights (n, 3) [m], for parts (n,) of its time between 0
-            and 1.
-        down: Whether the nib is on the letter.
+    `at` gives places on the page, with their heights (n, 3) [m], for parts (n,) of its time from 0
+    to 1; `down` says whether the nib is on the letter.
     """
 
     steps: int

@@ -38,13 +38,10 @@ _TABLE_DEPTH = 0.02
 
 
 class StepResult(NamedTuple):
-    """What can be measured after a step.
+    """Joints q [rad, m] and v (J,), the pen's slide last, where a step has led.
 
-    Args:
-        q: Joint positions, shape (J,), and the pen's slide last where there is one [rad, m].
-        v: Their velocities, shape (J,) [rad/s, m/s].
-        effort: What position motors needed, shape (J,) [N m, N].
-        force: With which the nib and the paper push each other [N].
+    And what position motors needed for it, shape (J,) [N m, N], and the `force` with which nib and
+    paper push each other [N].
     """
 
     q: list[float]

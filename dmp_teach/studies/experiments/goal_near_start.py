@@ -24,14 +24,14 @@ GOAL_OFFSETS = (0.05, 0.02, 0.01, 0.005, 0.002, 0.001, 0.0005)
 class GoalsNearStart(Tabled):
     """Strokes whose goal was brought near their start in one coordinate, and then moved.
 
-    The last axis of the arrays is as shown, drawn by the original form, and by DMP*.
+    The last axis of the arrays (L, C, 3) is as shown, drawn by the original form, and by DMP*.
 
     Args:
         ways: How near, shape (L,) [m].
         shift: How far the goal then moved [m].
-        acceleration: The greatest of the pen, shape (L, C, 3) [m/s2].
-        speed: The greatest share of a joint's speed limit, shape (L, C, 3).
-        effort: The greatest share of a joint's torque limit, shape (L, C, 3).
+        acceleration: The greatest of the pen [m/s2].
+        speed: The greatest share of a joint's speed limit.
+        effort: The greatest share of a joint's torque limit.
     """
 
     ways: Array

@@ -16,15 +16,14 @@ from dmp_teach.trajectory import Array
 
 @dataclass(frozen=True, eq=False, repr=False)
 class InitialAcceleration(Tabled):
-    """The acceleration that a goal that moved by `shift` adds to the first sample.
+    """The acceleration (S,) [m/s2] that a goal that moved by `shift` adds to the first sample.
 
     Args:
         strokes: S names.
         shift: How far the goal moved [m].
-        without: Without the term -K (g - y0) s: K times the shift, shape (S,) [m/s2].
-        with_term: With it, as the paper prints it, shape (S,) [m/s2].
-        fed: With it, and with the change of the goal offset fed forward, as `Settings.star()` does,
-            shape (S,) [m/s2].
+        without: Without the term -K (g - y0) s: K times the shift.
+        with_term: With it, as the paper prints it.
+        fed: With it, and the change of the goal fed forward, as `Settings.star()` does.
     """
 
     strokes: tuple[str, ...]
