@@ -130,12 +130,17 @@ def _refusal(solver: Solver, page: Page, strokes: PlacedStrokes, error: Unreacha
         problem = _foreseen_collision(solver, page, strokes) or problem
     suggestion = suggest_page(solver, page, area)
     suggested = [suggestion.page] if suggestion.fits else []
+    strained = []
     for other in [*suggested, *list_other_pages(page, area)]:
         if repr(other) == repr(page):
             continue
         with suppress(Unreachable):
-            _plan(solver, other, strokes)
-            return ReachError(f"{problem} Try {other!r}.", cure=other)
+            typed = other.rounded()
+            if not _plan(solver, typed, strokes)[1]:
+                return ReachError(f"{problem} Try {typed!r}.", cure=typed)
+            strained.append(typed)
+    if strained:
+        return ReachError(f"{problem} Try {strained[0]!r}.", cure=strained[0])
     cure = "Write smaller, or move the page." if suggestion.fits else str(suggestion)
     return ReachError(f"{problem} {cure}")
 

@@ -146,27 +146,26 @@ class Page:
         X[:3, 3] += np.asarray(shift, dtype=float)
         return Page(X, self.width, self.height)
 
+    def rounded(self) -> Page:
+        """Return the page that one gets by typing what is shown of this one."""
+        return getattr(Page, self.kind)(**self._words())
+
     def __repr__(self) -> str:
+        words = ", ".join(f"{name}={value:.7g}" for name, value in self._words().items())
+        return f"Page.{self.kind}({words})"
+
+    def _words(self) -> dict[str, float]:
+        """Return what to type to get it, to a micrometre, by name."""
         usual = getattr(Page, self.kind)()
-        tilt, turn, yaw = self.angles
-        x, y, z = self.X_world_page[:3, 3]
-        usual_x, usual_y, usual_z = usual.X_world_page[:3, 3]
-        usual_size = (np.inf, np.inf) if tuple(self.size) != A4 else A4
-        words = [
-            f"{name}={round(value, 6):.7g}"
-            for name, value, left_out in (
-                ("x", x, usual_x),
-                ("y", y, usual_y),
-                ("z", z, usual_z),
-                ("width", self.width, usual_size[0]),
-                ("height", self.height, usual_size[1]),
-                ("tilt", tilt, 0.0),
-                ("turn", turn, 0.0),
-                ("yaw", yaw, 0.0),
-            )
+        size = (np.inf, np.inf) if tuple(self.size) != A4 else A4
+        values = (*self.X_world_page[:3, 3], *self.size, *self.angles)
+        usual_values = (*usual.X_world_page[:3, 3], *size, 0.0, 0.0, 0.0)
+        names = ("x", "y", "z", "width", "height", "tilt", "turn", "yaw")
+        return {
+            name: round(float(value), 6)
+            for name, value, left_out in zip(names, values, usual_values, strict=True)
             if abs(value - left_out) > 5e-7
-        ]
-        return f"Page.{self.kind}({', '.join(words)})"
+        }
 
     @property
     def normal(self) -> Array:

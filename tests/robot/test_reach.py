@@ -219,9 +219,12 @@ def test_whatever_is_asked_for_is_written_well_or_answered_with_a_page_that_work
         assert_sound(Fetch().write(LETTER, eval(repr(refused.cure)), **small))
 
 
-@pytest.mark.parametrize("tilt", [0.0, 0.0625])
-def test_the_page_that_is_proposed_has_been_planned(tilt):
-    page = Page.table(0.0, 0.0, 1.25, 0.148, 0.21, tilt=tilt)
+@pytest.mark.parametrize(
+    ("z", "tilt", "turn"),
+    [(1.25, 0.0, 0.0), (1.25, 0.0625, 0.0), (1.75, -0.59375, 1.5), (1.75, 1.0, 1.5)],
+)
+def test_the_page_that_is_proposed_has_been_planned_as_it_is_typed(z, tilt, turn):
+    page = Page.table(0.0, 0.0, z, 0.148, 0.21, tilt=tilt, turn=turn)
     with pytest.raises(ReachError) as refused:
         Fetch().write(LETTER, page, size=0.08)
     assert str(refused.value).endswith(f" Try {refused.value.cure!r}.")
