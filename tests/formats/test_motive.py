@@ -115,14 +115,16 @@ def test_of_several_that_move_the_one_at_the_paper_is_the_pen(tmp_path, front):
 
 
 def test_a_pen_that_is_a_rigid_body_is_read(tmp_path):
-    """With markers of its own, or without any."""
+    """Beside a marker that somebody left on the table."""
     t, world = hand()
-    lines = motive(tmp_path / "x", t, world, pen="Pen", quoted=False).read_text().splitlines()
-    lines[2] = lines[2].replace("Marker", "Rigid Body")
-    bodies = tmp_path / "D_w07.csv"
-    bodies.write_text("\n".join(lines))
-    check_d(read_recording(bodies, marker="Pen"), Pen(touches=touches()))
-    check_d(read_recording(bodies), Pen(touches=touches()))
+    left = [("Unlabeled:5001", np.array([0.1, 0.05, 0.3]) + NOISE[: len(t)])]
+    path = motive(tmp_path / "D_w07.csv", t, world, pen="Pen", ghosts=left)
+    bodies = ["Rigid Body"] * 3
+    edited(
+        path, lambda lines: [*lines[:2], ",".join([*lines[2].split(",")[:-3], *bodies]), *lines[3:]]
+    )
+    check_d(read_recording(path), Pen(touches=touches()))
+    check_d(read_recording(path, marker="Pen"), Pen(touches=touches()))
 
 
 @pytest.mark.parametrize("cut", [215, 240, 350, 380, 420])

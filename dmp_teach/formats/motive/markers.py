@@ -18,6 +18,7 @@ from dmp_teach.trajectory import Array
 
 MEDIAN_BLOCK = 0.1  # a track is judged by medians over this long, which no single cell can move [s]
 MEDIAN_STEP = 0.001  # a pen moves more than this from one of them to the next [m]
+FEWEST_MOVES = 3  # a marker that was pushed moves once or twice
 RIVAL_SHARE = 0.5  # a marker that moves so often beside the one that moves most may be the pen
 LATEST_RETURN = 0.5  # a marker that comes back later may be anything [s]
 REJOIN_RADIUS = 0.01  # a marker comes back this near to where it was lost ... [m]
@@ -75,7 +76,11 @@ def find_pen(table: Table, marker: str | None, out: Array) -> Pen:
     every = markers | bodies
     free = {key: axes for key, axes in markers.items() if not _is_part(key[0], names)}
     named = {key: axes for key, axes in every.items() if key[0] == marker}
-    pool = named if marker is not None else free or bodies
+    tracks = _tracks(table, free | bodies | named)
+    moves = {key: _moves(track, table.t) for key, track in tracks.items()}
+    pools = [free, bodies] if marker is None else [named]
+    brisk = (pool for pool in pools if any(moves[key] >= FEWEST_MOVES for key in pool))
+    pool = next(brisk, pools[0] or pools[-1])
     if not pool:
         wanted = "no marker that could be the pen" if marker is None else f"no marker {marker!r}"
         could = list_names(label for label, _ in free or every)
@@ -83,15 +88,12 @@ def find_pen(table: Table, marker: str | None, out: Array) -> Pen:
             f"there is {wanted}. Markers that could be named with marker=...: "
             f"{could or 'none; export the positions of the markers'}."
         )
-    tracks = _tracks(table, free | pool)
-    moves = {key: _moves(tracks[key], table.t) for key in tracks}
     most = max(moves[key] for key in pool)
     rivals = [key for key in pool if moves[key] > RIVAL_SHARE * most]
-
     chosen = max(pool, key=lambda key: len(tracks[key].seen))
     if rivals:
         chosen = min(rivals, key=lambda key: float(np.median(tracks[key].points @ out)))
-    pieces, track = _followed(chosen, tracks, table.t)
+    pieces, track = _followed(chosen, {key: tracks[key] for key in free | pool}, table.t)
     others = [label for label, _ in free if label not in [label for label, _ in pieces]]
     return Pen(
         ", then ".join(label for label, _ in pieces),

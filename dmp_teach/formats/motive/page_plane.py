@@ -6,8 +6,6 @@ writes it stays near one plane; in the air it does not, and it is never under th
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from dmp_teach.errors import RecordingError
@@ -30,23 +28,6 @@ STEEP_COST = 0.35
 FLIPPED_COST = 0.1
 PLANE_DRAWS = 300
 PLANE_REFITS = 3
-
-
-@dataclass(frozen=True)
-class PageFrame:
-    """Where a page is.
-
-    Args:
-        axes: Right, up the page, out of the paper, as columns, shape (3, 3).
-        origin: Some point of it, shape (3,) [m].
-    """
-
-    axes: Array
-    origin: Array
-
-    def of(self, points: Array) -> Array:
-        """Return points (T, 3) of the cameras' world in the page's frame."""
-        return (points - self.origin) @ self.axes
 
 
 def level_axes(up: str = "+y", right: str = "-x") -> Array:
@@ -73,12 +54,12 @@ def level_axes(up: str = "+y", right: str = "-x") -> Array:
     )
 
 
-def find_page(t: Array, points: Array, up: str = "+y", right: str = "-x") -> PageFrame:
-    """Find the frame of the page that a pen wrote on; its origin is some point of its plane.
+def on_page(t: Array, points: Array, up: str = "+y", right: str = "-x") -> Array:
+    """Return a pen in the frame of the page that it wrote on, z out of it, shape (T, 3) [m].
 
     The plane is first the one that most moving samples are near (RANSAC with fixed draws), then the
     one through the strokes that it gives. Where the ink says little (a single bar), the page is
-    taken for level.
+    taken for level. The origin is some point of the plane.
 
     Args:
         t: Times, shape (T,) [s].
@@ -92,11 +73,11 @@ def find_page(t: Array, points: Array, up: str = "+y", right: str = "-x") -> Pag
     """
     level = level_axes(up, right)
     flat = points @ level
-    plane = _fit(_near_best_plane(_moving(t, flat), level, up))
+    page = _laid(points, level, _near_best_plane(_moving(t, flat), level, up))
     for _ in range(PLANE_REFITS):
-        strokes = find_strokes(t, _frame(level, *plane).of(points))
-        plane = _fit(np.concatenate([flat[a:b] for a, b in strokes]))
-    return _frame(level, *plane)
+        ink = np.concatenate([flat[a:b] for a, b in find_strokes(t, page)])
+        page = _laid(points, level, ink)
+    return page
 
 
 def _moving(t: Array, flat: Array) -> Array:
@@ -161,11 +142,15 @@ def _fit(flat: Array) -> tuple[Array, float]:
     return slopes, float(middle[2] - middle[:2] @ slopes)
 
 
-def _frame(level: Array, slopes: Array, height: float) -> PageFrame:
-    """Return the frame of a plane: right is the level page's right, laid down on the plane."""
+def _laid(points: Array, level: Array, ink: Array) -> Array:
+    """Return points (T, 3) of the cameras' world on the plane of samples (K, 3) of ink.
+
+    Its right is the level page's right, laid down on the plane.
+    """
+    slopes, height = _fit(ink)
     out = np.array([-slopes[0], -slopes[1], 1.0])
     out /= np.linalg.norm(out)
     right = np.array([1.0, 0.0, 0.0]) - out[0] * out
     right /= np.linalg.norm(right)
     axes = level @ np.column_stack([right, np.cross(out, right), out])
-    return PageFrame(axes, level @ np.array([0.0, 0.0, height]))
+    return (points - level @ np.array([0.0, 0.0, height])) @ axes

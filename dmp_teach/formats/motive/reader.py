@@ -10,7 +10,7 @@ import numpy as np
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.formats.motive.doubts import find_doubts
-from dmp_teach.formats.motive.page_plane import find_page, level_axes
+from dmp_teach.formats.motive.page_plane import level_axes, on_page
 from dmp_teach.formats.motive.table import has_motive_header
 from dmp_teach.formats.motive.take import FEWEST_FRAMES, read_take
 from dmp_teach.formats.registry import CaptureOptions, Format
@@ -27,7 +27,7 @@ def read_motive(data: bytes, name: str, options: CaptureOptions) -> tuple[Record
     out = level_axes(options.up, options.right)[:, 2]
     take = read_take(data, options.marker, out)
     try:
-        position = find_page(take.t, take.position, options.up, options.right).of(take.position)
+        position = on_page(take.t, take.position, options.up, options.right)
         strokes, (start, end) = _cut_to_writing(take.t, position)
     except RecordingError as error:
         raise RecordingError(f"marker {take.pen.name!r}: {error}") from None
