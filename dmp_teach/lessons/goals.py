@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from functools import cached_property, lru_cache
 
 import numpy as np
 
-from dmp_teach.classroom import Affine, Answer
+from dmp_teach.classroom import Affine, Answer, Drawing
 from dmp_teach.dmp import DMP, Settings, Stepper
 from dmp_teach.ink import recording_of
 from dmp_teach.trajectory import Array, Trajectory, arc_lengths
@@ -178,15 +179,19 @@ class MovedLetter:
         """Return the same of the person's letter."""
         return self._over(self.times, self.strokes[0].position, self.primitive.start[0], order)
 
-    def sideways_limits(self, order: int) -> tuple[float, float]:
-        """Return the limits of a plot of it, the same wherever the goal is."""
+    def sideways_axis(self, order: int) -> Drawing:
+        """Return the axis of a plot of it, the same wherever the goal is."""
         values = self.person_sideways(order)[:, 1]
         if order:
-            fastest = float(1.6 * np.abs(values).max())
-            return -fastest, fastest
-        # More room on the side that the goal comes to when it crosses the start.
-        room = (3.0, 8.0) if self.offsets[0][0] < 0 else (8.0, 3.0)
-        return float(values.min() - room[0]), float(values.max() + room[1])
+            room = (0.8 * np.abs(values).max(),) * 2
+        else:
+            # More on the side that the goal comes to when it crosses the start.
+            room = (3.0, 8.0) if self.offsets[0][0] < 0 else (8.0, 3.0)
+        low, high = float(values.min() - room[0]), float(values.max() + room[1])
+        step = (5, 20)[order]
+        ticks = range(step * math.ceil(low / step), math.floor(high) + 1, step)
+        words = [[tick, str(tick).replace("-", "−")] for tick in ticks]
+        return {"label": "", "low": low, "high": high, "ticks": words}
 
     def _over(self, t: Array, path: Array, zero: float, order: int) -> Array:
         """Return x of a path [cm], or its derivative, over `t`, shape (T, 2)."""

@@ -226,7 +226,8 @@ class MoveGoal(Lesson):
         )
         plots = self._draw_plots(led, is_hidden, state.step != "bet")
         says = self._ask(led) if is_hidden else _say(led)
-        return Picture(says, sheet, plots, (Trajectory(led.primitive.times, led.path),))
+        strokes = () if is_hidden else (Trajectory(led.primitive.times, led.path),)
+        return Picture(says, sheet, plots, strokes)
 
     def _draw_plots(self, led: MovedLetter, is_hidden: bool, has_knob: bool) -> dict[str, Drawing]:
         """Draw left and right over time, and the velocity, by this rule and by another one."""
@@ -237,13 +238,11 @@ class MoveGoal(Lesson):
         x = {"label": "", "low": 0.0, "high": float(led.times[-1])}
         plots: dict[str, Drawing] = {}
         for order, name in enumerate(("position", "velocity")):
-            person = led.person_sideways(order)
-            lines = [{"points": person, "kind": "child"}]
+            lines: list[Drawing] = [{"points": led.person_sideways(order), "kind": "child"}]
             for each, kind in () if is_hidden else ((beside, "quiet"), (led, "robot")):
                 label = names.get(str(each.values["rule"]), "DMP*")
                 lines.append({"points": each.sideways(order), "kind": kind, "label": label})
-            low, high = led.sideways_limits(order)
-            plots[name] = {"x": x, "y": {"label": "", "low": low, "high": high}, "lines": lines}
+            plots[name] = {"x": x, "y": led.sideways_axis(order), "lines": lines}
         plots["position"] |= {"caption": _("How far right of its start the pen is [cm]")}
         plots["velocity"] |= {"caption": _("How fast it goes to the right [cm/s]")}
         plots["velocity"]["x"] = x | {"label": _("time [s]")}
