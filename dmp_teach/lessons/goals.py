@@ -14,8 +14,8 @@ from dmp_teach.ink import recording_of
 from dmp_teach.trajectory import Array, Trajectory, arc_lengths
 
 CM = 0.01
-FARTHEST = 12.0, 6.0
-"""How far a goal may be moved aside, and up or down [cm]."""
+ACROSS, AWAY, UP = 12.0, 4.0, 6.0
+"""How far a goal may be moved across its start, to the other side, and up or down [cm]."""
 # All else is the same, so that they draw the same letter to its old goal.
 GOAL_RULES = {
     "original": Settings.star(transform="original"),
@@ -162,11 +162,12 @@ class MovedLetter:
             **{"fx": fx, "fy": fy, "degrees": degrees, "scale": scale},
         }
 
-    @property
-    def box(self) -> list[float]:
-        """A sheet with room for the letter, and for its goal wherever it may be moved [m]."""
-        goal, reach = self.primitive.goal, CM * np.array(FARTHEST)
-        points = np.vstack([self.strokes[0].position, goal - reach, goal + reach])
+    def box(self, side: int) -> list[float]:
+        """Return a sheet for the letter and for its goal, which mostly goes to one side [m]."""
+        # A letter reaches beyond its goal by 3 cm or so.
+        room = CM * np.array([[side * (ACROSS + 3.0), UP], [-side * AWAY, -UP]])
+        ends = self.primitive.goal + room
+        points = np.vstack([self.strokes[0].position, ends])
         return [*(points.min(axis=0) - CM), *(points.max(axis=0) + CM)]
 
     def sideways(self, order: int) -> Affine:
@@ -179,14 +180,10 @@ class MovedLetter:
         """Return the same of the person's letter."""
         return self._over(self.times, self.strokes[0].position, self.primitive.start[0], order)
 
-    def sideways_axis(self, order: int) -> Drawing:
-        """Return the axis of a plot of it, the same wherever the goal is."""
+    def sideways_axis(self, order: int, side: int) -> Drawing:
+        """Return the axis of a plot of it, with room at the side that the goal goes to."""
         values = self.person_sideways(order)[:, 1]
-        if order:
-            room = (0.8 * np.abs(values).max(),) * 2
-        else:
-            # More on the side that the goal comes to when it crosses the start.
-            room = (3.0, 8.0) if self.offsets[0][0] < 0 else (8.0, 3.0)
+        room = np.full(2, 0.8 * np.abs(values).max()) if order else np.array([3.0, 8.0])[::side]
         low, high = float(values.min() - room[0]), float(values.max() + room[1])
         step = (5, 20)[order]
         ticks = range(step * math.ceil(low / step), math.floor(high) + 1, step)

@@ -25,7 +25,7 @@ from dmp_teach.classroom import (
     at_most,
 )
 from dmp_teach.lessons.drawing import draw_sheet, millimetres
-from dmp_teach.lessons.goals import CM, FARTHEST, MovedLetter, mean_distance
+from dmp_teach.lessons.goals import ACROSS, AWAY, CM, UP, MovedLetter, mean_distance
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Trajectory
 
@@ -58,7 +58,7 @@ class MoveGoal(Lesson):
         self.side = -1 if offset > 0 else 1
         self.latest = int(9 * led.times[-1]) / 10
         # Across the start, where the letter is mirrored and not made wider.
-        self.start["goal_x"] = self.side * min(FARTHEST[0], round(2 * abs(offset), 1))
+        self.start["goal_x"] = self.side * min(ACROSS, round(2 * abs(offset), 1))
         self.solution = self.start | {"rule": "star"}
         self.solution |= {"goal_x": 10.5 * self.side, "goal_y": 4.5 * self.up}
 
@@ -72,8 +72,9 @@ class MoveGoal(Lesson):
         """What a pupil can set."""
         rules = {"original": _("first rule"), "printed": _("DMP* as printed")}
         rules |= {"star": "DMP*", "similarity": _("similarity")}
-        x = Slider(_("Goal to the right"), "g", -FARTHEST[0], FARTHEST[0], 0.1, "cm", 1)
-        y = Slider(_("Goal upwards"), "g", -FARTHEST[1], FARTHEST[1], 0.1, "cm", 1)
+        low, high = sorted([self.side * ACROSS, -self.side * AWAY])
+        x = Slider(_("Goal to the right"), "g", low, high, 0.1, "cm", 1)
+        y = Slider(_("Goal upwards"), "g", -UP, UP, 0.1, "cm", 1)
         letters = {each: each for each in (self.letter, STEEP)}
         return {
             "goal_x": replace(x, is_drawn_here=True),
@@ -219,7 +220,7 @@ class MoveGoal(Lesson):
         sheet = draw_sheet(
             led.strokes,
             [] if is_hidden else [led.following],
-            box=led.box,
+            box=led.box(self.side),
             rings=[ring],
             caption=_("On paper"),
             **({} if state.values == self.start else {"bet": []}),
@@ -242,14 +243,14 @@ class MoveGoal(Lesson):
             for each, kind in () if is_hidden else ((beside, "quiet"), (led, "robot")):
                 label = names.get(str(each.values["rule"]), "DMP*")
                 lines.append({"points": each.sideways(order), "kind": kind, "label": label})
-            plots[name] = {"x": x, "y": led.sideways_axis(order), "lines": lines}
-        plots["position"] |= {"caption": _("How far right of its start the pen is [cm]")}
-        plots["velocity"] |= {"caption": _("How fast it goes to the right [cm/s]")}
+            plots[name] = {"x": x, "y": led.sideways_axis(order, self.side), "lines": lines}
+        plots["position"] |= {"caption": _("To the right of its start [cm]")}
+        plots["velocity"] |= {"caption": _("Speed to the right [cm/s]")}
         plots["velocity"]["x"] = x | {"label": _("time [s]")}
         if has_knob:
             s = float(led.values["moves_at"])
             knob = {"name": "moves_at", "axis": "x", "value": s, "text": f"{s:.1f} s"}
-            knob |= {"low": 0.0, "high": self.latest, "step": 0.1, "label": _("the goal moves")}
+            knob |= {"low": 0.0, "high": self.latest, "step": 0.1, "label": _("goal moves")}
             plots["position"]["thresholds"] = [knob]
         return plots
 
