@@ -265,9 +265,9 @@ class BumpWidth(Lesson):
         primitive = max(letter.primitives, key=lambda each: each.duration)
         bumps = bumps_over_time(primitive)
         return {
-            "caption": _("The bumps, one after the other in time"),
+            "caption": _("The bumps in time [s]"),
             "note": _("{n} bumps").format(n=len(bumps)),
-            "x": {"label": _("time [s]"), "low": 0.0, "high": primitive.duration},
+            "x": {"label": "", "low": 0.0, "high": primitive.duration},
             "y": {"label": "", "low": 0.0, "high": 1.15, "ticks": []},
             "fills": [{"points": each} for each in bumps],
         }

@@ -164,3 +164,10 @@ def test_a_panel_refuses_a_value_that_no_knob_has_and_keeps_the_old_one(key):
 def test_an_unknown_lesson_is_refused_by_name():
     with pytest.raises(SettingError, match="bump_width"):
         teach.lesson("77")
+
+
+def test_an_exported_panel_is_a_picture_with_its_sentence(key):
+    lesson = teach.lesson(key)
+    still = lesson.panel().draw_still()
+    assert lesson.question in still.text()
+    assert still.svg().count("<polyline") >= 1

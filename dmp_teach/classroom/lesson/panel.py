@@ -21,9 +21,12 @@ from dmp_teach.classroom.lesson.work_file import (
 )
 from dmp_teach.classroom.panels.kept import forget, kept
 from dmp_teach.classroom.panels.robot_panel import RobotPanel
+from dmp_teach.classroom.panels.sheets import SHEET_OF_ANY_LETTER
+from dmp_teach.classroom.panels.still import Still
 from dmp_teach.errors import SettingError, TeachError
 from dmp_teach.files import join_modules, join_styles
 from dmp_teach.texts import gettext as _
+from dmp_teach.trajectory import Trajectory
 from dmp_teach.views import STYLE_TOKENS
 
 _HERE = Path(__file__).parent
@@ -244,11 +247,26 @@ class LessonPanel(RobotPanel):
             self.progress = progress
             self.picture = pack({"sheet": picture.sheet, "plots": picture.plots})
             self.message = picture.says
+            self._draw_on_still(picture)
             self.card = self._write_card(picture)
             self._show_strokes(picture.strokes)
             self.drawing += 1
             self.answered += 1
         self._keep()
+
+    def _draw_on_still(self, picture: Picture) -> None:
+        """Set what an exported notebook shows: our own letter, and never the pupil's bet."""
+        # Any: whatever a sheet holds.
+        sheet: dict[str, Any] = picture.sheet or {"box": SHEET_OF_ANY_LETTER}
+        self.title = self.lesson.question
+        self.sheet = [float(side) for side in sheet["box"]]
+        self._demonstration = [
+            Trajectory(np.arange(len(path), dtype=float), path) for path in sheet.get("demo", ())
+        ]
+
+    def draw_still(self) -> Still:
+        """Return the letter and the robot's, with the sentence."""
+        return super().draw_still()._replace(person=self._demonstration, robot=self._strokes)
 
     def _write_card(self, picture: Picture) -> dict[str, Any]:
         """Return the words of the step."""

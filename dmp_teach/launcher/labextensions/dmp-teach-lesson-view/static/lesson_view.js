@@ -21,6 +21,9 @@ const LESSON = /^(\d\d)_(\w+)\.ipynb$/;
 // The mark of the cell with links to all lessons, for Jupyter without this extension.
 const STRIP = "dmp_teach";
 
+// The cell that says how to run the next one.
+const BEGIN = "begin";
+
 const config = JSON.parse(document.getElementById("jupyter-config-data")?.textContent || "{}");
 
 /** @type {Record<string, any>} */
@@ -57,6 +60,9 @@ async function wake({ commands }, notebook) {
   const cell = content.widgets.find(isCode);
   const kernel = sessionContext.session?.kernel;
   if (!kernel || !cell || !isHarmless(cell.model.sharedModel.getSource())) return;
+  // In sight are the lesson's words and its panel; the code comes back with the menus.
+  cell.node.dataset.dtPanel = "";
+  content.widgets.find((/** @type {any} */ each) => each.model.id === BEGIN)?.hide();
   const reply = await kernel.requestExecute({ code: "", silent: true }).done;
   if (reply.content.execution_count > 0 && cell.model.outputs.length) return;
   content.activeCellIndex = content.widgets.indexOf(cell);
@@ -176,6 +182,7 @@ const STYLE = `
   font: 16px var(--jp-ui-font-family); color: var(--jp-ui-font-color1); }
 [data-dt-lesson] :is(.jp-cell-toolbar, .jp-Notebook-footer) { display: none; }
 [data-dt-lesson] .jp-Collapser { visibility: hidden; }
+[data-dt-lesson] [data-dt-panel] :is(.jp-Cell-inputWrapper, .jp-OutputPrompt) { display: none; }
 `;
 
 const plugin = {
