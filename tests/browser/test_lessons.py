@@ -174,7 +174,8 @@ def test_a_goal_that_is_dragged_asks_the_kernel_once(lesson):
     page = lesson("01")
     page.locator(".dt-step-bar").get_by_role("radio", name="2 Try").check(force=True)
     page.locator(".dt-tasks").wait_for()
-    page.wait_for_timeout(500)
+    # The still picture for print follows a second after the last drawing.
+    page.wait_for_timeout(2500)
     page.evaluate(
         """() => {
             window.sent = 0;
