@@ -11,8 +11,9 @@ import traitlets
 
 from dmp_teach.classroom.lesson.bets import KeptBet, LessonState
 from dmp_teach.classroom.lesson.check import Answer, Verdict
-from dmp_teach.classroom.lesson.content import Affine, LessonContent, Pick, Picture
+from dmp_teach.classroom.lesson.content import LessonContent, Picture
 from dmp_teach.classroom.lesson.knobs import check_answer
+from dmp_teach.classroom.lesson.packing import describe_lesson, pack
 from dmp_teach.classroom.lesson.work_file import (
     find_free_pupil,
     forget_work,
@@ -65,7 +66,7 @@ class LessonPanel(RobotPanel):
         self._key = f"lesson {lesson.key} {lesson.pupil or ''}"
         self._kept = kept(self._key)
         self._tried: list[Answer] = []
-        super().__init__(spec=_describe(lesson))
+        super().__init__(spec=describe_lesson(lesson))
         self._restore(dict(self._kept) or self._read_saved())
 
     @property
@@ -281,32 +282,3 @@ class LessonPanel(RobotPanel):
             "hints": hints,
             "offersHint": offered and not progress["passed"],
         }
-
-
-def _describe(lesson: LessonContent) -> dict[str, Any]:
-    """Return what of a lesson does not change, for the browser."""
-    return {
-        "key": lesson.key,
-        "pupil": lesson.pupil or "",
-        "question": lesson.question,
-        "knobs": {name: knob.described() for name, knob in lesson.knobs.items()},
-        "bet": lesson.bet.described(),
-        "tasks": [task.text for task in lesson.tasks],
-        "challenge": lesson.challenge,
-    }
-
-
-# Any: whatever a picture holds.
-def pack(value: Any) -> Any:
-    """Return a picture with its points as float64 bytes, for the browser."""
-    if isinstance(value, np.ndarray):
-        return np.ascontiguousarray(value, dtype="<f8").tobytes()
-    if isinstance(value, Affine):
-        return {"base": pack(value.base), "terms": pack(value.terms)}
-    if isinstance(value, Pick):
-        return {"pick": value.knob, "pictures": pack(list(value.pictures))}
-    if isinstance(value, dict):
-        return {name: pack(each) for name, each in value.items()}
-    if isinstance(value, list | tuple):
-        return [pack(each) for each in value]
-    return value.item() if isinstance(value, np.generic) else value
