@@ -35,6 +35,8 @@ STEEP = "C"
 ASIDE, UPWARDS = 10.0, 4.0
 LEAST_SHARE, MOST_MISS = 95.0, 1.0
 BET_POINTS = 9
+# A line that is nearer to another on average [m] is like it.
+ALIKE = 0.02
 
 
 class MoveGoal(Lesson):
@@ -204,10 +206,12 @@ class MoveGoal(Lesson):
             "On average your line is {off} mm from the robot’s. The first rule multiplies the "
             "{letter} by {fx} sideways: it is mirrored."
         )
-        kept = _("You kept the shape, as a newer rule does.")
-        seen = _("You saw that coming.")
         told = words.format(off=millimetres(off), **led.facts)
-        return f"{told} {kept if off_slid < off else seen}"
+        if off < ALIKE:
+            return f"{told} {_('You saw that coming.')}"
+        if off_slid < ALIKE:
+            return f"{told} {_('You kept the shape, as a newer rule does.')}"
+        return f"{told} {_('A newer rule keeps the shape.')}"
 
     def draw(self, state: LessonState) -> Picture:
         """Draw the letter, and one coordinate of it over time by two rules."""

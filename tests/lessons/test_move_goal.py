@@ -87,3 +87,5 @@ def test_a_bet_on_the_old_shape_is_told_what_keeps_it():
     told = {name: lesson.tell_bet(line[::20].tolist()) for name, line in lines.items()}
     assert "as a newer rule does" in told["star"]
     assert "You saw that coming" in told["original"]
+    straight = lesson.bet.described()["handles"]
+    assert "A newer rule keeps the shape" in lesson.tell_bet(straight)
