@@ -154,11 +154,10 @@ def _columns_of(wanted: str, top: Rows, axes: list[str]) -> dict[MarkerKey, Axis
         kind, label, quantity, axis = (cell.strip() for cell in cells)
         if kind.lower() != wanted or not label:
             continue
-        columns = found.setdefault((label, 0), {})
+        found.setdefault((label, 0), {})
         if quantity.lower() == "position" and axis.upper() in list("XYZ"):
             twin = twins[label, axis] = twins.get((label, axis), -1) + 1
-            columns = found.setdefault((label, twin), {})
-            columns[axis.upper()] = j
+            found.setdefault((label, twin), {})[axis.upper()] = j
     return found
 
 
