@@ -67,7 +67,7 @@ def takes_settings(thing):
 def names():
     """Every function and method of ours that takes settings."""
     for module in pkgutil.walk_packages(dmp_teach.__path__, "dmp_teach."):
-        if module.name == "dmp_teach.__main__":
+        if module.name.endswith(".__main__"):
             continue
         for name, thing in vars(importlib.import_module(module.name)).items():
             if getattr(thing, "__module__", "") != module.name or name.startswith("_"):
