@@ -1,0 +1,291 @@
+"""Lesson 02: a letter is a sum of bumps (equations 2 to 5 of the paper, and its Algorithm 1)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Sequence
+
+import numpy as np
+
+from dmp_teach.classroom import (
+    Affine,
+    Answer,
+    ChosenBet,
+    Condition,
+    Drawing,
+    KeptBet,
+    Knobs,
+    Lesson,
+    LessonState,
+    Picture,
+    Slider,
+    Task,
+    at_most,
+)
+from dmp_teach.lessons.bumps import NUMBER, learn_bumps
+from dmp_teach.lessons.drawing import draw_sheet, millimetres
+from dmp_teach.texts import gettext as _
+from dmp_teach.trajectory import Array, Trajectory
+
+LETTERS = "aehnSbg"
+# Not the one of the bet.
+SPOILT_BUMPS = (3, 4, 6, 7, 8)
+BET_BUMP, BET_CHANGE = 5, 8.0
+MOST = 10.0
+# How far the spoilt weight leads the pen astray [mm], and what part of it may be left.
+ASTRAY, LEFT = 15.0, 0.2
+
+Follow = Callable[[Array, Array], Array | Affine]
+
+
+class TeachALetter(Lesson):
+    """One weight is heard from its bump on, and the goal has the last word."""
+
+    key = "02"
+    slug = "teach_a_letter"
+
+    def vary(self, random: np.random.Generator | None) -> None:
+        """Choose the letter, and which weight is spoilt and by how much."""
+        bump, sign = 6, 1
+        self.letter = "a"
+        if random is not None:
+            self.letter = str(random.choice(list(LETTERS)))
+            bump, sign = int(random.choice(SPOILT_BUMPS)), int(random.choice([-1, 1]))
+        self.bumps = learn_bumps(self.letter)
+        by = sign * round(ASTRAY / 10 / self.bumps.responses[bump - 1].max())
+        self.spoilt = (bump, by / 100)
+        nearly = [self._error(bump, -by * share) for share in (1 - LEFT, 1 + LEFT)]
+        self.limit = math.ceil(10 * max(nearly)) / 10
+        self.start = {"bump": BET_BUMP, "change": BET_CHANGE}
+        self.solution = {"bump": bump, "change": float(-by)}
+
+    def _error(self, bump: float, change: float) -> float:
+        """Return how far off the spoilt letter is with a weight changed [mm]."""
+        return 1000 * self.bumps.error(self.spoilt, (bump, change / 100))
+
+    @property
+    def question(self) -> str:
+        """The title."""
+        return _("How does a robot remember a letter?")
+
+    @property
+    def knobs(self) -> Knobs:
+        """What a pupil can turn."""
+        change = Slider(
+            _("Change of its weight"), "Δw", -MOST, MOST, 0.5, "cm", 1, is_drawn_here=True
+        )
+        return {"bump": Slider(_("Which bump"), "i", 1, NUMBER), "change": change}
+
+    @property
+    def bet(self) -> ChosenBet:
+        """What of the letter will move."""
+        question = _(
+            "The robot remembers this {letter} as {n} bumps, one after the other. Bump {bump} is "
+            "lit. Now it will push the pen up more than it learned to. What will move?"
+        )
+        options = {
+            "lit": _("the lit piece"),
+            "all": _("the whole letter"),
+            "end": _("the rest and its end"),
+            "back": _("the rest, not its end"),
+        }
+        asked = question.format(letter=self.letter, n=NUMBER, bump=BET_BUMP)
+        return ChosenBet(asked, options)
+
+    @property
+    def tasks(self) -> Sequence[Task]:
+        """What to try."""
+        return (
+            Task(
+                _("Pull the weight down. What stays where it was? What moves?"),
+                lambda v: v["change"] <= -5,
+            ),
+            Task(
+                _("Take the last bump and pull as hard. Why does so little happen?"),
+                lambda v: v["bump"] == NUMBER and abs(v["change"]) >= 5,
+            ),
+            Task(
+                _("Set the change to 0 and walk through the bumps. Which one is the highest?"),
+                lambda v: v["change"] == 0,
+            ),
+        )
+
+    @property
+    def challenge(self) -> str:
+        """What is checked."""
+        return _(
+            "Somebody has changed one weight of the robot’s {letter}. Find the bump and change its "
+            "weight back, until the letter is within {limit} mm."
+        ).format(letter=self.letter, limit=self.limit)
+
+    @property
+    def hints(self) -> tuple[str, str, str]:
+        """Each more direct."""
+        bump, by = self.spoilt
+        turned = _("It is one of the bumps {first} to {last}, and its weight is too high.")
+        if by < 0:
+            turned = _("It is one of the bumps {first} to {last}, and its weight is too low.")
+        return (
+            _(
+                "Follow the line from its start. Where does it first leave the dots? Light the "
+                "bump that is awake there."
+            ),
+            turned.format(first=bump - 1, last=bump + 1),
+            _("Try bump {bump} and a change of {change:g} cm.").format(**self.solution),
+        )
+
+    def conditions(self, answer: Answer) -> Sequence[Condition]:
+        """Return the error of the letter."""
+        return [at_most(self.letter, self._error(**answer), self.limit, "mm")]
+
+    def mistakes(self, answer: Answer) -> Sequence[tuple[bool, str]]:
+        """Return whether it is another bump, or another change of it."""
+        bump, change = int(answer["bump"]), float(answer["change"])
+        error, wanted = self._error(bump, change), self.solution["change"]
+        between = abs(self._wakes(bump) - self._wakes(self.spoilt[0]))
+        facts = {"bump": bump, "change": f"{change:+g}".replace("-", "−"), "letter": self.letter}
+        facts |= {"error": f"{error:.1f}", "limit": self.limit, "s": f"{between:.1f}"}
+        nothing = _(
+            "The change of bump {bump} is 0 cm, so nothing is put right yet: {letter} is {error} "
+            "mm off."
+        )
+        early = _(
+            "Bump {bump} wakes up {s} s before the line goes astray. To change it by {change} cm "
+            "bends a piece that was good. Look for a later one: {letter} is {error} mm off."
+        )
+        late = _(
+            "When bump {bump} wakes up, the line has been astray for {s} s. A change of {change} "
+            "cm cannot reach back. Look for an earlier one: {letter} is {error} mm off."
+        )
+        away = _(
+            "Bump {bump} is the one, but {change} cm is the wrong way: {letter} is now {error} mm "
+            "off."
+        )
+        little = _(
+            "Bump {bump} is the one, and the way is right. {change} cm is too little: {letter} is "
+            "still {error} mm off; the limit is {limit}."
+        )
+        much = _(
+            "Bump {bump} is the one, and the way is right. {change} cm is too much: {letter} is "
+            "{error} mm off on the other side; the limit is {limit}."
+        )
+        missed = error > self.limit
+        found = [
+            (change == 0, nothing),
+            (bump < self.spoilt[0], early),
+            (bump > self.spoilt[0], late),
+            (change * wanted < 0, away),
+            (missed and abs(change) < abs(wanted), little),
+            (missed, much),
+        ]
+        return [(is_made, words.format(**facts)) for is_made, words in found]
+
+    def _wakes(self, bump: float) -> float:
+        """Return when a bump wakes up [s]."""
+        return float(self.bumps.t[self.bumps.awake(bump)][0])
+
+    def praise(self, answer: Answer) -> str:
+        """Return what was found."""
+        words = _(
+            "Bump {bump} was {by:g} cm off. One number is put right, and all that came after it is "
+            "right again: {letter} is {error:.1f} mm off."
+        )
+        by = abs(self.solution["change"])
+        error = self._error(**answer)
+        return words.format(bump=answer["bump"], by=by, letter=self.letter, error=error)
+
+    def tell_bet(self, bet: KeptBet) -> str:
+        """Return what moved, and when it was felt."""
+        bumps, awake = self.bumps, self.bumps.awake(BET_BUMP)
+        moved = BET_CHANGE * 10 * np.abs(bumps.responses[BET_BUMP - 1])
+        felt = bumps.t[np.flatnonzero(moved > 0.1 * moved.max())[-1]] - bumps.t[awake][-1]
+        truth = _(
+            "Before bump {bump} nothing moved. From there on the pen went up to {most:.0f} mm "
+            "higher. It still felt the push {felt:.1f} s later, and came back: the end is where it "
+            "was. "
+        )
+        said = {
+            "lit": _("You said only the lit piece; but a pen that is pushed needs time to return."),
+            "all": _("You said the whole letter; but what is written has not felt the push."),
+            "end": _("You said the end, too; but at the end the spring has pulled it back."),
+            "back": _("Just as you said."),
+        }
+        return truth.format(bump=BET_BUMP, most=moved.max(), felt=felt) + said[bet]
+
+    def draw(self, state: LessonState) -> Picture:
+        """Draw the letter, its bumps, and the push that is their sum."""
+        bumps, values = self.bumps, state.values
+        bump, is_seen = int(values["bump"]), state.is_revealed or state.step != "bet"
+        spoilt = [self.spoilt] if state.step == "challenge" else []
+        base = bumps.write(*spoilt)
+
+        def follow(points: Array, up: Array) -> Array | Affine:
+            """Let points go up with the change, by so much for 1 cm, once it may be seen."""
+            if not is_seen:
+                return points
+            return Affine(points, {"change": np.column_stack([np.zeros(len(up)), up])})
+
+        response, awake = bumps.responses[bump - 1] / 100, bumps.awake(bump)
+        lit = follow(base[awake], response[awake])
+        middle = slice((awake.start + awake.stop) // 2, (awake.start + awake.stop) // 2 + 1)
+        label = {"at": follow(base[middle], response[middle]), "kind": "lit", "label": str(bump)}
+        sheet = draw_sheet(
+            [Trajectory(bumps.t, bumps.demonstration)],
+            [follow(base, response)],
+            caption=_("On paper"),
+            note=_("lit: where bump {bump} is awake").format(bump=bump),
+            extras=[{"points": lit, "kind": f"bump-{(bump - 1) % 3}"}],
+            dots=[label],
+        )
+        weights = bumps.weights.copy()
+        for spoilt_bump, by in spoilt:
+            weights[spoilt_bump - 1] += by
+        pushes = self._draw_pushes(bump, weights, follow, has_needed=state.step != "challenge")
+        change = (bump, float(values["change"]) / 100 * is_seen)
+        now = _("weight of bump {bump}: {cm:.1f} cm")
+        cm = 100 * (weights[bump - 1] + change[1])
+        pushes["note"] = now.format(bump=bump, cm=cm).replace("-", "−")
+        written = bumps.write(*spoilt, change)
+        says = self._say(bump, change[1], 1000 * bumps.error(*spoilt, change))
+        return Picture(says, sheet, {"pushes": pushes}, (Trajectory(bumps.t, written),))
+
+    def _draw_pushes(
+        self, bump: int, weights: Array, follow: Follow, *, has_needed: bool
+    ) -> Drawing:
+        """Draw each bump as high as it pushes, and the sum of all."""
+        bumps, t = self.bumps, self.bumps.t
+        fills: list[Drawing] = []
+        for number, (share, weight) in enumerate(zip(bumps.shares, weights, strict=True), start=1):
+            awake = bumps.awake(number)
+            points = np.column_stack([t, 100 * weight * share])[awake]
+            is_lit = number == bump
+            fills.append({"points": follow(points, share[awake]) if is_lit else points})
+            fills[-1]["lit"] = is_lit
+        push = follow(np.column_stack([t, 100 * weights @ bumps.shares]), bumps.shares[bump - 1])
+        lines: list[Drawing] = [{"points": push, "kind": "robot", "label": _("sum f")}]
+        needed: Drawing = {"points": np.column_stack([t, 100 * bumps.needed]), "kind": "child"}
+        lines += [{**needed, "label": _("needed")}] if has_needed else []
+        most = 5 * math.ceil((100 * np.abs(bumps.weights @ bumps.shares).max() + 4) / 5)
+        begin, end = t[bumps.awake(bump)][[0, -1]]
+        return {
+            "caption": _("The bumps and their sum"),
+            "x": {"label": _("time [s]"), "low": 0.0, "high": float(t[-1])},
+            "y": {"label": _("push up [cm]"), "low": -most, "high": most},
+            "fills": fills,
+            "lines": lines,
+            "bands": [{"from": float(begin), "to": float(end), "label": str(bump)}],
+        }
+
+    def _say(self, bump: int, by: float, error: float) -> dict[str, str]:
+        """Return the number and the sentence."""
+        t = self.bumps.t[self.bumps.awake(bump)]
+        awake = _("Bump {bump} is awake from {begin:.1f} s to {end:.1f} s. ")
+        text = awake.format(bump=bump, begin=t[0], end=t[-1])
+        if by > 0:
+            strong = _("Its weight is {cm:g} cm higher than before: the pen is pushed further up.")
+        elif by < 0:
+            strong = _("Its weight is {cm:g} cm lower than before: the pen is pushed further down.")
+        else:
+            strong = _("Its weight is as it was.")
+        number = {"number": millimetres(error / 1000), "unit": "mm", "text": text}
+        return number | {"strong": strong.format(cm=abs(100 * by)), "after": ""}
