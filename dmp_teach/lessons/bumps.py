@@ -12,7 +12,7 @@ from dmp_teach.ink import recording_of
 from dmp_teach.letters import Letter
 from dmp_teach.trajectory import Array, rms
 
-NUMBER = 14
+BUMP_NUMBER = 14
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,7 +59,7 @@ class Bumps:
 @lru_cache(maxsize=16)
 def learn_bumps(character: str) -> Bumps:
     """Learn a letter by locally weighted regression."""
-    settings = Settings.star(n_kernels=NUMBER, kernel="mollifier", kernel_width=1.6)
+    settings = Settings.star(n_kernels=BUMP_NUMBER, kernel="mollifier", kernel_width=1.6)
     letter = Letter.learn(recording_of(character), settings)
     [stroke], [primitive] = letter.strokes, letter.primitives
     t = primitive.times - primitive.times[0]

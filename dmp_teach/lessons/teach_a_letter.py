@@ -22,18 +22,18 @@ from dmp_teach.classroom import (
     Task,
     at_most,
 )
-from dmp_teach.lessons.bumps import NUMBER, learn_bumps
+from dmp_teach.lessons.bumps import BUMP_NUMBER, learn_bumps
 from dmp_teach.lessons.drawing import draw_sheet, millimetres
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Array, Trajectory
 
-LETTERS = "aehnSbg"
+BUMP_LETTERS = "aehnSbg"
 # Not the one of the bet.
 SPOILT_BUMPS = (3, 4, 6, 7, 8)
 BET_BUMP, BET_CHANGE = 5, 8.0
-MOST = 10.0
+MOST_CHANGE = 10.0
 # How far the spoilt weight leads the pen astray [mm], and what part of it may be left.
-ASTRAY, LEFT = 15.0, 0.2
+ASTRAY, LEFT_ASTRAY = 15.0, 0.2
 
 Follow = Callable[[Array, Array], Array | Affine]
 
@@ -49,12 +49,12 @@ class TeachALetter(Lesson):
         bump, sign = 6, 1
         self.letter = "a"
         if random is not None:
-            self.letter = str(random.choice(list(LETTERS)))
+            self.letter = str(random.choice(list(BUMP_LETTERS)))
             bump, sign = int(random.choice(SPOILT_BUMPS)), int(random.choice([-1, 1]))
         self.bumps = learn_bumps(self.letter)
         by = sign * round(ASTRAY / 10 / self.bumps.responses[bump - 1].max())
         self.spoilt = (bump, by / 100)
-        nearly = [self._error(bump, -by * share) for share in (1 - LEFT, 1 + LEFT)]
+        nearly = [self._error(bump, -by * share) for share in (1 - LEFT_ASTRAY, 1 + LEFT_ASTRAY)]
         self.limit = math.ceil(10 * max(nearly)) / 10
         self.start = {"bump": BET_BUMP, "change": BET_CHANGE}
         self.solution = {"bump": bump, "change": float(-by)}
@@ -72,9 +72,16 @@ class TeachALetter(Lesson):
     def knobs(self) -> Knobs:
         """What a pupil can turn."""
         change = Slider(
-            _("Change of its weight"), "Δw", -MOST, MOST, 0.5, "cm", 1, is_drawn_here=True
+            _("Change of its weight"),
+            "Δw",
+            -MOST_CHANGE,
+            MOST_CHANGE,
+            0.5,
+            "cm",
+            1,
+            is_drawn_here=True,
         )
-        return {"bump": Slider(_("Which bump"), "i", 1, NUMBER), "change": change}
+        return {"bump": Slider(_("Which bump"), "i", 1, BUMP_NUMBER), "change": change}
 
     @property
     def bet(self) -> ChosenBet:
@@ -89,7 +96,7 @@ class TeachALetter(Lesson):
             "end": _("the rest and its end"),
             "back": _("the rest, not its end"),
         }
-        asked = question.format(letter=self.letter, n=NUMBER, bump=BET_BUMP)
+        asked = question.format(letter=self.letter, n=BUMP_NUMBER, bump=BET_BUMP)
         return ChosenBet(asked, options)
 
     @property
@@ -102,7 +109,7 @@ class TeachALetter(Lesson):
             ),
             Task(
                 _("Take the last bump and pull as hard. Why does so little happen?"),
-                lambda v: v["bump"] == NUMBER and abs(v["change"]) >= 5,
+                lambda v: v["bump"] == BUMP_NUMBER and abs(v["change"]) >= 5,
             ),
             Task(
                 _("Set the change to 0 and walk through the bumps. Which one is the highest?"),

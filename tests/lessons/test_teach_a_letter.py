@@ -5,13 +5,13 @@ import pytest
 
 from dmp_teach.dmp import DMP, Settings
 from dmp_teach.ink import recording_of
-from dmp_teach.lessons.bumps import NUMBER, learn_bumps
-from dmp_teach.lessons.teach_a_letter import BET_BUMP, BET_CHANGE, LETTERS, TeachALetter
+from dmp_teach.lessons.bumps import BUMP_NUMBER, learn_bumps
+from dmp_teach.lessons.teach_a_letter import BET_BUMP, BET_CHANGE, BUMP_LETTERS, TeachALetter
 
 PUPILS = [None, *(f"w{n:02d}" for n in range(30))]
 
 
-@pytest.fixture(params=LETTERS)
+@pytest.fixture(params=BUMP_LETTERS)
 def bumps(request):
     return learn_bumps(request.param)
 
@@ -36,11 +36,11 @@ def test_the_last_bump_whispers(bumps):
 
 
 def test_what_the_browser_adds_is_what_the_robot_draws():
-    settings = Settings.star(n_kernels=NUMBER, kernel="mollifier", kernel_width=1.6)
+    settings = Settings.star(n_kernels=BUMP_NUMBER, kernel="mollifier", kernel_width=1.6)
     [stroke] = recording_of("a").strokes()
     learned = DMP.imitate(stroke, settings)
     weights = np.array(learned.weights)
-    weights[NUMBER - 3, 1] += 0.07
+    weights[BUMP_NUMBER - 3, 1] += 0.07
     values = {name: getattr(learned, name) for name in learned.__dataclass_fields__}
     drawn = DMP(**values | {"weights": weights}).rollout().position
     np.testing.assert_allclose(learn_bumps("a").write((3, 0.07)), drawn, atol=1e-9)
@@ -50,7 +50,7 @@ def test_what_the_browser_adds_is_what_the_robot_draws():
 def test_no_other_bump_can_mend_the_letter(pupil):
     lesson = TeachALetter(pupil)
     changes = np.linspace(*lesson.settable["change"], 41)
-    for bump in range(1, NUMBER + 1):
+    for bump in range(1, BUMP_NUMBER + 1):
         solved = [lesson.check({"bump": bump, "change": float(by)}).done for by in changes]
         assert any(solved) == (bump == lesson.solution["bump"])
 
