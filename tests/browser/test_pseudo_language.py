@@ -1,5 +1,7 @@
 """In another, longer language no English is left behind, and every text has its room."""
 
+import re
+
 from tests.browser.test_lab import notebook_of
 
 PANELS = (
@@ -80,3 +82,44 @@ def test_no_string_is_left_behind_and_no_box_overflows(open_notebook, lab, shot)
         assert page.evaluate(ENGLISH, ["Undo", "[Üñdö] 3 [á [b]]"]) == ["Undo"]
         assert "\n".join(page.evaluate(ENGLISH, told)) == ""
         assert "\n".join(page.evaluate(CROWDED)) == "", size
+
+
+# Units are the same in every language, and so is the name of the paper's primitive.
+UNITS = re.compile(r"(?<!\w)(mm|cm|/s|DMP)(?!\w)")
+LESSONS = """import dmp_teach as teach
+from dmp_teach.lessons import lessons
+teach.set_language("pseudo")
+panels = [teach.lesson(key).panel() for key in lessons()]
+for panel in panels:
+    bet = panel.lesson.bet.described()
+    panel.bet(bet["handles"] if "handles" in bet else bet["options"][0][0])"""
+STEPS_OF_LESSONS = (
+    "for panel in panels: display(panel)",
+    "for panel in panels: panel.reveal(); panel.go('try')",
+    "for panel in panels: panel.go('challenge'); panel.check(); panel.check(); panel.show_hint()",
+    "for panel in panels: panel.values = panel.lesson.solution; panel.check(); panel.save()",
+)
+
+
+def test_lessons_speak_the_language_in_every_step(open_notebook, lab, shot):
+    (lab.folder / "pseudo_lessons.ipynb").write_text(
+        notebook_of(LESSONS, *STEPS_OF_LESSONS[:1]).replace(
+            "import dmp_teach", "from IPython.display import display\\nimport dmp_teach"
+        )
+    )
+    page = open_notebook("pseudo_lessons.ipynb", viewport=SIZES["laptop"])
+    page.evaluate("() => window.jupyterapp.shell.collapseLeft()")
+    run = """async (code) => {
+        const kernel = window.jupyterapp.shell.currentWidget.sessionContext.session.kernel;
+        const reply = await kernel.requestExecute({code}).done;
+        return reply.content.status + (reply.content.evalue ?? "");
+    }"""
+    for number, step in enumerate(("pass", *STEPS_OF_LESSONS[1:])):
+        assert page.evaluate(run, step) == "ok"
+        for size, viewport in SIZES.items():
+            page.set_viewport_size(viewport)
+            page.wait_for_timeout(1000)
+            shot(page, f"pseudo_lessons_{number}_{size}")
+            told = [UNITS.sub("", text) for text in page.evaluate(TEXTS)]
+            assert "\n".join(page.evaluate(ENGLISH, told)) == ""
+            assert "\n".join(page.evaluate(CROWDED)) == "", (step, size)

@@ -69,9 +69,12 @@ export function drawAxes(group, [w, h], x, y, ends) {
     make("path", { class: "dt-zero", d: zero }),
     make("path", { class: "dt-rule", d: rule }),
     make("text", { class: "dt-axis", x: 16, y: 22 }, y.label),
-    make("text", { class: "dt-axis dt-middle", x: (left + right) / 2, y: h - 11 }, x.label),
     ...heights.map(([, words], i) => tickLabel(words, left - 10, Number(up[i]), "end")),
   );
+  const name = make("text", { class: "dt-axis dt-middle", y: h - 11 }, x.label);
+  group.append(name);
+  const half = name.getBBox().width / 2 + 4;
+  name.setAttribute("x", String(within((left + right) / 2, half, w - half)));
   labelAcross(
     group,
     places.map(([, words], i) => [Number(across[i]), words]),
