@@ -109,8 +109,9 @@ def test_a_pupil_bets_tries_misses_takes_a_hint_and_meets_the_challenge(lesson, 
     shot(page, f"lesson_{key}_bet")
     assert min(page.evaluate(FITS)) >= 0, page.evaluate(FITS)
     bet(page, spec.bet.described())
-    press(page, "Lay the truth over it")
+    page.get_by_role("button", name="Lay the truth over it").press("Enter")
     page.get_by_role("button", name="Now try it").wait_for()
+    assert page.evaluate("document.activeElement.textContent") == "Now try it"
     assert page.locator(".dt-card .dt-ask").inner_text() != spec.bet.question
     shot(page, f"lesson_{key}_truth")
     press(page, "Now try it")

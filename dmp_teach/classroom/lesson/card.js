@@ -63,12 +63,14 @@ export class Card {
     change(this.node, { class: `dt-card dt-${isDone ? "passed" : step}` });
     /** @type {Record<string, (progress: Values, card: Values) => Element[]>} */
     const draws = { bet: this.drawBet, try: this.drawTry, challenge: this.drawChallenge };
-    const focused = this.buttons.contains(document.activeElement);
+    const focused = /** @type {HTMLElement} */ (document.activeElement);
+    const isHere = this.buttons.contains(focused);
     for (const each of [...this.all(), this.write]) each.hidden = true;
     this.words.replaceChildren(...draws[step].call(this, progress, card));
     /** @type {HTMLElement | null} */
     const first = this.buttons.querySelector(".dt-button:not([hidden])");
-    if (focused && /** @type {HTMLElement} */ (document.activeElement).hidden) first?.focus();
+    // Even a button that is back at once may have lost the focus.
+    if (isHere) (focused.hidden ? first : focused)?.focus();
     put(this.spoken, this.words.textContent);
   }
 
