@@ -296,3 +296,56 @@ def test_the_list_of_letters_has_groups_and_every_letter_that_we_have(panel):
         ("With accents", "\u00e4"),
     ):
         assert letter in groups[group]
+
+
+def test_a_panel_begins_with_the_parts_and_the_settings_that_were_asked_for():
+    panel = explore("e", show=("sheet", "n_kernels"), n_kernels=5, kernel_width=1.0, fit="joint")
+    assert panel.shown == ["sheet", "n_kernels"]
+    settings = dmp_teach.Settings.star(n_kernels=5, kernel_width=1.0, fit="joint")
+    expected = dmp_teach.Letter.learn(dmp_teach.recording_of("e"), settings).write()
+    assert np.array_equal(points(panel), np.concatenate([s.position for s in expected], dtype="f4"))
+
+
+@pytest.mark.parametrize(
+    ("wrong", "told"),
+    [
+        ({"show": ["sheet", "robots"]}, "no part 'robots'; its parts are: letters, sheet, goal"),
+        ({"n_kernel": 5}, "no setting 'n_kernel'. The settings are: n_kernels"),
+        ({"n_kernels": 5.5}, "n_kernels is 5.5, but it must be a whole number"),
+        ({"n_kernels": None}, "n_kernels is None, but this panel's slider ends at 80"),
+        ({"n_kernels": 81}, "n_kernels is 81, but this panel's slider ends at 80"),
+        ({"kernel_width": float("inf"), "kernel_sigma": 1.0}, "kernel_width is inf"),
+        ({"fit": "best"}, "fit is 'best'"),
+    ],
+)
+def test_a_part_or_a_setting_that_is_not_there_is_refused_by_name(wrong, told):
+    with pytest.raises(dmp_teach.SettingError) as said:
+        explore("e", **wrong)
+    assert told in str(said.value)
+
+
+def test_more_kernels_than_the_letter_has_samples_are_refused_at_the_start():
+    t = np.linspace(0, 0.3, 13)
+    short = Recording(t, np.column_stack([t, t**2, 0 * t]), "l", "w1", None, ((0, 13),))
+    with pytest.raises(dmp_teach.SettingError, match="samples for at most 12"):
+        explore(short, n_kernels=13)
+
+
+def test_a_check_can_ask_a_panel_for_its_letter_its_error_and_what_is_set(panel):
+    panel.letter, panel.n_kernels, panel.kernel_width = "D", 20, 1.0
+    assert panel.recording.character == "D"
+    assert panel.learned.primitives[0].settings.n_kernels == 20
+    distance = dmp_teach.letter_distance(panel.learned.write(), panel.recording)
+    assert 0 < panel.error < 3 * distance + 1e-3
+    before = panel.error
+    panel.goal_y = 0.03
+    assert panel.error == before
+    panel.n_kernels = 40
+    assert panel.error < before
+    assert panel.answer == {
+        "letter": "D",
+        "n_kernels": 40,
+        "kernel_width": 1.0,
+        "goal_shifts": [[0.0, 0.0], [0.0, 0.03]],
+    }
+    assert len(str(panel.answer)) <= 160

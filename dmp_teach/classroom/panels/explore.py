@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 import warnings
+from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
+from typing import Any, Unpack
 from unicodedata import normalize
 
 import numpy as np
@@ -13,8 +16,8 @@ from dmp_teach.classroom.panels import messages
 from dmp_teach.classroom.panels.robot_panel import RobotPanel, list_letter_choices, pack_points
 from dmp_teach.classroom.panels.sheets import fit_goal_sheet
 from dmp_teach.classroom.panels.still import Still
-from dmp_teach.dmp import Settings, knob_of
-from dmp_teach.errors import SettingWarning
+from dmp_teach.dmp import SettingChanges, Settings, knob_of
+from dmp_teach.errors import SettingError, SettingWarning
 from dmp_teach.files import join_modules, join_styles
 from dmp_teach.ink import Recording, characters, recording_of
 from dmp_teach.letters import Letter, rms_distance
@@ -28,31 +31,46 @@ _HERE = Path(__file__).parent
 NEAR_LETTERS = "abemBDMPR"
 OWN_RECORDING = "own recording"
 MAX_KERNELS = 80
+EXPLORE_PARTS = ("letters", "sheet", "goal", "n_kernels", "kernel_width", "robot")
+_START = SettingChanges(n_kernels=12, kernel_width=2.0)
 
 
-def explore(recording: Recording | str | Path | None = None, page: Page | None = None) -> Explore:
+def explore(
+    recording: Recording | str | Path | None = None,
+    page: Page | None = None,
+    show: Sequence[str] = EXPLORE_PARTS,
+    **settings: Unpack[SettingChanges],
+) -> Explore:
     """Show a live panel: change a letter with sliders and goals, then let the robot write it.
+
+        panel = teach.explore("e", show=("sheet", "n_kernels"), n_kernels=5, kernel_width=1.0)
 
     Args:
         recording: What to begin with: a letter of our alphabet such as "e", a recording, or the
             path of one; None begins with our "a".
         page: Where the robot writes; None for a sheet of A4 on the table.
+        show: Which parts are seen: "letters", "sheet", "goal", "n_kernels", "kernel_width",
+            "robot".
+        settings: Of the primitive, as in `Settings.star`; the sliders begin there.
 
     Raises:
         RecordingError: The recording cannot be read.
+        SettingError: There is no such part or setting, or a value is out of its range.
     """
-    return Explore(recording, page)
+    return Explore(recording, page, show, settings)
 
 
 class Explore(RobotPanel):
     """The start panel.
 
     Its knobs are traits: `n_kernels`, `kernel_width` [1/N], `stroke`, `goal_x` and `goal_y` [m].
+    For checks there are `recording`, `learned`, `error` [m] and `answer`.
     """
 
     _esm = join_modules(_HERE / "explore.js")
     _css = join_styles(STYLE_TOKENS, *(_HERE / sheet for sheet in ("panel.css", "paper.css")))
 
+    shown = traitlets.List(list(EXPLORE_PARTS)).tag(sync=True)
     near = traitlets.List(list(NEAR_LETTERS)).tag(sync=True)
     letter = traitlets.Unicode().tag(sync=True)
     knobs = traitlets.Dict().tag(sync=True)
@@ -70,12 +88,20 @@ class Explore(RobotPanel):
     goal_terms: traitlets.Dict[str, bytes] = traitlets.Dict().tag(sync=True)
     asked = traitlets.Int(0).tag(sync=True)
 
-    def __init__(self, recording: Recording | str | Path | None = None, page: Page | None = None):
+    def __init__(
+        self,
+        recording: Recording | str | Path | None = None,
+        page: Page | None = None,
+        show: Sequence[str] = EXPLORE_PARTS,
+        settings: SettingChanges = _START,
+    ):
         knobs = {name: _describe_knob(name) for name in ("n_kernels", "kernel_width")}
+        self._settings = Settings.star(**_START | settings)
+        start = {name: _check_slider(name, getattr(self._settings, name)) for name in knobs}
         self._demo: tuple[Trajectory, ...] = ()
         self._drawn: tuple[object, ...] = ()
         self._own: Recording | None = None
-        super().__init__(page, knobs=knobs)
+        super().__init__(page, knobs=knobs, shown=_check_parts(show), **start)
         self.choices = list_letter_choices()
         if recording is None:
             self.letter = "a"
@@ -83,6 +109,37 @@ class Explore(RobotPanel):
             self.letter = normalize("NFC", recording)
         else:
             self.load(recording)
+        if "n_kernels" in settings and self.n_kernels != settings["n_kernels"]:
+            raise SettingError(
+                f"n_kernels is {settings['n_kernels']}, but this letter has samples for at most "
+                f"{self.most_kernels}."
+            )
+
+    @property
+    def recording(self) -> Recording:
+        """The person's letter that is seen."""
+        return (
+            self._own if self._own and self.letter == OWN_RECORDING else recording_of(self.letter)
+        )
+
+    @property
+    def learned(self) -> Letter:
+        """What the robot learned from it."""
+        return self._learned
+
+    @property
+    def error(self) -> float:
+        """How far the robot's letter is off the person's on average, its goals at home [m]."""
+        return rms_distance(self._demo, self._learned.write())
+
+    # Any: a word for the letter, numbers for the rest.
+    @property
+    def answer(self) -> dict[str, Any]:
+        """What is set, by the names of the traits."""
+        return {
+            name: getattr(self, name)
+            for name in ("letter", "n_kernels", "kernel_width", "goal_shifts")
+        }
 
     def draw_still(self) -> Still:
         """Return the letter and the robot's; of a recording of one's own, the sentence alone."""
@@ -138,10 +195,10 @@ class Explore(RobotPanel):
         if now == self._drawn:
             return
         self._drawn = now
-        settings = Settings.star(n_kernels=self.n_kernels, kernel_width=self.kernel_width)
+        settings = replace(self._settings, n_kernels=self.n_kernels, kernel_width=self.kernel_width)
         # The panel's sentence tells of gaps.
         with warnings.catch_warnings(action="ignore", category=SettingWarning):
-            letter = Letter.learn(self._demo, settings)
+            self._learned = letter = Letter.learn(self._demo, settings)
         nominal = letter.write()
         shifts = {i: shift for i, shift in enumerate(self.goal_shifts) if np.any(shift)}
         with self.hold_sync():
@@ -192,3 +249,21 @@ def _describe_knob(name: str) -> dict[str, object]:
     label = _(knob.label)
     label = label[0].upper() + label[1:]
     return {"low": knob.low, "high": knob.high, "label": label, "term": _(knob.term)}
+
+
+def _check_parts(show: Sequence[str]) -> list[str]:
+    """Return the names of parts, or raise a SettingError with those that there are."""
+    names = [show] if isinstance(show, str) else list(show)
+    for name in names:
+        if name not in EXPLORE_PARTS:
+            parts = ", ".join(EXPLORE_PARTS)
+            raise SettingError(f"The panel has no part {name!r}; its parts are: {parts}.")
+    return names
+
+
+def _check_slider(name: str, value: float | None) -> float:
+    """Return a value that the panel's slider has, or raise a SettingError."""
+    high = MAX_KERNELS if name == "n_kernels" else knob_of(name).high
+    if value is None or value > high:
+        raise SettingError(f"{name} is {value}, but this panel's slider ends at {high:g}.")
+    return value
