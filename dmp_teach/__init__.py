@@ -24,7 +24,7 @@ _NAMES = {
     "studies": "claims choose_kernels sweep_kernel_width sweep_kernel_number change_goals_1d "
     "change_goals_2d progress_bar",
     "views": "view",
-    "classroom": "explore pad Lesson Verdict",
+    "classroom": "explore pad Lesson Verdict challenge at_most at_least between exactly sliders",
     "lessons": "lesson check",
 }
 _HOME = {name: room for room, names in _NAMES.items() for name in names.split()}

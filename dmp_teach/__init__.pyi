@@ -2,8 +2,14 @@ from dmp_teach import errors as errors
 from dmp_teach import studies as studies
 from dmp_teach.classroom import Lesson as Lesson
 from dmp_teach.classroom import Verdict as Verdict
+from dmp_teach.classroom import at_least as at_least
+from dmp_teach.classroom import at_most as at_most
+from dmp_teach.classroom import between as between
+from dmp_teach.classroom import challenge as challenge
+from dmp_teach.classroom import exactly as exactly
 from dmp_teach.classroom import explore as explore
 from dmp_teach.classroom import pad as pad
+from dmp_teach.classroom import sliders as sliders
 from dmp_teach.dmp import DMP as DMP
 from dmp_teach.dmp import Settings as Settings
 from dmp_teach.dmp import Stepper as Stepper

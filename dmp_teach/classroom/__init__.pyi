@@ -3,6 +3,8 @@ from .lesson.bets import ChosenBet as ChosenBet
 from .lesson.bets import DrawnBet as DrawnBet
 from .lesson.bets import KeptBet as KeptBet
 from .lesson.bets import LessonState as LessonState
+from .lesson.challenge import Challenge as Challenge
+from .lesson.challenge import challenge as challenge
 from .lesson.check import Answer as Answer
 from .lesson.check import Condition as Condition
 from .lesson.check import Verdict as Verdict
@@ -23,3 +25,4 @@ from .lesson.panel import LessonPanel as LessonPanel
 from .panels.explore import explore as explore
 from .panels.pad import pad as pad
 from .panels.resting import RESTING_SCRIPT as RESTING_SCRIPT
+from .panels.sliders import sliders as sliders

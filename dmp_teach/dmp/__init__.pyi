@@ -5,6 +5,7 @@ from .checks import check_point as check_point
 from .checks import named_settings as named_settings
 from .kernels import KERNELS as KERNELS
 from .kernels import Kernels as Kernels
+from .knob import Knob as Knob
 from .presets import SettingChanges as SettingChanges
 from .primitive import DMP as DMP
 from .responses import Responses as Responses

@@ -12,10 +12,12 @@ const BULB =
 export class Card {
   /**
    * @param {Values} spec
-   * @param {{ send(message: object): void, write(): void, bet(): number[][] | null }} listeners
+   * @param {{ send(message: object): void, write: (() => void) | null,
+   *   bet(): number[][] | null }} listeners `write` is null where no robot can
    */
   constructor(spec, { send, write, bet }) {
     this.spec = spec;
+    this.canWrite = write !== null;
     this.words = make("div", { class: "dt-card-words" });
     this.buttons = make("div", { class: "dt-card-buttons" });
     this.spoken = spokenBox();
@@ -120,7 +122,7 @@ export class Card {
     const isDone = Boolean(verdict?.done);
     this.check.hidden = isDone;
     this.hint.hidden = !offersHint;
-    this.write.hidden = !passed;
+    this.write.hidden = !passed || !this.canWrite;
     const list = rows.map((/** @type {any[]} */ [name, shown, rule, isMet]) =>
       make(
         "li",
@@ -132,17 +134,22 @@ export class Card {
       ),
     );
     const told = hints.map((/** @type {string} */ words, /** @type {number} */ i) =>
-      make("li", { class: i === hints.length - 1 ? "dt-newest" : "" }, words),
+      make("li", { class: i === hints.length - 1 ? "dt-newest" : "" }, ...bold(words)),
     );
     const badge = isDone
       ? make("span", { class: "dt-badge-done" }, icon(ICONS.tick), t("Done"))
       : null;
     return [
-      make("p", { class: "dt-ask" }, badge, isDone ? verdict.reason : this.spec.challenge),
+      make("p", { class: "dt-ask" }, badge, ...bold(isDone ? verdict.reason : this.spec.challenge)),
       make("ul", { class: "dt-rows" }, ...list),
       isDone && bet ? make("p", { class: "dt-quiet" }, bet) : null,
-      verdict && !isDone ? make("p", { class: "dt-reason" }, verdict.reason) : null,
+      verdict && !isDone ? make("p", { class: "dt-reason" }, ...bold(verdict.reason)) : null,
       told.length && !isDone ? make("ol", { class: "dt-hints" }, ...told) : null,
     ].filter((each) => each !== null);
   }
+}
+
+/** Words, those between ** in bold. */
+function bold(/** @type {string} */ words) {
+  return words.split("**").map((part, i) => (i % 2 ? make("b", {}, part) : part));
 }

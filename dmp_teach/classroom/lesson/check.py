@@ -7,11 +7,15 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from dmp_teach.errors import SettingError
 from dmp_teach.texts import gettext as _
 
 # Any: a number for a slider, a word for a choice.
 Answer = dict[str, Any]
 """What a pupil has set, by the names of `Lesson.settable`."""
+
+Measured = float | Callable[[], float]
+"""A number, or what returns it when it is asked."""
 
 
 @dataclass(frozen=True)
@@ -20,32 +24,44 @@ class Condition:
 
     Args:
         name: What it is, as the pupil reads it: "the e", "bumps".
-        value: The number.
+        value: The number, or what returns it.
         low: The least that will do.
         high: The most that will do.
         unit: Of the number and its limits, "mm".
     """
 
     name: str
-    value: float
+    value: Measured
     low: float = -math.inf
     high: float = math.inf
     unit: str = ""
 
     @property
+    def number(self) -> float:
+        """The number as it is now.
+
+        Raises:
+            SettingError: What should return it fails; names the condition.
+        """
+        value = self.value
+        return evaluate(self.name, lambda: float(value())) if callable(value) else value
+
+    @property
     def is_met(self) -> bool:
         """Whether the number lies between the limits; one that is not finite does not."""
-        return math.isfinite(self.value) and self.low <= self.value <= self.high
+        return math.isfinite(self.number) and self.low <= self.number <= self.high
 
     @property
     def shown(self) -> str:
         """The number with its unit, with so many digits that it does not hide the verdict."""
+        value = self.number
         limits = [limit for limit in (self.low, self.high) if math.isfinite(limit)]
-        words = f"{self.value:.0f}" if abs(self.value) >= 10 else f"{self.value:.1f}"
+        is_count = not self.unit and value % 1 == 0
+        words = f"{value:.0f}" if is_count or abs(value) >= 10 else f"{value:.1f}"
         for digits in (1, 2, 3):
-            if all((float(words) <= limit) == (self.value <= limit) for limit in limits):
+            if all((float(words) <= limit) == (value <= limit) for limit in limits):
                 break
-            words = f"{self.value:.{digits}f}"
+            words = f"{value:.{digits}f}"
         return f"{words.replace('-', '−')} {self.unit}".strip()
 
     @property
@@ -68,22 +84,37 @@ class Condition:
         return words.format(name=name, shown=self.shown, rule=self.rule)
 
 
-def at_most(name: str, value: float, limit: float, unit: str = "") -> Condition:
+# Any: as what is called.
+def evaluate(name: str, ask: Callable[[], Any]) -> Any:
+    """Return what a function of a teacher's own returns.
+
+    Raises:
+        SettingError: It fails; names it, and what went wrong.
+    """
+    try:
+        return ask()
+    except Exception as error:
+        words = _("“{name}” cannot be worked out. {kind}: {error}")
+        said = words.format(name=name, kind=type(error).__name__, error=error)
+        raise SettingError(said) from error
+
+
+def at_most(name: str, value: Measured, limit: float, unit: str = "") -> Condition:
     """Return the condition that a number is at most a limit."""
     return Condition(name, value, high=limit, unit=unit)
 
 
-def at_least(name: str, value: float, limit: float, unit: str = "") -> Condition:
+def at_least(name: str, value: Measured, limit: float, unit: str = "") -> Condition:
     """Return the condition that a number is at least a limit."""
     return Condition(name, value, low=limit, unit=unit)
 
 
-def between(name: str, value: float, low: float, high: float, unit: str = "") -> Condition:
+def between(name: str, value: Measured, low: float, high: float, unit: str = "") -> Condition:
     """Return the condition that a number lies between two limits."""
     return Condition(name, value, low, high, unit)
 
 
-def exactly(name: str, value: float, wanted: float, unit: str = "") -> Condition:
+def exactly(name: str, value: Measured, wanted: float, unit: str = "") -> Condition:
     """Return the condition that a number is the wanted one."""
     return Condition(name, value, wanted, wanted, unit)
 
