@@ -93,8 +93,8 @@ class TeachALetter(Lesson):
         options = {
             "lit": _("the lit piece"),
             "all": _("the whole letter"),
-            "end": _("the rest and its end"),
-            "back": _("the rest, not its end"),
+            "end": _("the rest and the end"),
+            "back": _("the rest, not the end"),
         }
         asked = question.format(letter=self.letter, n=BUMP_NUMBER, bump=BET_BUMP)
         return ChosenBet(asked, options)
@@ -157,12 +157,12 @@ class TeachALetter(Lesson):
             "mm off."
         )
         early = _(
-            "Bump {bump} wakes up {s} s before the line goes astray. To change it by {change} cm "
-            "bends a piece that was good. Look for a later one: {letter} is {error} mm off."
+            "Bump {bump} wakes up {s} s before the line goes astray, so {change} cm bend a piece "
+            "that was good. Look for a later one."
         )
         late = _(
-            "When bump {bump} wakes up, the line has been astray for {s} s. A change of {change} "
-            "cm cannot reach back. Look for an earlier one: {letter} is {error} mm off."
+            "When bump {bump} wakes up, the line has been astray for {s} s, and {change} cm cannot "
+            "reach back. Look for an earlier one."
         )
         away = _(
             "Bump {bump} is the one, but {change} cm is the wrong way: {letter} is now {error} mm "
@@ -271,7 +271,7 @@ class TeachALetter(Lesson):
         push = follow(np.column_stack([t, 100 * weights @ bumps.shares]), bumps.shares[bump - 1])
         lines: list[Drawing] = [{"points": push, "kind": "robot", "label": _("sum f")}]
         needed: Drawing = {"points": np.column_stack([t, 100 * bumps.needed]), "kind": "child"}
-        lines += [{**needed, "label": _("needed")}] if has_needed else []
+        lines += [{**needed, "label": _("need")}] if has_needed else []
         most = 5 * math.ceil((100 * np.abs(bumps.weights @ bumps.shares).max() + 4) / 5)
         begin, end = t[bumps.awake(bump)][[0, -1]]
         return {
@@ -289,9 +289,9 @@ class TeachALetter(Lesson):
         awake = _("Bump {bump} is awake from {begin:.1f} s to {end:.1f} s. ")
         text = awake.format(bump=bump, begin=t[0], end=t[-1])
         if by > 0:
-            strong = _("Its weight is {cm:g} cm higher than before: the pen is pushed further up.")
+            strong = _("Its weight is {cm:g} cm higher: the pen is pushed further up.")
         elif by < 0:
-            strong = _("Its weight is {cm:g} cm lower than before: the pen is pushed further down.")
+            strong = _("Its weight is {cm:g} cm lower: the pen is pushed further down.")
         else:
             strong = _("Its weight is as it was.")
         number = {"number": millimetres(error / 1000), "unit": "mm", "text": text}
