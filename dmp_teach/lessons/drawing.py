@@ -36,12 +36,20 @@ def draw_sheet(
     demonstration: Sequence[Trajectory], robot: Sequence[object], **more: object
 ) -> Drawing:
     """Return a sheet with a person's letter and the robot's lines over it."""
-    points = np.concatenate(paths_of(demonstration))
-    margin = 0.12 * np.ptp(points, axis=0).max()
-    box = [*(points.min(axis=0) - margin), *(points.max(axis=0) + margin)]
     title = _("The person’s letter, and the robot’s over it.")
-    sheet: Drawing = {"box": box, "title": title, "demo": paths_of(demonstration)}
+    sheet: Drawing = {
+        "box": sheet_box(paths_of(demonstration)),
+        "title": title,
+        "demo": paths_of(demonstration),
+    }
     return sheet | {"robot": list(robot)} | more
+
+
+def sheet_box(paths: Sequence[Array]) -> list[float]:
+    """Return what a sheet shows around paths, each shape (N, 2): left, bottom, right, top [m]."""
+    points = np.concatenate(paths)
+    margin = 0.12 * np.ptp(points, axis=0).max()
+    return [*(points.min(axis=0) - margin), *(points.max(axis=0) + margin)]
 
 
 def bumps_over_time(primitive: DMP) -> list[Array]:
