@@ -284,7 +284,7 @@ def _tell_rule(led: MovedLetter) -> tuple[str, str]:
     if led.values["rule"] != "original":
         text = _("DMP* keeps each push, and all slides along. ")
         return text, _("The pen stops {mm:.1f} mm from its goal.")
-    text = _("The first rule multiplies by (g′ − y₀)/(g − y₀): {fx} sideways, {fy} upwards. ")
+    text = _("The first rule multiplies by new way / old way: {fx} sideways, {fy} upwards. ")
     if np.abs(led.factors).min() < 0.1:
         return text, _("Goal and start are level: the {letter} is pressed flat.")
     if led.factors.min() < 0:
