@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import math
-import warnings
 from collections.abc import Sequence
-from functools import lru_cache
 
 import numpy as np
 
@@ -24,13 +22,12 @@ from dmp_teach.classroom import (
     at_most,
 )
 from dmp_teach.dmp import Settings
-from dmp_teach.errors import SettingWarning
-from dmp_teach.ink import recording_of
 from dmp_teach.lessons.drawing import (
-    bumps_over_time,
+    draw_bumps,
     draw_sheet,
     error_axis,
     error_of,
+    learn_letter,
     millimetres,
     paths_of,
 )
@@ -43,7 +40,6 @@ CURVE_WIDTHS = np.unique([*np.geomspace(NARROWEST, WIDEST, 40), 0.98, 1.0])
 PAIRS = (("a", "D"), ("e", "B"), ("g", "R"), ("m", "P"), ("h", "S"), ("d", "G"))
 
 
-@lru_cache(maxsize=2048)
 def learn_with_width(character: str, kernel: str, width: float, fit: str) -> Letter:
     """Learn a letter of our alphabet with kernels of one shape and width [1/N]."""
     preset = Settings.joint if fit == "joint" else Settings.star
@@ -53,9 +49,7 @@ def learn_with_width(character: str, kernel: str, width: float, fit: str) -> Let
         kernel_sigma=max(0.2, width / 3) if kernel in ("cut", "bell") else math.inf,
         sharpen=False,
     )
-    # The panel's sentence tells of gaps.
-    with warnings.catch_warnings(action="ignore", category=SettingWarning):
-        return Letter.learn(recording_of(character), settings)
+    return learn_letter(character, settings)
 
 
 def error_at_width(character: str, answer: Answer) -> float:
@@ -229,7 +223,7 @@ class BumpWidth(Lesson):
             caption=_("On paper"),
             note=_("width {width:.2g}").format(width=width),
         )
-        plots = {"curve": self._draw_curve(state, error), "strip": self._draw_bumps(letter)}
+        plots = {"curve": self._draw_curve(state, error), "strip": draw_bumps(letter)}
         return Picture(self._say(error, width, fit, kernel), sheet, plots, written)
 
     def _draw_curve(self, state: LessonState, error: float) -> dict[str, object]:
@@ -258,18 +252,6 @@ class BumpWidth(Lesson):
             "y": error_axis(),
             "lines": lines,
             "dots": dots,
-        }
-
-    def _draw_bumps(self, letter: Letter) -> dict[str, object]:
-        """Draw the bumps of the longest stroke over time."""
-        primitive = max(letter.primitives, key=lambda each: each.duration)
-        bumps = bumps_over_time(primitive)
-        return {
-            "caption": _("The bumps in time [s]"),
-            "note": _("{n} bumps").format(n=len(bumps)),
-            "x": {"label": "", "low": 0.0, "high": primitive.duration},
-            "y": {"label": "", "low": 0.0, "high": 1.15, "ticks": []},
-            "fills": [{"points": each} for each in bumps],
         }
 
     def _say(self, error: float, width: float, fit: str, kernel: str) -> dict[str, str]:

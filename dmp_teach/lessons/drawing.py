@@ -2,24 +2,36 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Iterable, Sequence
+from functools import lru_cache
 
 import numpy as np
 
-from dmp_teach.classroom import Drawing
-from dmp_teach.dmp import DMP
+from dmp_teach.classroom import Affine, Drawing
+from dmp_teach.dmp import DMP, Settings
+from dmp_teach.errors import SettingWarning
+from dmp_teach.ink import recording_of
 from dmp_teach.letters import Letter, rms_distance
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Array, Trajectory
 
 # So many points draw one bump.
 BUMP_POINTS = 24
+GOAL_KNOBS = "goal_x", "goal_y"
 
 
 def millimetres(metres: float) -> str:
     """Return a length as it is shown: "0.37", "3.6", "24"."""
     mm = 1000 * metres
     return f"{mm:.2f}" if mm < 0.995 else f"{mm:.1f}" if mm < 9.95 else f"{mm:.0f}"
+
+
+@lru_cache(maxsize=2048)
+def learn_letter(character: str, settings: Settings) -> Letter:
+    """Learn a letter of our alphabet; what its settings warn of, the lesson says itself."""
+    with warnings.catch_warnings(action="ignore", category=SettingWarning):
+        return Letter.learn(recording_of(character), settings)
 
 
 def error_of(letter: Letter) -> float:
@@ -52,6 +64,13 @@ def sheet_box(paths: Sequence[Array]) -> list[float]:
     return [*(points.min(axis=0) - margin), *(points.max(axis=0) + margin)]
 
 
+def goal_ring(goal: Array, is_fixed: bool) -> Drawing:
+    """Return the ring of a goal (2,) [m] that two knobs move [cm], unless it is fixed."""
+    axes = dict(zip(GOAL_KNOBS, 0.01 * np.eye(2)[:, None], strict=True))
+    ring = {"home": goal.tolist(), "at": Affine(goal[None], axes), "label": _("goal")}
+    return ring | {"scale": 0.01, "knobs": [] if is_fixed else list(GOAL_KNOBS)}
+
+
 def bumps_over_time(primitive: DMP) -> list[Array]:
     """Return the outline of each bump over time, in order of time, each shape (P, 2) [s, 1].
 
@@ -69,6 +88,19 @@ def bumps_over_time(primitive: DMP) -> list[Array]:
             ends = np.array([[path[0, 0], 0.0], [path[-1, 0], 0.0]])
             outlines.append(np.vstack([ends[:1], path, ends[1:]]))
     return outlines
+
+
+def draw_bumps(letter: Letter) -> Drawing:
+    """Draw the bumps of the longest stroke of a letter over time."""
+    primitive = max(letter.primitives, key=lambda each: each.duration)
+    bumps = bumps_over_time(primitive)
+    return {
+        "caption": _("The bumps in time [s]"),
+        "note": _("{n} bumps").format(n=len(bumps)),
+        "x": {"label": "", "low": 0.0, "high": primitive.duration},
+        "y": {"label": "", "low": 0.0, "high": 1.15, "ticks": []},
+        "fills": [{"points": each} for each in bumps],
+    }
 
 
 def error_axis() -> Drawing:

@@ -8,7 +8,6 @@ from dataclasses import replace
 import numpy as np
 
 from dmp_teach.classroom import (
-    Affine,
     Answer,
     Condition,
     Drawing,
@@ -24,7 +23,7 @@ from dmp_teach.classroom import (
     at_least,
     at_most,
 )
-from dmp_teach.lessons.drawing import draw_sheet, millimetres
+from dmp_teach.lessons.drawing import draw_sheet, goal_ring, millimetres
 from dmp_teach.lessons.goals import ACROSS, AWAY, CM, UP, MovedLetter, mean_distance
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Trajectory
@@ -217,15 +216,11 @@ class MoveGoal(Lesson):
         """Draw the letter, and one coordinate of it over time by two rules."""
         led = MovedLetter(str(state.values["letter"]), state.values)
         is_hidden = state.step == "bet" and not state.is_revealed
-        goal = led.primitive.goal
-        axes = dict(zip(("goal_x", "goal_y"), CM * np.eye(2)[:, None], strict=True))
-        ring = {"home": goal.tolist(), "at": Affine(goal[None], axes), "label": _("goal")}
-        ring |= {"scale": CM, "knobs": [] if state.step == "bet" else list(axes)}
         sheet = draw_sheet(
             led.strokes,
             [] if is_hidden else [led.following],
             box=led.box(self.side),
-            rings=[ring],
+            rings=[goal_ring(led.primitive.goal, state.step == "bet")],
             caption=_("On paper"),
             **({} if state.values == self.start else {"bet": []}),
         )

@@ -6,10 +6,11 @@ import numpy as np
 import pytest
 
 import dmp_teach
+from tests.browser.test_lab import notebook_of
 from tests.formats.motive_csv import lab as in_the_lab
 from tests.formats.motive_csv import motive
 
-NOTEBOOK = "00_start_here.ipynb"
+NOTEBOOK = "explore.ipynb"
 GOAL_2 = "Goal of stroke 2"
 
 
@@ -23,7 +24,8 @@ COUNT_SENT = f"""() => {{
 
 
 @pytest.fixture
-def panel(open_notebook):
+def panel(open_notebook, lab):
+    (lab.folder / NOTEBOOK).write_text(notebook_of("import dmp_teach as teach\nteach.explore()"))
     page = open_notebook(NOTEBOOK)
     page.locator(".dt-explore").scroll_into_view_if_needed()
     page.wait_for_selector(".dt-explore[data-dt-drawing]")
@@ -158,7 +160,6 @@ def test_every_control_has_a_name_and_is_reached_by_the_tab_key(panel):
         "How many bumps",
         "Goal, left and right",
         "Robot, write it",
-        "Play",
     ):
         assert re.search(rf'(radiogroup|group|slider|button) "{name}', names), name
     panel.get_by_role("radio", name="the letter D").focus()

@@ -10,7 +10,7 @@ from tests.browser.test_lab import notebook_of
 
 START = "00_start_here.ipynb"
 OTHER = "01_an_other_lesson.ipynb"
-PANEL = ".dt-explore[data-dt-drawing]"
+PANEL = ".dt-lesson[data-dt-drawing]"
 JUPYTERS = ".jp-NotebookPanel-toolbar, #jp-menu-panel, #jp-top-panel, .jp-SideBar, #jp-bottom-panel"
 
 
@@ -45,12 +45,14 @@ def test_a_lesson_wakes_by_itself_and_stands_alone_until_the_menus_are_wanted(
 def test_a_panel_lives_on_when_its_page_is_loaded_anew(lesson, ask):
     page = lesson(START)
     page.wait_for_selector(PANEL, timeout=PATIENCE)
-    page.get_by_role("radio", name="the letter D, capital").check(force=True)
-    page.wait_for_function("document.querySelectorAll('.dt-goal').length === 2")
+    page.get_by_role("radio", name="about 40").check(force=True)
+    page.wait_for_function(
+        "!document.querySelector('.dt-card .dt-main').getAttribute('aria-disabled')"
+    )
     page.wait_for_function("!jupyterapp.shell.currentWidget.context.model.dirty")
     page.reload()
     page.wait_for_selector(PANEL, timeout=PATIENCE)
-    assert page.locator(".dt-goal").count() == 2
+    assert page.get_by_role("radio", name="about 40").is_checked()
     assert ask(page, "len(Out)") == "1"
 
 
@@ -72,8 +74,11 @@ def test_a_link_opens_a_lesson_in_which_only_a_press_runs_what_is_not_ours(lesso
 
 
 def test_panels_answer_after_a_restart_from_elsewhere(lab, open_notebook, ask):
-    page = open_notebook(START)
-    page.wait_for_selector(PANEL)
+    (lab.folder / "explore.ipynb").write_text(
+        notebook_of("import dmp_teach as teach\nteach.explore()")
+    )
+    page = open_notebook("explore.ipynb")
+    page.wait_for_selector(".dt-explore[data-dt-drawing]")
     kernel = page.evaluate("jupyterapp.shell.currentWidget.sessionContext.session.kernel.id")
     urllib.request.urlopen(
         urllib.request.Request(
@@ -84,7 +89,7 @@ def test_panels_answer_after_a_restart_from_elsewhere(lab, open_notebook, ask):
     )
     page.wait_for_timeout(1000)
     run_all(page)
-    page.wait_for_selector(PANEL)
+    page.wait_for_selector(".dt-explore[data-dt-drawing]")
     slider = page.get_by_role("slider", name="How many bumps")
     for bumps in (13, 14):
         slider.press("ArrowRight")

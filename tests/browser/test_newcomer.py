@@ -3,13 +3,17 @@
 import numpy as np
 import pytest
 
-NOTEBOOK = "00_start_here.ipynb"
+from tests.browser.test_lab import notebook_of
+
+NOTEBOOK = "explore.ipynb"
 LAPTOP = {"viewport": {"width": 1366, "height": 768}}
 WRITE = "Robot, write it"
 
 
 @pytest.fixture
-def panel(open_notebook):
+def panel(open_notebook, lab):
+    (lab.folder / NOTEBOOK).write_text(notebook_of("import dmp_teach as teach\nteach.explore()"))
+
     def open_panel(**context):
         page = open_notebook(NOTEBOOK, **context)
         page.wait_for_selector(".dt-explore[data-dt-drawing]")

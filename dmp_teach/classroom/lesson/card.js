@@ -93,12 +93,14 @@ export class Card {
   }
 
   drawTry(/** @type {Values} */ { done }) {
-    const { tasks } = this.spec;
+    const { tasks, by_robot } = this.spec;
     const now = tasks.findIndex(
       (/** @type {string} */ _, /** @type {number} */ i) => !done.includes(i),
     );
     this.toChallenge.hidden = false;
     change(this.toChallenge, { class: now < 0 ? "dt-button dt-main" : "dt-button" });
+    this.write.hidden = !by_robot.includes(true);
+    change(this.write, { class: by_robot[now] ? "dt-button dt-main" : "dt-button" });
     return [
       make(
         "ol",
@@ -123,6 +125,7 @@ export class Card {
     this.check.hidden = isDone;
     this.hint.hidden = !offersHint;
     this.write.hidden = !passed || !this.canWrite;
+    change(this.write, { class: "dt-button dt-main" });
     const list = rows.map((/** @type {any[]} */ [name, shown, rule, isMet]) =>
       make(
         "li",

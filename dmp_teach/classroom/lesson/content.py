@@ -72,10 +72,12 @@ class Task:
     Args:
         text: What to do, and what to look for.
         is_done: Called with what is set.
+        by_robot: It is done when the robot has written.
     """
 
     text: str
-    is_done: Callable[[Answer], bool]
+    is_done: Callable[[Answer], bool] = lambda _answer: False
+    by_robot: bool = False
 
 
 class LessonContent:

@@ -19,6 +19,7 @@ def describe_lesson(lesson: LessonContent) -> dict[str, Any]:
         "knobs": {name: knob.described() for name, knob in lesson.knobs.items()},
         "bet": lesson.bet.described(),
         "tasks": [task.text for task in lesson.tasks],
+        "by_robot": [task.by_robot for task in lesson.tasks],
         "challenge": lesson.challenge,
     }
 

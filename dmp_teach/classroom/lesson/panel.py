@@ -26,6 +26,7 @@ from dmp_teach.classroom.panels.sheets import SHEET_OF_ANY_LETTER
 from dmp_teach.classroom.panels.still import Still
 from dmp_teach.errors import SettingError, TeachError
 from dmp_teach.files import join_modules, join_styles
+from dmp_teach.robot import Motion
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Trajectory
 from dmp_teach.views import STYLE_TOKENS
@@ -226,6 +227,13 @@ class LessonPanel(RobotPanel):
             done |= {i for i, task in enumerate(self.lesson.tasks) if task.is_done(self.values)}
         self._change(done=sorted(done), verdict=None)
 
+    def _show_result(self, result: object) -> None:
+        """Show the motion, and tick what the robot was to do; or say what it cannot."""
+        super()._show_result(result)
+        if isinstance(result, Motion) and self.progress["step"] == "try":
+            written = {i for i, task in enumerate(self.lesson.tasks) if task.by_robot}
+            self._change(done=sorted(written.union(self.progress["done"])))
+
     @traitlets.observe("asked")
     def _answer(self, _change: object) -> None:
         """Say that what was asked for is drawn."""
@@ -236,13 +244,8 @@ class LessonPanel(RobotPanel):
     # Any: as `progress`.
     def _redraw(self, progress: dict[str, Any]) -> None:
         """Draw the lesson at this progress, and its card."""
-        state = LessonState(
-            dict(self.values),
-            progress["step"],
-            progress["bet"],
-            progress["revealed"],
-            tuple(self._tried),
-        )
+        seen = (progress["step"], progress["bet"], progress["revealed"])
+        state = LessonState(dict(self.values), *seen, tuple(self._tried))
         picture = self.lesson.draw(state)
         with self.hold_sync():
             self.progress = progress
