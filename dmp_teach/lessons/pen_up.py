@@ -63,8 +63,8 @@ class PenUp(Lesson):
     def knobs(self) -> Knobs:
         """The two thresholds."""
         return {
-            "theta": Slider(_("A lift is faster than"), "θ", 5, 200, 5, "mm/s"),
-            "sigma": Slider(_("A lift gets higher than"), "σ", 0.5, 25.0, 0.5, "mm", 1),
+            "theta": Slider(_("Lift: faster than"), "θ", 5, 200, 5, "mm/s"),
+            "sigma": Slider(_("Lift: higher than"), "σ", 0.5, 25.0, 0.5, "mm", 1),
         }
 
     @property
@@ -183,14 +183,12 @@ class PenUp(Lesson):
 
     def praise(self, answer: Answer) -> str:
         """Return what was found."""
-        strokes = self.find(answer)
         words = _(
-            "Two strokes. The pen leaves the paper at {up:.2f} s and lands at {down:.2f} s; no end "
-            "is more than {ms:.0f} ms off. Only a lift is faster than {theta} mm/s and higher than "
-            "{sigma} mm."
+            "Two strokes: up at {up:.2f} s, down at {down:.2f} s. Only a lift is faster than "
+            "{theta} mm/s and higher than {sigma} mm."
         )
-        (up, down), ms = _gaps(strokes)[0], self._milliseconds_off(strokes)
-        return words.format(up=up, down=down, ms=ms, **answer)
+        up, down = _gaps(self.find(answer))[0]
+        return words.format(up=up, down=down, **answer)
 
     def tell_bet(self, bet: KeptBet) -> str:
         """Return how far both places were from the true ones."""
@@ -255,9 +253,7 @@ class PenUp(Lesson):
             text = _("The pen was on the paper where it is green. ")
             strong = _("How can a robot find that out from two curves?")
         else:
-            text = _(
-                "Where the pen is faster than θ and gets higher than σ, the robot sees a lift. "
-            )
+            text = _("Where the pen rises faster than θ and more than σ, the robot sees a lift. ")
             if len(strokes) > 2:
                 strong = _("Here it takes something for a lift that is none.")
             elif len(strokes) < 2:
