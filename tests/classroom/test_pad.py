@@ -74,6 +74,7 @@ def test_ink_becomes_a_recording_that_is_learned_written_again_and_scored(panel)
     written = np.concatenate([stroke.position for stroke in panel.letter.write()])
     assert np.allclose(points(panel, "robot"), written, atol=1e-6)
     assert panel.letter.error < 0.001
+    assert panel.error == panel.score.distance > 0
     assert [row["name"] for row in panel.parts] == ["Shape", "Size", "Lean", "Way of writing"]
     assert "It is a little wider than the robot’s, for its height." in panel.message["text"]
     assert panel.message["strong"] == "Write it narrower."
@@ -284,7 +285,7 @@ def test_without_a_letter_the_robot_learns_whatever_is_written():
     free = pad(None)
     assert free.character == ""
     send(free, rows_of(dmp_teach.recording_of("g").strokes()[0]))
-    assert free.score is None
+    assert (free.score, free.error) == (None, None)
     assert free.recording.character is None
     assert free.message["number"] == "0.1"
     assert free.parts == []
@@ -293,7 +294,7 @@ def test_without_a_letter_the_robot_learns_whatever_is_written():
 
 
 def test_before_anything_is_written_the_next_cells_are_told_so_and_the_robot_writes_its_own(panel):
-    for name in ("recording", "letter", "score"):
+    for name in ("recording", "letter", "score", "error"):
         with pytest.raises(RecordingError, match="Nothing is written on the pad yet"):
             getattr(panel, name)
     assert panel.recordings == ()

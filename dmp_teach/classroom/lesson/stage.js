@@ -21,7 +21,11 @@ export class Stage {
     this.spec = spec;
     this.listeners = listeners;
     this.table = robot.table;
-    /** @type {Record<string, { node: HTMLElement, plot: Plot, words: ReturnType<typeof captionOf> }>} */
+    /**
+     * @type {Record<
+     *   string, { node: HTMLElement, plot: Plot, words: ReturnType<typeof captionOf> }
+     * >}
+     */
     this.plots = {};
     /** @type {number[][] | null} the bet in the hand, where it is drawn */
     this.bet = null;

@@ -120,6 +120,11 @@ class Pad(RobotPanel):
         """How near the newest try is to the robot's letter; None where no letter was chosen."""
         return self._attempts.newest.score
 
+    @property
+    def error(self) -> float | None:
+        """How far the newest try is from the robot's letter [m]; None without a `score`."""
+        return None if self.score is None else self.score.distance
+
     def add_stroke(self, points: ArrayLike, pressed: bool = False, outside: int = 0) -> None:
         """Put a stroke on the sheet.
 
