@@ -77,7 +77,7 @@ def test_wrong_answers_are_told_what_is_wrong_with_them(key):
     assert {hint for *_, hint in reasons} == {lesson.hints[0]}
 
 
-@pytest.mark.parametrize("answer", NONSENSE, ids=repr)
+@pytest.mark.parametrize("answer", NONSENSE, ids=lambda answer: type(answer).__name__)
 def test_nonsense_gets_a_sentence_and_no_traceback(key, answer):
     verdict = teach.check(key, answer)
     assert not verdict.done
