@@ -259,15 +259,15 @@ class StartHere(Lesson):
     def _draw_errors(self, state: LessonState) -> Drawing:
         """Draw how far off this letter is, and the three of the bet once they may be seen."""
         letter, error = str(state.values["letter"]), self._error(state.values)
-        numbers = (FEW, ENOUGH, most_kernels(letter)) if state.is_revealed else ()
-        dots = [
-            {"at": [n, error_with(letter, n)], "kind": "truth", "label": str(n)} for n in numbers
-        ]
+        most = most_kernels(letter)
+        numbers = (FEW, ENOUGH, most) if state.is_revealed else ()
+        dots = [{"at": [n, error_with(letter, n)], "kind": "truth", "label": ""} for n in numbers]
+        dots[-1:] = [each | {"label": str(most)} for each in dots[-1:]]
         ticks = [[0.1, _("0.1 mm a hair")], [10, _("10 mm a finger")]]
         x = {"label": "", "low": LEAST_BUMPS, "high": MANY, "log": True}
         x |= {"ticks": [[n, str(n)] for n in (FEW, ENOUGH, MANY)]}
         return {
-            "caption": _("How far off, with how many bumps"),
+            "caption": _("How far off"),
             "x": x,
             "y": error_axis() | {"low": 0.01, "ticks": ticks},
             "dots": [*dots, {"at": [state.values["n_kernels"], error], "kind": "robot"}],

@@ -45,14 +45,14 @@ def test_a_lesson_wakes_by_itself_and_stands_alone_until_the_menus_are_wanted(
 def test_a_panel_lives_on_when_its_page_is_loaded_anew(lesson, ask):
     page = lesson(START)
     page.wait_for_selector(PANEL, timeout=PATIENCE)
-    page.get_by_role("radio", name="about 40").check(force=True)
+    page.get_by_role("radio", name="about 40", exact=True).check(force=True)
     page.wait_for_function(
         "!document.querySelector('.dt-card .dt-main').getAttribute('aria-disabled')"
     )
     page.wait_for_function("!jupyterapp.shell.currentWidget.context.model.dirty")
     page.reload()
     page.wait_for_selector(PANEL, timeout=PATIENCE)
-    assert page.get_by_role("radio", name="about 40").is_checked()
+    assert page.get_by_role("radio", name="about 40", exact=True).is_checked()
     assert ask(page, "len(Out)") == "1"
 
 
