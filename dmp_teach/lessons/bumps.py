@@ -51,6 +51,15 @@ class Bumps:
         times = np.flatnonzero(self.shares[int(bump) - 1] > 1e-3)
         return slice(int(times[0]), int(times[-1]) + 1)
 
+    def wakes(self, bump: float) -> float:
+        """Return when a bump wakes up [s]."""
+        return float(self.t[self.awake(bump)][0])
+
+    @property
+    def hardest(self) -> int:
+        """The bump that pushes most, up or down."""
+        return 1 + int(np.argmax(np.abs(self.weights) * self.shares.max(axis=1)))
+
     def error(self, *changes: tuple[float, float]) -> float:
         """Return how far off the letter is with these changes, on average."""
         return rms(self.write(*changes) - self.demonstration)

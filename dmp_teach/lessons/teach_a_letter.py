@@ -27,7 +27,8 @@ from dmp_teach.lessons.drawing import draw_sheet, millimetres
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Array, Trajectory
 
-BUMP_LETTERS = "aehnSbg"
+# Round ones: in an upright line a push along it is not seen.
+BUMP_LETTERS = "aszSG389"
 # Not the one of the bet.
 SPOILT_BUMPS = (3, 4, 6, 7, 8)
 BET_BUMP, BET_CHANGE = 5, 8.0
@@ -56,7 +57,7 @@ class TeachALetter(Lesson):
         self.spoilt = (bump, by / 100)
         nearly = [self._error(bump, -by * share) for share in (1 - LEFT_ASTRAY, 1 + LEFT_ASTRAY)]
         self.limit = math.ceil(10 * max(nearly)) / 10
-        self.start = {"bump": BET_BUMP, "change": BET_CHANGE}
+        self.start = {"bump": BET_BUMP, "change": 0.0}
         self.solution = {"bump": bump, "change": float(-by)}
 
     def _error(self, bump: float, change: float) -> float:
@@ -112,8 +113,8 @@ class TeachALetter(Lesson):
                 lambda v: v["bump"] == BUMP_NUMBER and abs(v["change"]) >= 5,
             ),
             Task(
-                _("Set the change to 0 and walk through the bumps. Which one is the highest?"),
-                lambda v: v["change"] == 0,
+                _("Set the change to 0. Walk through the bumps to the one that pushes most."),
+                lambda v: v["change"] == 0 and v["bump"] == self.bumps.hardest,
             ),
         )
 
@@ -134,8 +135,8 @@ class TeachALetter(Lesson):
             turned = _("It is one of the bumps {first} to {last}, and its weight is too low.")
         return (
             _(
-                "Follow the line from its start. Where does it first leave the dots? Light the "
-                "bump that is awake there."
+                "Set the change to 0 and follow the line from its start. Where does it first leave "
+                "the dots? Light the bump that is awake there, or the one before."
             ),
             turned.format(first=bump - 1, last=bump + 1),
             _("Try bump {bump} and a change of {change:g} cm.").format(**self.solution),
@@ -149,7 +150,7 @@ class TeachALetter(Lesson):
         """Return whether it is another bump, or another change of it."""
         bump, change = int(answer["bump"]), float(answer["change"])
         error, wanted = self._error(bump, change), self.solution["change"]
-        between = abs(self._wakes(bump) - self._wakes(self.spoilt[0]))
+        between = abs(self.bumps.wakes(bump) - self.bumps.wakes(self.spoilt[0]))
         facts = {"bump": bump, "change": f"{change:+g}".replace("-", "−"), "letter": self.letter}
         facts |= {"error": f"{error:.1f}", "limit": self.limit, "s": f"{between:.1f}"}
         nothing = _(
@@ -187,10 +188,6 @@ class TeachALetter(Lesson):
         ]
         return [(is_made, words.format(**facts)) for is_made, words in found]
 
-    def _wakes(self, bump: float) -> float:
-        """Return when a bump wakes up [s]."""
-        return float(self.bumps.t[self.bumps.awake(bump)][0])
-
     def praise(self, answer: Answer) -> str:
         """Return what was found."""
         words = _(
@@ -222,15 +219,16 @@ class TeachALetter(Lesson):
     def draw(self, state: LessonState) -> Picture:
         """Draw the letter, its bumps, and the push that is their sum."""
         bumps, values = self.bumps, state.values
-        bump, is_seen = int(values["bump"]), state.is_revealed or state.step != "bet"
+        bump, change = int(values["bump"]), float(values["change"])
+        if state.step == "bet":
+            bump, change = BET_BUMP, BET_CHANGE * state.is_revealed
         spoilt = [self.spoilt] if state.step == "challenge" else []
         base = bumps.write(*spoilt)
 
         def follow(points: Array, up: Array) -> Array | Affine:
-            """Let points go up with the change, by so much for 1 cm, once it may be seen."""
-            if not is_seen:
-                return points
-            return Affine(points, {"change": np.column_stack([np.zeros(len(up)), up])})
+            """Let points go up with the change by so much for 1 cm; that of the bet stays."""
+            way = np.column_stack([np.zeros(len(up)), up])
+            return points + change * way if state.step == "bet" else Affine(points, {"change": way})
 
         response, awake = bumps.responses[bump - 1] / 100, bumps.awake(bump)
         lit = follow(base[awake], response[awake])
@@ -248,12 +246,12 @@ class TeachALetter(Lesson):
         for spoilt_bump, by in spoilt:
             weights[spoilt_bump - 1] += by
         pushes = self._draw_pushes(bump, weights, follow, has_needed=state.step != "challenge")
-        change = (bump, float(values["change"]) / 100 * is_seen)
         now = _("weight of bump {bump}: {cm:.1f} cm")
-        cm = 100 * (weights[bump - 1] + change[1])
+        cm = 100 * weights[bump - 1] + change
         pushes["note"] = now.format(bump=bump, cm=cm).replace("-", "−")
-        written = bumps.write(*spoilt, change)
-        says = self._say(bump, change[1], 1000 * bumps.error(*spoilt, change))
+        changes = (*spoilt, (bump, change / 100))
+        written = bumps.write(*changes)
+        says = self._say(bump, change, 1000 * bumps.error(*changes))
         return Picture(says, sheet, {"pushes": pushes}, (Trajectory(bumps.t, written),))
 
     def _draw_pushes(
@@ -295,4 +293,4 @@ class TeachALetter(Lesson):
         else:
             strong = _("Its weight is as it was.")
         number = {"number": millimetres(error / 1000), "unit": "mm", "text": text}
-        return number | {"strong": strong.format(cm=abs(100 * by)), "after": ""}
+        return number | {"strong": strong.format(cm=abs(by)), "after": ""}

@@ -29,6 +29,10 @@ def test_a_pushed_bump_is_heard_from_its_begin_on_and_the_end_stays(bumps):
     assert moved[-1] < 1e-4
 
 
+def test_the_bump_to_look_for_is_not_the_one_that_is_lit_at_first(bumps):
+    assert bumps.hardest != BET_BUMP
+
+
 def test_the_last_bump_whispers(bumps):
     loudest = np.abs(bumps.responses).max(axis=1)
     assert (np.diff(loudest) < 0).all()
@@ -53,6 +57,16 @@ def test_no_other_bump_can_mend_the_letter(pupil):
     for bump in range(1, BUMP_NUMBER + 1):
         solved = [lesson.check({"bump": bump, "change": float(by)}).done for by in changes]
         assert any(solved) == (bump == lesson.solution["bump"])
+
+
+@pytest.mark.parametrize("pupil", PUPILS)
+def test_the_fault_is_seen_on_paper_where_its_bump_is_awake_or_the_next(pupil):
+    lesson = TeachALetter(pupil)
+    bumps, bump = lesson.bumps, lesson.spoilt[0]
+    apart = bumps.write(lesson.spoilt)[:, None] - bumps.demonstration
+    off = np.linalg.norm(apart, axis=2).min(axis=1)
+    begin, end = bumps.awake(bump).start, bumps.awake(bump + 1).stop
+    assert off[:begin].max() < 0.0035 < off[begin:end].max()
 
 
 @pytest.mark.parametrize(
