@@ -130,7 +130,7 @@ class Explore(RobotPanel):
     @property
     def error(self) -> float:
         """How far the robot's letter is off the person's on average, its goals at home [m]."""
-        return rms_distance(self._demo, self._learned.write())
+        return self._learned.error
 
     # Any: a word for the letter, numbers for the rest.
     @property
