@@ -312,3 +312,16 @@ def test_the_library_neither_asserts_nor_prints(path):
         assert not isinstance(node, ast.Assert), f"line {node.lineno}"
         if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "print":
             assert name_of(path) in ("__main__.py", "launcher/lab.py"), f"line {node.lineno}"
+
+
+@pytest.mark.parametrize(
+    "path", [path for path in NOTEBOOKS if path.name[:2].isdigit()], ids=lambda path: path.name
+)
+def test_a_lesson_begins_with_its_question_and_its_panel(path):
+    """The cell that says how to begin is one of its own: the lab hides it."""
+    cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
+    assert [cell["id"] for cell in cells[:3]] == ["question", "begin", "panel"]
+    words = sum(
+        len("".join(cell["source"]).split()) for cell in cells if cell["cell_type"] == "markdown"
+    )
+    assert 300 <= words <= 680, words
