@@ -287,9 +287,9 @@ class TeachALetter(Lesson):
         awake = _("Bump {bump} is awake from {begin:.1f} s to {end:.1f} s. ")
         text = awake.format(bump=bump, begin=t[0], end=t[-1])
         if by > 0:
-            strong = _("Its weight is {cm:g} cm higher: the pen is pushed further up.")
+            strong = _("Its weight is {cm:g} cm higher: it pushes further up.")
         elif by < 0:
-            strong = _("Its weight is {cm:g} cm lower: the pen is pushed further down.")
+            strong = _("Its weight is {cm:g} cm lower: it pushes further down.")
         else:
             strong = _("Its weight is as it was.")
         number = {"number": millimetres(error / 1000), "unit": "mm", "text": text}
