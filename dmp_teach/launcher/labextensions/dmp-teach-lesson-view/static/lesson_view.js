@@ -10,7 +10,8 @@ const NAME = "dmp-teach-lesson-view";
 // else a notebook from elsewhere holds waits for a press.
 const WORD = "[A-Za-z_]\\w*";
 const VALUE = `(?:${WORD} ?= ?)?(?:"[^"\\\\]*"|'[^'\\\\]*'|[\\w.]+)`;
-const MADE = `(?:teach\\.(?:lesson|explore|pad)|${WORD}\\.(?:panel|bet))\\((?:${VALUE}(?:, ?${VALUE})*)?\\)`;
+const VALUES = `${VALUE}(?:, ?${VALUE})*`;
+const MADE = `(?:teach\\.(?:lesson|explore|pad)|${WORD}\\.(?:panel|bet))\\((?:${VALUES})?\\)`;
 const HARMLESS = new RegExp(
   `^(?:import dmp_teach as teach|(?:${WORD} = )?${MADE}(?:\\.(?:panel|bet)\\(\\))?|${WORD}|#.*|)$`,
 );
@@ -164,10 +165,10 @@ const STYLE = `
   box-sizing: border-box; font: 15px var(--jp-ui-font-family); color: var(--jp-ui-font-color0);
   background: var(--jp-layout-color1); border-bottom: 1px solid var(--jp-border-color2); }
 .dt-lesson-bar nav { display: flex; flex: 1; gap: 4px; overflow-x: auto; }
-.dt-lesson-bar :is(a, button) { display: flex; align-items: center; justify-content: center; gap: 8px;
-  flex: none; min-width: 44px; height: 44px; padding: 0 12px; box-sizing: border-box; font: inherit;
-  color: inherit; background: none; border: 1px solid transparent; border-radius: 8px;
-  text-decoration: none; cursor: pointer; font-variant-numeric: tabular-nums; }
+.dt-lesson-bar :is(a, button) { display: flex; align-items: center; justify-content: center;
+  gap: 8px; flex: none; min-width: 44px; height: 44px; padding: 0 12px; box-sizing: border-box;
+  font: inherit; color: inherit; background: none; border: 1px solid transparent;
+  border-radius: 8px; text-decoration: none; cursor: pointer; font-variant-numeric: tabular-nums; }
 .dt-lesson-bar button, .dt-lesson-bar .dt-next { border-color: #767f8a; }
 .dt-lesson-bar :is(a, button):hover { background: var(--jp-layout-color2); }
 .dt-lesson-bar :is(a, button):focus-visible { outline: 3px solid var(--jp-ui-font-color0);
