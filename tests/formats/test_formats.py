@@ -65,7 +65,8 @@ def test_strokes_times_and_pressure_come_back(tmp_path_factory, suffix, once):
     ink = np.vstack([stroke.position for stroke in once.strokes()])
     if np.ptp(ink, axis=0).max() < 0.001:
         return
-    again = read_recording(write_recording(once, tmp_path_factory.getbasetemp() / f"trip{suffix}"))
+    trip = tmp_path_factory.mktemp("trip") / f"a{suffix}"
+    again = read_recording(write_recording(once, trip))
     places, times, force = TOLERANCE[suffix]
     assert (again.character, again.writer) == (once.character, once.writer)
     assert again.baseline == pytest.approx(once.baseline, abs=places)
