@@ -14,12 +14,14 @@ EARLIER = "earlier"
 LESSON = re.compile(r"\d\d_\w+\.ipynb")
 # The cell that we put above a lesson.
 STRIP = "lessons"
+UNREADABLE = (ValueError, LookupError, TypeError, AttributeError)
 
 
 def copy_lessons(source, work, fresh=()):
     """Bring the copies of the lessons up to date, and return the names of those that stay behind.
 
-    A copy without a change follows ours; one that was changed stays, even where ours is newer.
+    A copy without a change follows ours; one that was changed stays, even where ours is newer, but
+    for its strip of the lessons.
 
     Args:
         source: The folder of our own notebooks.
@@ -28,8 +30,7 @@ def copy_lessons(source, work, fresh=()):
             them is moved to the folder `EARLIER`.
     """
     work.mkdir(parents=True, exist_ok=True)
-    record = work / RECORD
-    given = json.loads(record.read_text(encoding="utf-8")) if record.exists() else {}
+    given = _read_record(work / RECORD)
     names = sorted(path.name for path in source.glob("*.ipynb"))
     behind = []
     for name in names:
@@ -38,12 +39,14 @@ def copy_lessons(source, work, fresh=()):
         if own not in (None, ours, given.get(name)):
             if not name.startswith(tuple(fresh)):
                 behind += [name] if given.get(name) != ours else []
+                _renew_strip(copy, names)
                 continue
             _set_aside(copy)
         if own != ours or name.startswith(tuple(fresh)):
             _write_copy(source / name, copy, names)
+        _renew_strip(copy, names)
         given[name] = ours
-    record.write_text(json.dumps(given, indent=1), encoding="utf-8")
+    _write_json(work / RECORD, given)
     return behind
 
 
@@ -53,25 +56,63 @@ def title_of(name):
     return "{} {}".format(number, words.replace("_", " ").capitalize())
 
 
+def _read_record(path):
+    """Return what was given, notebook -> digest; of a damaged record nothing is known."""
+    try:
+        given = json.loads(path.read_bytes().decode("utf-8"))
+    except (OSError, ValueError):
+        return {}
+    return given if isinstance(given, dict) else {}
+
+
+def _write_json(path, content):
+    """Write a file beside its place, then move it there, so that no half of it ever lies there."""
+    beside = path.with_name(path.name + ".part")
+    beside.write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
+    beside.replace(path)
+
+
 def _write_copy(ours, copy, names):
     """Write a notebook, with a strip of all lessons above it, which works in every Jupyter."""
     notebook = json.loads(ours.read_text(encoding="utf-8"))
-    lessons = [name for name in names if LESSON.match(name)]
-    if copy.name in lessons:
-        links = [
-            "**{}**".format(title_of(name))
-            if name == copy.name
-            else "[{}]({})".format(title_of(name), name)
-            for name in lessons
-        ]
+    if LESSON.match(copy.name):
         strip = {
             "cell_type": "markdown",
             "id": STRIP,
             "metadata": {"dmp_teach": STRIP, "editable": False},
-            "source": [" · ".join(links)],
+            "source": [_links(copy.name, names)],
         }
         notebook["cells"].insert(0, strip)
-    copy.write_text(json.dumps(notebook, indent=1) + "\n", encoding="utf-8")
+    _write_json(copy, notebook)
+
+
+def _renew_strip(copy, names):
+    """Let the strip of a copy show the lessons of today; the cells of a pupil stay as they are."""
+    links = _links(copy.name, names)
+    try:
+        notebook = json.loads(copy.read_bytes().decode("utf-8"))
+        strips = [cell for cell in notebook["cells"] if _is_strip(cell)]
+        old = [cell for cell in strips if "".join(cell["source"]) != links]
+    except UNREADABLE:
+        return
+    for cell in old:
+        cell["source"] = [links]
+    if old:
+        _write_json(copy, notebook)
+
+
+def _links(own, names):
+    """Return links to all lessons in Markdown; its own is bold."""
+    return " · ".join(
+        ("**{}**" if name == own else "[{}]({})").format(title_of(name), name)
+        for name in names
+        if LESSON.match(name)
+    )
+
+
+def _is_strip(cell):
+    """Tell whether a cell is ours."""
+    return cell["metadata"].get("dmp_teach") == STRIP
 
 
 def _digest(path):
@@ -83,12 +124,10 @@ def _digest(path):
     try:
         cells = json.loads(content.decode("utf-8"))["cells"]
         written = [
-            (cell["cell_type"], "".join(cell["source"]))
-            for cell in cells
-            if cell["metadata"].get("dmp_teach") != STRIP
+            (cell["cell_type"], "".join(cell["source"])) for cell in cells if not _is_strip(cell)
         ]
         content = json.dumps(written).encode()
-    except (ValueError, LookupError, TypeError, AttributeError):
+    except UNREADABLE:
         pass
     return hashlib.sha256(content).hexdigest()
 

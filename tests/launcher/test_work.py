@@ -1,6 +1,7 @@
 """The work folder: what a pupil has changed stays, the rest follows ours, and nothing is lost."""
 
 import json
+from pathlib import Path
 
 import pytest
 
@@ -99,3 +100,61 @@ def test_a_pupils_own_notebooks_are_left_alone(folders):
     write(work / "mine.ipynb", "mine")
     copy_lessons(ours, work, fresh=[""])
     assert sources(work / "mine.ipynb") == ["mine"]
+
+
+@pytest.mark.parametrize("content", [b"", b"{", b"[]", b"null", b"\xff", b'{"a": "b'])
+def test_without_a_sound_record_whatever_differs_counts_as_changed(folders, content):
+    ours, work = folders
+    copy_lessons(ours, work)
+    write(work / START, "mine")
+    write(ours / WIDTH, "new")
+    (work / ".lessons.json").write_bytes(content)
+    assert copy_lessons(ours, work) == [START, WIDTH]
+    assert sources(work / START) == ["mine"]
+    assert sources(work / WIDTH)[1:] == [WIDTH]
+    write(ours / OWN, "new")
+    assert copy_lessons(ours, work) == [START, WIDTH], "the record is sound again"
+    assert sources(work / OWN) == ["new"]
+
+
+@pytest.mark.parametrize("name", [".lessons.json", START])
+def test_a_write_that_stops_halfway_leaves_the_file_as_it_was(folders, monkeypatch, name):
+    ours, work = folders
+    copy_lessons(ours, work)
+    before = (work / name).read_bytes()
+    write(ours / "04_new.ipynb", "new")
+    whole = Path.write_text
+
+    def write_half(path, text, **how):
+        half = path.name.startswith(name)
+        whole(path, text[: len(text) // 2] if half else text, **how)
+        if half:
+            raise OSError
+
+    with monkeypatch.context() as patch:
+        patch.setattr(Path, "write_text", write_half)
+        with pytest.raises(OSError):  # noqa: PT011 (a full disk may say anything)
+            copy_lessons(ours, work)
+    assert (work / name).read_bytes() == before
+    assert copy_lessons(ours, work) == []
+    assert sources(work / START)[0].endswith("[04 New](04_new.ipynb)")
+    assert not list(work.glob("*.part"))
+
+
+def test_the_strip_of_every_copy_follows_new_lessons_and_nothing_else_in_it_changes(folders):
+    ours, work = folders
+    copy_lessons(ours, work)
+    changed = json.loads((work / START).read_text())
+    changed["cells"][1] |= {"source": ["mine ", "é"], "outputs": [{"text": "seen"}]}
+    changed["cells"] = changed["cells"][::-1]
+    (work / START).write_text(json.dumps(changed))
+    write(ours / "04_new.ipynb", "new")
+    assert copy_lessons(ours, work) == []
+    links = "[00 Start here](00_start_here.ipynb) · **03 Bump width** · [04 New](04_new.ipynb)"
+    assert sources(work / WIDTH) == [links, WIDTH]
+    assert sources(work / START)[1].endswith("[04 New](04_new.ipynb)")
+    changed["cells"][1]["source"] = [sources(work / START)[1]]
+    assert json.loads((work / START).read_text()) == changed
+    before = (work / START).stat().st_mtime_ns
+    copy_lessons(ours, work)
+    assert (work / START).stat().st_mtime_ns == before, "a strip of today is not written again"
