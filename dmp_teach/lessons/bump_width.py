@@ -120,8 +120,8 @@ class BumpWidth(Lesson):
                 lambda v: v["kernel_width"] < 0.8,
             ),
             Task(
-                _("Learn all together, and make them wide again. Is the letter still soft?"),
-                lambda v: v["fit"] == "joint" and v["kernel_width"] > 3,
+                _("Learn all together, with a width from 3 to 8. Is the letter still soft?"),
+                lambda v: v["fit"] == "joint" and 3 <= v["kernel_width"] <= 8,
             ),
         )
 
@@ -263,12 +263,18 @@ class BumpWidth(Lesson):
             )
         elif fit == "joint":
             text, strong = _("Each bump knows its neighbours. "), _("Its width hardly matters.")
+            if error > 1:
+                strong = _("But bumps so wide are too coarse even so.")
         elif width > 1.5:
             text = _("Each bump covers the places of {width:.2g}. ").format(width=width)
             strong = _("Each part of the letter is an average of its neighbours.")
         else:
             text, strong = _("The bumps just touch. "), _("The line sits on the dots.")
-        return {"number": millimetres(error / 1000), "unit": "mm", "text": text} | {
+        return {
+            "number": millimetres(error / 1000),
+            "unit": _("mm off on average"),
+            "text": text,
+        } | {
             "strong": strong,
             "after": "",
         }

@@ -11,6 +11,7 @@ import numpy as np
 from dmp_teach.classroom import Affine, Answer, Drawing
 from dmp_teach.dmp import DMP, Settings, Stepper
 from dmp_teach.ink import recording_of
+from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Array, Trajectory, arc_lengths
 
 CM = 0.01
@@ -205,3 +206,36 @@ def mean_distance(drawn: Array, path: Array) -> float:
         for line, way in zip((drawn, path), ways, strict=True)
     )
     return float(np.linalg.norm(a - b, axis=1).mean())
+
+
+def tell_rule(led: MovedLetter) -> tuple[str, str]:
+    """Return what becomes of the letter, and what the rule does."""
+    rule, is_late = led.values["rule"], bool(led.values["moves_at"])
+    if rule == "similarity":
+        does = _(" Similarity turns it by {degrees:.0f}° and makes it {scale:.1f} times as large.")
+        if is_late:
+            does = _(
+                " From then on similarity turns by {degrees:.0f}°, {scale:.1f} times as large."
+            )
+        plain = _("The {letter} is as it was, but does not stand as it stood.")
+    elif rule == "original":
+        does = _(" The first rule multiplies by new way / old way: {fx} sideways, {fy} upwards.")
+        if is_late:
+            does = _(" From then on the first rule multiplies: {fx} sideways, {fy} upwards.")
+        plain = _tell_factors(led)
+    else:
+        does = _(" DMP* keeps each push, and all slides along.")
+        plain = _("The pen stops {mm:.1f} mm from its goal.")
+        if is_late:
+            does = _(" DMP* keeps each push. The pen stops {mm:.1f} mm from its goal.")
+    return (_("What was written at {s:.1f} s stays.") if is_late else plain), does
+
+
+def _tell_factors(led: MovedLetter) -> str:
+    """Return what becomes of a letter that the first rule multiplies from its start on."""
+    if np.abs(led.factors).min() < 0.1:
+        return _("Goal and start are level: the {letter} is pressed flat.")
+    if led.factors.min() < 0:
+        return _("The {letter} is mirrored.")
+    is_near = np.abs(led.factors - 1).max() < 0.1
+    return _("The {letter} is nearly as it was.") if is_near else _("The {letter} is stretched.")

@@ -38,8 +38,8 @@ LETTERS = "aegmbdhnS"
 LIMITS = (0.4, 0.5, 0.6, 0.8, 1.0)
 RATES = ("60", "120", "240")
 PAPER_RATE = "120"
-# The smallest number, and a tenth more, will do.
-SPARE = 1.1
+# With more of the limit left unused [%], fewer kernels would do.
+MOST_UNUSED = 20.0
 
 
 @lru_cache(maxsize=1024)
@@ -115,12 +115,12 @@ class HowManyBumps(Lesson):
         """What to try."""
         return (
             Task(
-                _("Take 10 bumps, then 20, then 40. How much nearer does it come each time?"),
-                lambda v: v["n_kernels"] >= 40,
+                _("Take 10 bumps, then twice as many: 20. How much of the error is left?"),
+                lambda v: v["n_kernels"] == 20,
             ),
             Task(
-                _("Find the last bump that you can still see in the line."),
-                lambda v: 12 <= v["n_kernels"] <= 30,
+                _("Add bumps until more of them change nothing that you can see. Stop there."),
+                lambda v: 24 <= v["n_kernels"] <= 45,
             ),
             Task(
                 _("See the pen twice as often, 240 times a second. Are more bumps needed?"),
@@ -132,9 +132,9 @@ class HowManyBumps(Lesson):
     def challenge(self) -> str:
         """What is checked."""
         return _(
-            "Every bump must be stored and learned. Find the smallest number of bumps that keeps "
-            "{letter} within {limit} mm. A tenth more than the smallest is fine."
-        ).format(letter=self.letter, limit=self.limit)
+            "Every bump must be stored and learned. Keep {letter} within {limit} mm with as few as "
+            "you can: at most {unused:g} % of the limit may be left unused."
+        ).format(letter=self.letter, limit=self.limit, unused=MOST_UNUSED)
 
     @property
     def hints(self) -> tuple[str, str, str]:
@@ -146,17 +146,22 @@ class HowManyBumps(Lesson):
         )
 
     def conditions(self, answer: Answer) -> Sequence[Condition]:
-        """Return the error; that fewer would do is told by `mistakes`, which keeps the number."""
+        """Return the error, and how much of the limit it leaves unused."""
+        error, unused = self._measure(answer)
         return [
-            at_most(
-                self.letter, error_with_number(self.letter, answer["n_kernels"]), self.limit, "mm"
-            )
+            at_most(self.letter, error, self.limit, "mm"),
+            at_most(_("left unused"), unused, MOST_UNUSED, "%"),
         ]
+
+    def _measure(self, answer: Answer) -> tuple[float, float]:
+        """Return the error [mm], and how far it is under the limit [% of it], not below 0."""
+        error = error_with_number(self.letter, answer["n_kernels"])
+        return error, max(0.0, 100 * (1 - error / self.limit))
 
     def mistakes(self, answer: Answer) -> Sequence[tuple[bool, str]]:
         """Return whether there are too few or too many."""
         number = int(answer["n_kernels"])
-        error = error_with_number(self.letter, number)
+        error, unused = self._measure(answer)
         each = 1000 * self.duration / number
         facts = {"n": number, "letter": self.letter, "limit": self.limit, "each": f"{each:.0f}"}
         facts |= {"error": millimetres(error / 1000)}
@@ -168,7 +173,7 @@ class HowManyBumps(Lesson):
             "{n} bumps bring {letter} to {error} mm, and {limit} would be near enough. Fewer will "
             "do."
         )
-        found = [(error > self.limit, few), (number > SPARE * self.smallest, many)]
+        found = [(error > self.limit, few), (unused > MOST_UNUSED, many)]
         return [(is_made, words.format(**facts)) for is_made, words in found]
 
     def praise(self, answer: Answer) -> str:
@@ -237,7 +242,7 @@ class HowManyBumps(Lesson):
             strong = _("The line is within its own thickness.")
         else:
             strong = _("Nobody can see what more bumps would change.")
-        return {"number": millimetres(error), "unit": "mm", "text": text} | {
+        return {"number": millimetres(error), "unit": _("mm off on average"), "text": text} | {
             "strong": strong,
             "after": "",
         }

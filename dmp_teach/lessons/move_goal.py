@@ -24,7 +24,7 @@ from dmp_teach.classroom import (
     at_most,
 )
 from dmp_teach.lessons.drawing import draw_sheet, goal_ring, millimetres
-from dmp_teach.lessons.goals import ACROSS, AWAY, CM, UP, MovedLetter, mean_distance
+from dmp_teach.lessons.goals import ACROSS, AWAY, CM, UP, MovedLetter, mean_distance, tell_rule
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Trajectory
 
@@ -108,7 +108,7 @@ class MoveGoal(Lesson):
                 lambda v: v["rule"] in ("star", "printed") and v["goal_x"] != self.start["goal_x"],
             ),
             Task(
-                _("C, first rule: its goal is under its start. Drag its ring aside by 1 cm."),
+                _("Take C and the first rule. Drag its ring 1 cm aside. What becomes of C?"),
                 lambda v: v["rule"] == "original" and v["letter"] == STEEP,
             ),
             Task(
@@ -171,7 +171,7 @@ class MoveGoal(Lesson):
         short = _("The goal has moved {x:.1f} cm {x_way}; it is to move {x_least:g} cm {aside}.")
         low = _("The goal has moved {y:.1f} cm {y_way}; it is to move {y_least:g} cm {up}.")
         found = [
-            (not same and is_multiplied_or_turned, "".join(_tell_rule(led)) + same_way),
+            (not same and is_multiplied_or_turned, "".join(tell_rule(led)) + same_way),
             (not same and answer["moves_at"] > 0, jumps + same_way),
             (not from_goal and answer["rule"] == "printed", lags),
             (not from_goal, hasty),
@@ -262,30 +262,15 @@ class MoveGoal(Lesson):
 
 def _say(led: MovedLetter) -> dict[str, str]:
     """Return the number and the sentence."""
-    text, strong = _tell_rule(led)
-    after = _(" It runs after its goal at {hurry:.0f} cm/s.") if led.values["moves_at"] else ""
+    strong, after = tell_rule(led)
+    text = ""
+    if led.values["moves_at"]:
+        after += _(" The pen runs after its goal at {hurry:.0f} cm/s.")
     if not led.shift.any():
         text, strong, after = _("The goal is where it was. "), _("Drag the ring."), ""
     says = {"text": text, "strong": strong, "after": after}
     says = {name: words.format(**led.facts) for name, words in says.items()}
     return {"number": f"{led.share:.0f}", "unit": _("% the same way"), **says}
-
-
-def _tell_rule(led: MovedLetter) -> tuple[str, str]:
-    """Return what the rule does, and what becomes of the letter."""
-    if led.values["rule"] == "similarity":
-        text = _("Similarity turns by {degrees:.0f}° and makes {scale:.1f} times as large. ")
-        return text, _("The {letter} is as it was, but does not stand as it stood.")
-    if led.values["rule"] != "original":
-        text = _("DMP* keeps each push, and all slides along. ")
-        return text, _("The pen stops {mm:.1f} mm from its goal.")
-    text = _("The first rule multiplies by new way / old way: {fx} sideways, {fy} upwards. ")
-    if np.abs(led.factors).min() < 0.1:
-        return text, _("Goal and start are level: the {letter} is pressed flat.")
-    if led.factors.min() < 0:
-        return text, _("Below 0 the {letter} is mirrored.")
-    is_near = np.abs(led.factors - 1).max() < 0.1
-    return text, _("That is nearly 1.") if is_near else _("The {letter} is stretched.")
 
 
 def _ways(x: float, y: float) -> tuple[str, str]:

@@ -88,8 +88,9 @@ class SpringToGoal(Lesson):
     def bet(self) -> DrawnBet:
         """How far the pen is from the ring as time goes by."""
         question = _(
-            "A spring pulls the pen to the ring, and a brake slows it. The brake is weak. How much "
-            "of the way is left after each moment? Below the line it has gone past the ring."
+            "A spring pulls the pen to the ring, its goal, and a brake slows it. The brake is "
+            "weak. How much of the way is left after each moment? Below the line it has gone past "
+            "the ring."
         )
         places = np.array([[t, 100 * (1 - t / DURATION)] for t in BET_TIMES])
         labels = [_("Way left after {t:g} s").format(t=t) for t in BET_TIMES]
@@ -105,8 +106,8 @@ class SpringToGoal(Lesson):
                 lambda v: abs(v["goal_x"] - start["goal_x"]) > 2,
             ),
             Task(
-                _("Brake as hard as you can. Does it arrive sooner, or later?"),
-                lambda v: v["alpha"] > 40,
+                _("Take the strongest brake and the weakest pull. Does it swing, or creep?"),
+                lambda v: v["alpha"] > 40 and v["beta"] < 0.8,
             ),
             Task(
                 _("Pull hard and brake little. How often does it go past the ring?"),
@@ -254,8 +255,8 @@ class SpringToGoal(Lesson):
     def _say(self, values: Answer, is_seen: bool) -> dict[str, str]:
         """Return the number and the sentence; before the bet is made neither."""
         if not is_seen:
-            text = _("The pen waits at its start. ")
-            return {"number": "", "unit": "", "text": text, "strong": _("Bet first."), "after": ""}
+            text, strong = _("The pen waits at its start. "), _("Bet first: pull the dots.")
+            return {"number": "", "unit": "", "text": text, "strong": strong, "after": ""}
         past, left = self._measure(values)
         if past > MOST_PAST:
             text = _("The brake is weak for such a pull. ")

@@ -292,5 +292,5 @@ class TeachALetter(Lesson):
             strong = _("Its weight is {cm:g} cm lower: it pushes further down.")
         else:
             strong = _("Its weight is as it was.")
-        number = {"number": millimetres(error / 1000), "unit": "mm", "text": text}
+        number = {"number": millimetres(error / 1000), "unit": _("mm off on average"), "text": text}
         return number | {"strong": strong.format(cm=abs(by)), "after": ""}

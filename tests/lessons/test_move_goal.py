@@ -66,9 +66,12 @@ def test_the_challenge_asks_for_a_rule_that_slides_from_the_start_on():
 @pytest.mark.parametrize(
     ("values", "words"),
     [
-        ({"rule": "original"}, "−0.56 sideways, 0.49 upwards. Below 0 the S is mirrored"),
+        (
+            {"rule": "original"},
+            "The S is mirrored. The first rule multiplies by new way / old way: −0.56 sideways",
+        ),
         ({"rule": "original", "goal_x": 6.7}, "pressed flat"),
-        ({"rule": "similarity"}, "turns by"),
+        ({"rule": "similarity"}, "turns it by"),
         ({"rule": "printed"}, "stops 7.6 mm from its goal"),
         ({"moves_at": 2.0}, "At 2.0 s a part of the S is written already"),
         ({"goal_x": -3.0}, "moved 3.0 cm to the left; it is to move 10 cm to the right"),
