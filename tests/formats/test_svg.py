@@ -112,7 +112,6 @@ SAME = {
         '<use xmlns:xlink="http://www.w3.org/1999/xlink" xlink:href="#m" transform="translate(10 '
         '20)"/>'
     ),
-    "a path for each piece": svg('<path d="M10 20V50"/><path d="M10 50V60"/><path d="M10 60h30"/>'),
     "drawn twice": svg(L + L),
     "on paper": svg('<rect width="100%" height="100%" stroke="none" fill="#fff"/>' + L),
     "an empty path": svg('<path d=""/><path/><path d="M 3 4"/>' + L),
@@ -122,6 +121,18 @@ SAME = {
 @pytest.mark.parametrize("how", SAME)
 def test_the_same_drawing_is_the_same_letter(tmp_path, how):
     check_hook(read(tmp_path, SAME[how]))
+
+
+@pytest.mark.parametrize("between", ['"/><path d="', ""])
+@pytest.mark.parametrize("letter", ["10 10L30 60 50 10", "10 60V10L50 60V10"], ids=["V", "N"])
+def test_strokes_that_meet_end_to_end_stay_apart(tmp_path, letter, between):
+    pen_lifted = letter.replace("30 60 50", f"30 60{between}M30 60L50")
+    pen_lifted = pen_lifted.replace("V10L", f"V10{between}M10 10L")
+    assert len(read(tmp_path, svg(f'<path d="M{letter}"/>')).strokes()) == 1
+    assert len(read(tmp_path, svg(f'<path d="M{pen_lifted}"/>')).strokes()) == 2
+    once = [[[0.0, 0.05], [0.02, 0.0]], [[0.02, 0.0], [0.04, 0.05]]]
+    path = write_recording(by_hand([np.array(way) for way in once]), tmp_path / "ours.svg")
+    assert len(read_recording(path).strokes()) == 2
 
 
 def test_every_move_begins_a_stroke_in_the_order_of_the_file(tmp_path):

@@ -69,6 +69,40 @@ def test_what_is_shown_is_ink_where_it_is_shown(tmp_path, kind):
     check_hook(read(tmp_path, svg(STYLED[kind])))
 
 
+def unsaid(body):
+    """A drawing that says of no shape how it looks."""
+    return svg(body).replace('stroke="black" ', "", 1)
+
+
+def test_an_open_path_without_any_style_is_a_line_and_a_closed_one_an_area(tmp_path):
+    check_hook(read(tmp_path, unsaid(L)))
+    check_hook(read(tmp_path, unsaid('<polyline points="10 20 10 60 40 60"/>')))
+    check_hook(read(tmp_path, unsaid('<path d="M5 5H9V9z"/><rect width="9" height="9"/>' + L)))
+    for look in ('fill="red"', 'style="stroke:none"', 'visibility="hidden"'):
+        check_hook(read(tmp_path, unsaid(f"{L}<path {look} {Z}/>")))
+    with pytest.raises(RecordingError, match="only areas of a colour"):
+        read(tmp_path, unsaid(f'<path {Z[:-1]}z"/>'))
+
+
+STEM = '<path fill="none" stroke="black" d="M10 30V60"/>'
+DISC = 'cx="10" cy="15" fill="black" stroke="none"'
+
+
+@pytest.mark.parametrize("size", ['circle r="3"', 'ellipse rx="2" ry="4"'])
+def test_a_small_filled_disc_beside_a_line_is_a_dot(tmp_path, size):
+    stem, dot = read(tmp_path, svg(f"{STEM}<{size} {DISC}/>")).strokes()
+    assert np.ptp(stem.position, axis=0) == pytest.approx((0, 0.03), abs=1e-6)
+    assert np.allclose(dot.position, [0, 0.045], rtol=0, atol=1e-5)
+    first, _ = read(tmp_path, unsaid(f"<{size} cx='10' cy='15'/>{STEM}")).strokes()
+    assert np.allclose(first.position, [0, 0.045], rtol=0, atol=1e-5)
+
+
+def test_a_large_filled_disc_or_one_without_a_line_is_no_dot(tmp_path):
+    check_hook(read(tmp_path, svg(f'<circle r="40" {DISC}/>{L}')))
+    with pytest.raises(RecordingError, match="only areas of a colour"):
+        read(tmp_path, svg(f'<circle r="3" {DISC}/>'))
+
+
 @pytest.mark.parametrize("turn", ['rx="20"', 'ry="20"', 'rx="90" ry="20"'])
 def test_rectangles_have_round_corners(tmp_path, turn):
     box = (

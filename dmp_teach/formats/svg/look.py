@@ -53,6 +53,11 @@ class Look:
         """Whether a shape that looks so is an area of a colour, with no line round it."""
         return self._paints("fill", "black") and not self.is_line
 
+    @property
+    def is_unsaid(self) -> bool:
+        """Whether a shape that looks so is an area only because nothing says how it looks."""
+        return self.is_area and not self.inherited.keys() & {"fill", "stroke"}
+
     def check_followed(self) -> None:
         """Raise a RecordingError where a style moves or cuts it in a way that is not followed."""
         for name in sorted(self.own.keys() & NOT_FOLLOWED_IN_STYLES):

@@ -1,11 +1,12 @@
 """Drawings in SVG, read as the way of a pen that a hand follows.
 
 Every `path`, `line`, `polyline`, `polygon`, `rect`, `circle` and `ellipse` that draws a line is
-read in the order of the file, and each part of a path that begins with a move is a stroke; one that
-goes on where the last one ended is part of it, and one that was drawn before is no other. Areas of
-a colour are no way of a pen. Clones of shapes are followed; drawings within the drawing, clips and
-masks are refused, and nothing is fetched. In SVG y points down; here it points up. A hand's samples
-(`hand_pace`) cut a sharp bend of the drawing by up to 0.1 mm.
+read in the order of the file, and each part of a path that begins with a move is a stroke, but for
+one that was drawn before. An open path of which the file says neither fill nor stroke is a line,
+too. Areas of a colour are no way of a pen, but a small filled circle or ellipse beside lines is a
+dot. Clones of shapes are followed; drawings within the drawing, clips and masks are refused, and
+nothing is fetched. In SVG y points down; here it points up. A hand's samples (`hand_pace`) cut a
+sharp bend of the drawing by up to 0.1 mm.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from functools import partial
 from xml.etree.ElementTree import Element
 
 import numpy as np
-from svgelements import Path
+from svgelements import Close, Path
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.formats.flat_ink import (
@@ -38,6 +39,8 @@ from dmp_teach.formats.svg.writer import write_svg
 from dmp_teach.ink import Recording
 from dmp_teach.trajectory import Array
 
+# A path, its matrix (3, 3) to the page [m], y up, and whether it is the edge of a disc.
+PlacedPath = tuple[Path, Array, bool]
 GROUPS = {"svg", "g", "a", "switch"}
 HREFS = ("href", "{http://www.w3.org/1999/xlink}href")
 MOST_CLONES = 1000
@@ -45,7 +48,7 @@ DEEPEST_CLONE = 10  # clones of clones
 MOST_SEGMENTS = 100_000
 CURVE_POINTS = (8, 128)  # the fewest and the most on one curve
 MOST_CURVE_POINTS = 60_000  # on all of them
-SAME_PLACE = 1e-5  # a stroke that begins so near to the end of the last one is part of it [m]
+LARGEST_DOT = 1 / 3  # of the lines
 UPWARD = np.diag([1.0, -1.0, 1.0])
 TITLE = re.compile(r"(?:(.*) )?by (\S+)")
 UNLINK = "unlink clones, or convert them to paths."
@@ -91,29 +94,26 @@ class _Drawing:
     def strokes(self) -> list[Array]:
         """Return the strokes, points (K, 2) each on the page [m], y up."""
         lines = list(self._lines(self._root, None, UPWARD @ page_matrix(self._root)))
-        segments = sum(len(path) for path, _ in lines)
+        segments = sum(len(path) for path, _, _ in lines)
         if segments > MOST_SEGMENTS:
             raise RecordingError(
                 f"draws {segments} segments, but a letter has at most {MOST_SEGMENTS}; simplify "
                 "the drawing."
             )
         count = int(np.clip(MOST_CURVE_POINTS / max(segments, 1), *CURVE_POINTS))
-        strokes: list[list[Array]] = []
-        drawn = set()
-        for path, matrix in lines:
+        drawn: dict[bytes, tuple[Array, bool]] = {}
+        for path, matrix, is_disc in lines:
             for points in path_strokes(path, matrix, count):
-                shape = np.round(points, 6).tobytes()
-                if shape in drawn:
-                    continue
-                drawn.add(shape)
-                goes_on = strokes and np.abs(strokes[-1][-1][-1] - points[0]).max() < SAME_PLACE
-                if goes_on:
-                    strokes[-1].append(points)
-                else:
-                    strokes.append([points])
-        if not strokes:
+                drawn.setdefault(np.round(points, 6).tobytes(), (points, is_disc))
+        ink = [points for points, is_disc in drawn.values() if not is_disc]
+        if not ink:
             raise RecordingError(f"{self._why_no_line()}. {DRAW_LINE}")
-        return [np.concatenate(parts) for parts in strokes]
+        largest = LARGEST_DOT * np.ptp(np.concatenate(ink), axis=0).max()
+        return [
+            _middle(points) if is_disc else points
+            for points, is_disc in drawn.values()
+            if not is_disc or np.ptp(points, axis=0).max() < largest
+        ]
 
     def _why_no_line(self) -> str:
         """Return what a drawing without a line has instead."""
@@ -124,8 +124,8 @@ class _Drawing:
 
     def _lines(
         self, element: Element, above: Look | None, matrix: Array, depth: int = 0
-    ) -> Iterator[tuple[Path, Array]]:
-        """Yield the path of every line in an element, and its matrix (3, 3) to the page [m], y up.
+    ) -> Iterator[PlacedPath]:
+        """Yield every line in an element, and every disc of a colour, which may be a dot.
 
         Args:
             element: Any.
@@ -150,13 +150,15 @@ class _Drawing:
         elif kind in GROUPS:
             for child in element:
                 yield from self._lines(child, look, matrix, depth)
-        elif look.is_line and (path := path_of_shape(element)) is not None:
-            yield path, matrix
-        self._areas += kind in SHAPES and look.is_area
+        else:
+            self._areas += look.is_area
+            is_disc = look.is_area and kind in ("circle", "ellipse")
+            may_be_line = look.is_line or look.is_unsaid
+            path = path_of_shape(element) if may_be_line or is_disc else None
+            if path is not None and (look.is_line or is_disc or _is_open(path)):
+                yield path, matrix, is_disc
 
-    def _clone(
-        self, use: Element, look: Look, matrix: Array, depth: int
-    ) -> Iterator[tuple[Path, Array]]:
+    def _clone(self, use: Element, look: Look, matrix: Array, depth: int) -> Iterator[PlacedPath]:
         """Yield the lines of a clone."""
         name = next((text for href in HREFS if (text := use.get(href))), "")
         target = self._named.get(name.removeprefix("#")) if name.startswith("#") else None
@@ -170,6 +172,16 @@ class _Drawing:
             )
         x, y = (coordinate(use, axis) or 0.0 for axis in "xy")
         yield from self._lines(target, look, matrix @ translation(x, y), depth)
+
+
+def _is_open(path: Path) -> bool:
+    """Tell whether no part of a path is closed."""
+    return not any(isinstance(segment, Close) for segment in path)
+
+
+def _middle(points: Array) -> Array:
+    """Return the middle of points (K, 2) as the way of a pen that only taps, shape (2, 2)."""
+    return np.tile((points.min(axis=0) + points.max(axis=0)) / 2, (2, 1))
 
 
 def _labels(root: Element) -> tuple[str | None, str | None]:
