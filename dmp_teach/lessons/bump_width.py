@@ -105,7 +105,7 @@ class BumpWidth(Lesson):
         places = np.array([[width, 3.0] for width in BET_WIDTHS])
         labels = [_("How far off at width {width:g}").format(width=each) for each in BET_WIDTHS]
         asked = question.format(letter=self.pair[0])
-        return DrawnBet(asked, "curve", places, labels, step=0.1, unit="mm")
+        return DrawnBet(asked, "curve", places, labels, step=0.1, unit="mm", low=0.1, high=100.0)
 
     @property
     def tasks(self) -> Sequence[Task]:

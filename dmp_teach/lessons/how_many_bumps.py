@@ -108,7 +108,7 @@ class HowManyBumps(Lesson):
         places = np.array([[number, 10.0] for number in BET_NUMBERS])
         labels = [_("How far off with {n} bumps").format(n=number) for number in BET_NUMBERS]
         asked = question.format(letter=self.letter)
-        return DrawnBet(asked, "curve", places, labels, step=0.1, unit="mm")
+        return DrawnBet(asked, "curve", places, labels, step=0.1, unit="mm", low=0.1, high=100.0)
 
     @property
     def tasks(self) -> Sequence[Task]:

@@ -94,7 +94,9 @@ class SpringToGoal(Lesson):
         )
         places = np.array([[t, 100 * (1 - t / DURATION)] for t in BET_TIMES])
         labels = [_("Way left after {t:g} s").format(t=t) for t in BET_TIMES]
-        return DrawnBet(question, "time", places, labels, step=5.0, unit="%")
+        return DrawnBet(
+            question, "time", places, labels, step=5.0, unit="%", low=-100.0, high=100.0
+        )
 
     @property
     def tasks(self) -> Sequence[Task]:

@@ -6,7 +6,10 @@ import pytest
 
 import dmp_teach as teach
 from dmp_teach.classroom import LessonPanel
+from dmp_teach.classroom.lesson.progress import begin_progress
 from dmp_teach.classroom.panels.kept import forget
+from dmp_teach.errors import SettingError
+from tests.classroom.browser import send
 
 
 def worked(pupil):
@@ -38,7 +41,7 @@ def test_work_is_taken_up_after_a_restart(folder):
     panel = worked("w07")
     panel.save()
     # The kernel's memory goes with it.
-    forget("lesson 03 w07")
+    forget("lesson w07 03")
     again = teach.lesson("03", pupil="w07").panel()
     assert (again.values, again.progress["bet"]) == (panel.values, panel.progress["bet"])
     assert again.progress["step"] == "try"
@@ -60,9 +63,9 @@ def test_forget_leaves_no_byte(folder, pupil):
 
 @pytest.mark.parametrize("content", ["", "[]", '{"format": "another"}', "{"])
 def test_a_file_that_is_not_ours_is_told_and_left_alone(folder, content):
+    panel = worked("w07")
     mine = folder / "work_w07.json"
     mine.write_text(content)
-    panel = worked("w07")
     with pytest.raises(teach.RecordingError, match=r"work_w07\.json"):
         panel.save()
     assert mine.read_text() == content
@@ -76,7 +79,84 @@ def test_a_pupil_is_a_pseudonym():
 def test_saved_work_that_does_not_fit_the_lesson_begins_afresh(folder):
     path = worked("w07").save()
     path.write_text(path.read_text().replace('"kernel_width": 0.5', '"kernel_width": 500'))
-    forget("lesson 03 w07")
+    forget("lesson w07 03")
     panel = teach.lesson("03", pupil="w07").panel()
     assert isinstance(panel, LessonPanel)
     assert panel.values == panel.lesson.start
+
+
+def test_forget_takes_damaged_files_and_copies_too(folder):
+    panel = worked("w07")
+    panel.save()
+    whole = (folder / "work_w07.json").read_text()
+    (folder / "work_w07-Copy1.json").write_text(whole)
+    (folder / "work_w07.json").write_text(whole[:200])
+    (folder / "work_w070.json").write_text(whole)
+    panel.forget()
+    assert [path.name for path in folder.iterdir()] == ["work_w070.json"]
+
+
+def test_forget_reaches_every_panel_and_every_lesson_of_the_pupil():
+    first = worked("w07")
+    second = teach.lesson("03", pupil="w07").panel()
+    other = teach.lesson("01", pupil="w07").panel()
+    other.bet([[x, y / 2] for x, y in other.lesson.bet.handles.tolist()])
+    first.forget()
+    second.go("challenge")
+    assert second.progress["bet"] is None
+    assert teach.lesson("01", pupil="w07").panel().progress["bet"] is None
+
+
+def test_two_panels_of_a_lesson_share_the_bet():
+    early = teach.lesson("03", pupil="w07").panel()
+    bet = worked("w07").progress["bet"]
+    early.go("try")
+    assert early.progress["bet"] == bet
+
+
+def test_who_gave_no_name_cannot_forget_another_pupils_file(folder):
+    worked("w03").save()
+    stranger = worked(None)
+    saved = {**begin_progress(), "saved_as": "w03"}
+    work = {"variant": "", "values": stranger.lesson.start, "progress": saved}
+    stranger.forget()
+    send(stranger, {"kind": "restore", "work": work})
+    stranger.forget()
+    assert (folder / "work_w03.json").exists()
+
+
+WHOLE = {"variant": "", "values": None, "progress": begin_progress()}
+HOSTILE = [None, 5, [], {}, {**WHOLE, "progress": None}, {**WHOLE, "variant": "w01"}]
+HOSTILE += [
+    {**WHOLE, "progress": WHOLE["progress"] | {name: value}}
+    for name in WHOLE["progress"]
+    for value in ("x", 2.5, [], {}, [{}], ["a", 1], -1, 10**400, "x/../../y", "Anna Meier")
+]
+
+
+@pytest.mark.parametrize("key", ["00", "01", "02", "03", "04", "05", "06"])
+def test_nothing_that_a_browser_sends_breaks_a_panel(key):
+    panel = teach.lesson(key).panel()
+    for work in HOSTILE:
+        panel.forget()
+        values = panel.lesson.start if work and isinstance(work, dict) else None
+        sent = {**work, "values": values} if isinstance(work, dict) else work
+        send(panel, {"kind": "restore", "work": sent})
+        panel.go("challenge")
+        panel.check()
+    for message in ({"kind": "bet"}, {"kind": "step"}, {"kind": "step", "step": []}):
+        send(panel, message)
+    for bet in ("x", [["a", "b"]] * 7, [[0, 0]] * 7, [[1e308, 1e308]] * 7, [[-5.0, -5.0]] * 9):
+        send(panel, {"kind": "bet", "bet": bet})
+        panel.reveal()
+        assert "nan" not in panel.card["bet"]
+
+
+def test_a_value_that_the_browser_sends_beyond_its_knob_leaves_the_old_one():
+    panel = teach.lesson("04").panel()
+    before = panel.values
+    for values in ({}, {"n_kernels": 81, "rate": "120"}, {"n_kernels": 10**400, "rate": "120"}):
+        with pytest.raises(SettingError):
+            panel.set_state({"values": values})
+        assert panel.values == before
+        panel.check()

@@ -14,6 +14,7 @@ from dmp_teach.trajectory import Array
 
 # Any: which of the two, the kind of bet knows.
 KeptBet = Any
+FARTHEST = 1e6
 """The name of an option, or the places of handles."""
 
 
@@ -29,6 +30,8 @@ class DrawnBet:
         axis: "y" where a handle moves up and down only, else "xy".
         step: Of an arrow key; on a logarithmic axis the factor is 10**step.
         unit: Of the heights of handles; empty on the sheet.
+        low: How far down a handle can be; above 0 on a logarithmic axis.
+        high: How far up.
     """
 
     question: str
@@ -38,6 +41,8 @@ class DrawnBet:
     axis: str = "y"
     step: float = 0.001
     unit: str = ""
+    low: float = -1000.0
+    high: float = 1000.0
 
     def checked(self, bet: object) -> KeptBet:
         """Return a bet with a place for each handle.
@@ -45,9 +50,13 @@ class DrawnBet:
         Raises:
             SettingError: Other places than handles, or one that is no place.
         """
-        places = np.array(bet, dtype=float) if isinstance(bet, list) else np.empty(0)
-        if places.shape != self.handles.shape or not np.all(np.isfinite(places)):
+        is_list = isinstance(bet, list) and len(bet) == len(self.handles)
+        if not is_list or not all(_is_place(each) for each in bet):  # type: ignore[attr-defined]
             raise SettingError(f"A bet here has {len(self.handles)} places, but got {bet!r:.60}.")
+        places = np.array(bet, dtype=float)
+        if self.axis == "y":
+            places[:, 0] = self.handles[:, 0]
+        places[:, 1] = np.clip(places[:, 1], self.low, self.high)
         return [[float(x), float(y)] for x, y in places]
 
     def described(self) -> dict[str, object]:
@@ -87,6 +96,13 @@ class ChosenBet:
 
 
 Bet = DrawnBet | ChosenBet
+
+
+def _is_place(value: object) -> bool:
+    """Return whether a value is two numbers that a hand can reach."""
+    if not isinstance(value, list) or len(value) != 2:
+        return False
+    return all(type(each) in (int, float) and abs(each) < FARTHEST for each in value)
 
 
 @dataclass(frozen=True)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import partial
 from zlib import crc32
@@ -182,6 +182,9 @@ class LessonContent:
             hints: How many hints were seen; the next is given.
         """
         hint = self.hints[min(max(hints, 0), 2)]
+        if isinstance(answer, Mapping):
+            views = self.knobs.keys() - self._answer_knobs.keys()
+            answer = {name: value for name, value in answer.items() if name not in views}
         try:
             good = check_answer(self._answer_knobs, answer)
         except SettingError as error:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Mapping
 from dataclasses import asdict, dataclass
+from numbers import Real
 from typing import Self
 
 from dmp_teach.classroom.lesson.check import Answer
@@ -62,10 +62,10 @@ class Slider:
         Raises:
             SettingError: It is no number, or lies beyond an end.
         """
-        is_number = isinstance(value, int | float) and not isinstance(value, bool)
-        if not is_number or not math.isfinite(value) or not self.low <= value <= self.high:  # type: ignore[arg-type,operator]
+        is_number = isinstance(value, Real) and not isinstance(value, bool)
+        if not is_number or not self.low <= value <= self.high:  # type: ignore[operator]
             raise SettingError(
-                _("{name} is {value!r}, but must be a number from {low:g} to {high:g}.").format(
+                _("{name} is {value!r:.60}, but must be a number from {low:g} to {high:g}.").format(
                     name=name, value=value, low=self.low, high=self.high
                 )
             )
@@ -110,7 +110,7 @@ class OneOf:
         """
         if not isinstance(value, str) or value not in self.options:
             raise SettingError(
-                _("{name} is {value!r}, but must be one of: {options}.").format(
+                _("{name} is {value!r:.60}, but must be one of: {options}.").format(
                     name=name, value=value, options=", ".join(self.options)
                 )
             )
@@ -132,13 +132,13 @@ def check_answer(knobs: Knobs, answer: object) -> Answer:
     """
     if not isinstance(answer, Mapping):
         raise SettingError(
-            _("The answer is {answer!r}, but must be a dictionary with: {names}.").format(
+            _("The answer is {answer!r:.60}, but must be a dictionary with: {names}.").format(
                 answer=answer, names=", ".join(knobs)
             )
         )
     if odd := [name for name in (*knobs, *answer) if (name in knobs) != (name in answer)]:
         raise SettingError(
-            _("The answer must have exactly: {names}. Look at {odd!r}.").format(
+            _("The answer must have exactly: {names}. Look at {odd!r:.60}.").format(
                 names=", ".join(knobs), odd=odd[0]
             )
         )

@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 from dmp_teach.classroom.lesson.content import LessonContent
-from dmp_teach.classroom.lesson.panel import LessonPanel
+
+if TYPE_CHECKING:
+    from dmp_teach.classroom.lesson.panel import LessonPanel
 
 
 class Lesson(LessonContent):
@@ -11,4 +15,7 @@ class Lesson(LessonContent):
 
     def panel(self) -> LessonPanel:
         """Return the lesson as a pupil sees it, where it was left."""
+        # A check needs no widgets, which take a second to import.
+        from dmp_teach.classroom.lesson.panel import LessonPanel  # noqa: PLC0415
+
         return LessonPanel(self)

@@ -14,14 +14,11 @@ from dmp_teach.classroom.lesson.check import Answer, Verdict
 from dmp_teach.classroom.lesson.content import LessonContent, Picture
 from dmp_teach.classroom.lesson.knobs import check_answer
 from dmp_teach.classroom.lesson.packing import describe_lesson, pack
-from dmp_teach.classroom.lesson.work_file import (
-    find_free_pupil,
-    forget_work,
-    read_work,
-    save_work,
-)
-from dmp_teach.classroom.panels.kept import forget, kept
+from dmp_teach.classroom.lesson.progress import LESSON_STEPS, Progress, begin_progress, take_up
+from dmp_teach.classroom.lesson.work_file import forget_work, read_work, save_work
+from dmp_teach.classroom.panels.kept import forget_all, kept
 from dmp_teach.classroom.panels.robot_panel import RobotPanel
+from dmp_teach.classroom.panels.saved_attempts import find_free_pseudonym
 from dmp_teach.classroom.panels.sheets import SHEET_OF_ANY_LETTER
 from dmp_teach.classroom.panels.still import Still
 from dmp_teach.errors import SettingError, TeachError
@@ -33,10 +30,13 @@ from dmp_teach.views import STYLE_TOKENS
 
 _HERE = Path(__file__).parent
 _PANELS = _HERE.parent / "panels"
-LESSON_STEPS = ("bet", "try", "challenge")
 # So many of the pupil's settings are drawn as tried.
 MOST_TRIED = 200
 HINTS_AFTER_MISSES = 2
+
+
+class RefusedValueError(SettingError, traitlets.TraitError):
+    """A value that no knob has; traitlets puts back the old one."""
 
 
 class LessonPanel(RobotPanel):
@@ -64,11 +64,13 @@ class LessonPanel(RobotPanel):
 
     def __init__(self, lesson: LessonContent):
         self.lesson = lesson
-        self._key = f"lesson {lesson.key} {lesson.pupil or ''}"
-        self._kept = kept(self._key)
+        # Where the notebook runs now: a cell may go elsewhere.
+        self._folder = Path.cwd()
+        self._mine = f"lesson {lesson.pupil or ''} "
+        self._kept = kept(self._mine + lesson.key)
         self._tried: list[Answer] = []
         super().__init__(spec=describe_lesson(lesson))
-        self._restore(dict(self._kept) or self._read_saved())
+        self._restore(self._kept or self._read_saved())
 
     @property
     def answer(self) -> Answer:
@@ -77,38 +79,34 @@ class LessonPanel(RobotPanel):
 
     # What is kept ---------------------------------------------------------------------------------
 
-    def _restore(self, work: dict[str, Any]) -> None:
+    def _restore(self, work: object) -> None:
         """Take up work where it was left; what does not fit the lesson begins afresh."""
-        fresh: dict[str, Any] = {"step": "bet", "bet": None, "revealed": False, "done": []}
-        fresh |= {"hints": 0, "misses": 0, "verdict": None, "passed": False, "saved_as": None}
-        progress = {name: work.get("progress", {}).get(name, fresh[name]) for name in fresh}
-        values = work.get("values", self.lesson.start)
         try:
-            values = check_answer(self.lesson.knobs, values)
-            if progress["bet"] is not None:
-                progress["bet"] = self.lesson.bet.checked(progress["bet"])
+            progress, values = take_up(self.lesson, work)
         except SettingError:
-            progress, values = fresh, dict(self.lesson.start)
-        if progress["step"] not in LESSON_STEPS:
-            progress["step"] = "bet"
-        self._tried = [each for each in work.get("tried", []) if isinstance(each, dict)]
+            progress, values = begin_progress(), dict(self.lesson.start)
+        self._tried = []
         with self.hold_sync(), self.hold_trait_notifications():
             self.values = values
         self._redraw(progress)
 
-    def _read_saved(self) -> dict[str, Any]:
+    def _read_saved(self) -> object:
         """Return the work that the pupil has saved; what cannot be read is told and left alone."""
         try:
-            saved = read_work(Path.cwd(), self.lesson.pupil) if self.lesson.pupil else {}
+            saved = read_work(self._folder, self.lesson.pupil) if self.lesson.pupil else {}
         except (TeachError, OSError) as error:
             self.status = str(error)
             saved = {}
-        work = saved.get(self.lesson.key, {})
-        return work if isinstance(work, dict) else {}
+        return saved.get(self.lesson.key)
+
+    def _work(self) -> dict[str, Any]:
+        """Return what is kept of the lesson, as JSON."""
+        variant = self.lesson.pupil or ""
+        return {"variant": variant, "values": dict(self.values), "progress": self.progress}
 
     def _keep(self) -> None:
         """Keep the work as it is now."""
-        self._kept.update(values=self.values, progress=self.progress, tried=self._tried)
+        self._kept.update(self._work())
 
     # What the browser asks for --------------------------------------------------------------------
 
@@ -116,25 +114,28 @@ class LessonPanel(RobotPanel):
     def _hear(self, _widget: object, message: dict[str, Any], buffers: list[memoryview]) -> None:
         """Do what a button of the lesson asks for, or what one of the robot does."""
         kind = message.get("kind")
-        if kind == "bet":
-            self.bet(message["bet"])
-        elif kind == "reveal":
-            self.reveal()
-        elif kind == "step":
-            self.go(message["step"])
-        elif kind == "check":
-            self.check()
-        elif kind == "hint":
-            self.show_hint()
-        elif kind == "restore":
-            if not self._kept.get("progress", {}).get("bet"):
-                self._restore(message["work"])
-        elif kind == "save":
-            self._try(self.save)
-        elif kind == "forget":
-            self._try(self.forget)
-        else:
+        hears: dict[object, Callable[[], object]] = {
+            "bet": lambda: self.bet(message["bet"]),
+            "reveal": self.reveal,
+            "step": lambda: self.go(message["step"]),
+            "check": self.check,
+            "hint": self.show_hint,
+            "restore": lambda: self._restore_once(message["work"]),
+            "save": self.save,
+            "forget": self.forget,
+        }
+        if kind not in hears:
             super()._hear(_widget, message, buffers)
+            return
+        try:
+            hears[kind]()
+        except (TeachError, OSError, KeyError) as error:
+            self.status = str(error)
+
+    def _restore_once(self, work: object) -> None:
+        """Take up what the browser has kept, where the kernel has no bet yet."""
+        if self._progress()["bet"] is None:
+            self._restore(work)
 
     def bet(self, bet: KeptBet) -> None:
         """Keep a bet: an option's name, or a place [x, y] for each handle.
@@ -146,7 +147,7 @@ class LessonPanel(RobotPanel):
 
     def reveal(self) -> None:
         """Lay the truth over the bet, once there is one."""
-        if self.progress["bet"] is not None:
+        if self._progress()["bet"] is not None:
             self._change(revealed=True)
 
     def go(self, step: str) -> None:
@@ -162,16 +163,17 @@ class LessonPanel(RobotPanel):
 
     def check(self) -> Verdict:
         """Judge what is set, and count a miss."""
-        verdict = self.lesson.check(self.answer, self.progress["hints"])
-        misses = self.progress["misses"] + (not verdict.done)
-        passed = self.progress["passed"] or verdict.done
+        progress = self._progress()
+        verdict = self.lesson.check(self.answer, progress["hints"])
+        misses = progress["misses"] + (not verdict.done)
+        passed = self.answer if verdict.done else progress["passed"]
         packed = {"done": verdict.done, "reason": verdict.reason}
         self._change(verdict=packed, misses=misses, passed=passed)
         return verdict
 
     def show_hint(self) -> None:
         """Show one hint more."""
-        self._change(hints=min(self.progress["hints"] + 1, len(self.lesson.hints)))
+        self._change(hints=min(self._progress()["hints"] + 1, len(self.lesson.hints)))
 
     def save(self) -> Path:
         """Write the work to the file of the pupil, in the folder of the notebook.
@@ -180,40 +182,43 @@ class LessonPanel(RobotPanel):
             RecordingError: A file of that name is there that is not ours.
             PathError: The folder cannot be written.
         """
-        folder = Path.cwd()
-        pupil = self.lesson.pupil or self.progress["saved_as"] or find_free_pupil(folder)
-        work = {"values": self.values, "progress": self.progress | {"saved_as": pupil}}
-        path = save_work(folder, pupil, self.lesson.key, work)
+        pupil = self.lesson.pupil or self._progress()["saved_as"]
+        pupil = pupil or find_free_pseudonym(self._folder)
         self._change(saved_as=pupil)
+        path = save_work(self._folder, pupil, self.lesson.key, self._work())
         self.status = _("Saved as {name}.").format(name=path.name)
         return path
 
     def forget(self) -> None:
-        """Begin afresh, and leave nothing of what was done, in no file either."""
-        pupil = self.lesson.pupil or self.progress["saved_as"]
-        gone = forget_work(Path.cwd(), pupil) if pupil else []
-        forget(self._key)
-        self._tried = []
-        self._restore({})
+        """Begin afresh in every lesson, and leave nothing of what was done, in no file either."""
+        pupil = self.lesson.pupil or self._progress()["saved_as"]
+        variant = self.lesson.pupil or ""
+        gone = forget_work(self._folder, pupil, variant) if pupil else []
+        forget_all(self._mine)
+        if self._job:
+            self._job.stop()
+        self.motion = None
+        self.scene = None
+        self._restore(None)
         words = _("Everything is forgotten.")
         self.status = f"{words} {', '.join(gone)}" if gone else words
 
-    def _try(self, do: Callable[[], object]) -> None:
-        """Save or forget, or say why it cannot be done."""
-        try:
-            do()
-        except (TeachError, OSError) as error:
-            self.status = str(error)
+    def _progress(self) -> Progress:
+        """Return the progress that all panels of this lesson and pupil share."""
+        return dict(self._kept.get("progress", begin_progress()))
 
     # Any: as `progress`.
     def _change(self, **changes: Any) -> None:
         """Change the progress, and show it."""
-        self._redraw(self.progress | changes)
+        self._redraw(self._progress() | changes)
 
     @traitlets.validate("values")
     def _refuse_other_values(self, proposal: dict[str, Any]) -> dict[str, Any]:
         """Return values, every one on its knob, or raise a SettingError that says what is not."""
-        return check_answer(self.lesson.knobs, proposal["value"])
+        try:
+            return check_answer(self.lesson.knobs, proposal["value"])
+        except SettingError as error:
+            raise RefusedValueError(*error.args) from None
 
     @traitlets.observe("values")
     def _try_values(self, _change: object) -> None:
@@ -222,8 +227,8 @@ class LessonPanel(RobotPanel):
             return
         if self.progress["step"] != "bet":
             self._tried = [*self._tried, dict(self.values)][-MOST_TRIED:]
-        done = set(self.progress["done"])
-        if self.progress["step"] == "try":
+        done = set(self._progress()["done"])
+        if self._progress()["step"] == "try":
             done |= {i for i, task in enumerate(self.lesson.tasks) if task.is_done(self.values)}
         self._change(done=sorted(done), verdict=None)
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import json
+import re
 from collections.abc import Iterator
-from itertools import count
 from pathlib import Path
 from typing import Any
 
@@ -49,30 +49,38 @@ def save_work(folder: Path, pupil: str, lesson: str, work: Work) -> Path:
     return write_whole(_path_of(folder, pupil), text.encode(), ".json")
 
 
-def forget_work(folder: Path, pupil: str) -> list[str]:
-    """Remove a pupil's file, and the copies that Jupyter made of it; return their names."""
+def forget_work(folder: Path, pupil: str, variant: str) -> list[str]:
+    """Remove a pupil's file, and the copies that Jupyter made of it; return their names.
+
+    A file that holds the work of another variant than `variant` ("" of who gave no pseudonym) is
+    another pupil's.
+    """
     gone = []
     for place in (folder, folder / ".ipynb_checkpoints"):
-        for path in _files_in(place, pupil):
+        for path in _files_in(place, pupil, variant):
             path.unlink()
             gone.append(path.name)
     return gone
-
-
-def find_free_pupil(folder: Path) -> str:
-    """Return the first pseudonym, "w01", "w02" ..., that no work carries."""
-    return next(w for w in (f"w{n:02d}" for n in count(1)) if not _path_of(folder, w).exists())
 
 
 def _path_of(folder: Path, pupil: str) -> Path:
     return folder / f"work_{pupil}.json"
 
 
-def _files_in(folder: Path, pupil: str) -> Iterator[Path]:
-    """Yield the files of a pupil that are ours by what is in them."""
-    for path in (_path_of(folder, pupil), folder / f"work_{pupil}-checkpoint.json"):
-        try:
-            if path.exists() and json.loads(path.read_bytes()).get("pupil") == pupil:
-                yield path
-        except (OSError, ValueError, AttributeError):
+def _files_in(folder: Path, pupil: str, variant: str) -> Iterator[Path]:
+    """Yield a pupil's files and Jupyter's copies of them, also where they are damaged."""
+    for path in sorted(folder.glob(f"work_{pupil}*.json")):
+        name = path.stem.removeprefix(f"work_{pupil}")
+        if not re.fullmatch(r"(-Copy\d+)?(-checkpoint)?", name) or not path.is_file():
             continue
+        try:
+            content = json.loads(path.read_bytes())
+        except (ValueError, RecursionError):
+            yield path
+        else:
+            if isinstance(content, dict) and content.get("format") == _KIND:
+                works = content.get("lessons")
+                works = works.values() if isinstance(works, dict) else ()
+                told = {work.get("variant") for work in works if isinstance(work, dict)}
+                if variant or told <= {""}:
+                    yield path

@@ -19,3 +19,9 @@ def kept(key: str) -> dict[str, Any]:
 def forget(key: str) -> None:
     """Empty the dictionary of a key, for all who hold it."""
     kept(key).clear()
+
+
+def forget_all(beginning: str) -> None:
+    """Empty every dictionary whose key begins so."""
+    for key in [key for key in _KEPT if key.startswith(beginning)]:
+        forget(key)
