@@ -14,7 +14,12 @@ from dmp_teach.classroom.lesson.check import Answer, Verdict
 from dmp_teach.classroom.lesson.content import LessonContent, Picture
 from dmp_teach.classroom.lesson.knobs import check_answer
 from dmp_teach.classroom.lesson.packing import describe_lesson, pack
-from dmp_teach.classroom.lesson.progress import LESSON_STEPS, Progress, begin_progress, take_up
+from dmp_teach.classroom.lesson.progress import (
+    LESSON_STEPS,
+    LessonProgress,
+    begin_progress,
+    take_up,
+)
 from dmp_teach.classroom.lesson.work_file import forget_work, read_work, save_work
 from dmp_teach.classroom.panels.kept import forget_all, kept
 from dmp_teach.classroom.panels.robot_panel import RobotPanel
@@ -203,7 +208,7 @@ class LessonPanel(RobotPanel):
         words = _("Everything is forgotten.")
         self.status = f"{words} {', '.join(gone)}" if gone else words
 
-    def _progress(self) -> Progress:
+    def _progress(self) -> LessonProgress:
         """Return the progress that all panels of this lesson and pupil share."""
         return dict(self._kept.get("progress", begin_progress()))
 

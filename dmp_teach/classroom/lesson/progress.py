@@ -12,19 +12,19 @@ from dmp_teach.ink import check_pseudonym
 LESSON_STEPS = ("bet", "try", "challenge")
 MOST_MISSES = 10_000
 # Any, here and below: JSON, which is checked field by field.
-Progress = dict[str, Any]
+LessonProgress = dict[str, Any]
 
 
-def begin_progress() -> Progress:
+def begin_progress() -> LessonProgress:
     """Return the progress of who has just opened a lesson.
 
     `passed` is the answer that met the challenge, `saved_as` the pseudonym that *Save* has chosen.
     """
-    fresh: Progress = {"step": "bet", "bet": None, "revealed": False, "done": [], "hints": 0}
+    fresh: LessonProgress = {"step": "bet", "bet": None, "revealed": False, "done": [], "hints": 0}
     return fresh | {"misses": 0, "verdict": None, "passed": None, "saved_as": None}
 
 
-def take_up(lesson: LessonContent, work: object) -> tuple[Progress, dict[str, Any]]:
+def take_up(lesson: LessonContent, work: object) -> tuple[LessonProgress, dict[str, Any]]:
     """Return the progress and the values of work that was left.
 
     Raises:
@@ -36,7 +36,7 @@ def take_up(lesson: LessonContent, work: object) -> tuple[Progress, dict[str, An
         raise SettingError(f"This is no work of lesson {lesson.key}: {error!r:.100}") from None
 
 
-def _read(lesson: LessonContent, work: Any) -> tuple[Progress, dict[str, Any]]:
+def _read(lesson: LessonContent, work: Any) -> tuple[LessonProgress, dict[str, Any]]:
     """Return what `take_up` does; any error where a field is not as it must be."""
     _must(work["variant"] == (lesson.pupil or ""), "variant")
     told = work["progress"]
