@@ -30,6 +30,7 @@ from dmp_teach.lessons.drawing import (
     learn_letter,
     millimetres,
     paths_of,
+    tell_number,
 )
 from dmp_teach.letters import Letter
 from dmp_teach.texts import gettext as _
@@ -152,19 +153,25 @@ class BumpWidth(Lesson):
     def mistakes(self, answer: Answer) -> Sequence[tuple[bool, str]]:
         """Return what is wrong with the width, the shape or the fit."""
         width, kernel = float(answer["kernel_width"]), answer["kernel"]
-        worst = max(self.pair, key=lambda each: error_at_width(each, answer))
-        facts: Answer = {"width": f"{width:.2g}", "letter": worst, "limit": self.limit}
-        facts["mm"] = f"{error_at_width(worst, answer):.1f}"
-        facts["share"] = f"{100 * (1 - width):.0f}"
+        errors = {each: error_at_width(each, answer) for each in self.pair}
+        worst, error = max(errors.items(), key=lambda each: each[1])
+        is_far, has_ends = error > self.limit, kernel != "bell"
+        facts: Answer = {"width": _width_words(width), "letter": worst, "limit": self.limit}
+        facts["mm"] = millimetres(error / 1000, self.limit)
+        facts["share"] = tell_number(100 * (1 - width), 0.0, 0)
         together = _(
-            "All together each bump is told what the others do, so width {width} hardly matters: "
-            "{letter} is {mm} mm off. The challenge is for bumps that learn one at a time."
+            "All together each bump is told what the others do, and at width {width} {letter} is "
+            "{mm} mm off. The challenge is for bumps that learn one at a time."
         )
         endless = _(
             "A bell without ends leaves no gap however narrow it is: at width {width} {letter} is "
             "{mm} mm off. The challenge is for another shape."
         )
-        other = _("At width {width} {letter} is {mm} mm off, but this is another shape of bump.")
+        too_wide = _(
+            "A bell without ends is always awake. At width {width} it averages so many places that "
+            "{letter} is {mm} mm off. The challenge is for another shape."
+        )
+        other = _("At width {width} {letter} is {mm} mm off. The challenge is for another shape.")
         gaps = _(
             "Width {width} leaves gaps: for {share} % of the time no bump is awake, and the pen "
             "drifts. {letter} is {mm} mm off."
@@ -174,19 +181,22 @@ class BumpWidth(Lesson):
             "{letter} is {mm} mm off; the limit is {limit}."
         )
         found = [
+            (is_far and has_ends and width < 1, gaps),
             (answer["fit"] == "joint", together),
-            (kernel == "bell", endless),
+            (not has_ends, too_wide if is_far else endless),
             (kernel != self.kernel, other),
-            (width < 1, gaps),
-            (error_at_width(worst, answer) > self.limit, piled),
+            (is_far, piled),
         ]
         return [(is_made, words.format(**facts)) for is_made, words in found]
 
     def praise(self, answer: Answer) -> str:
         """Return what was found."""
-        words = _("Width {width:.2g} keeps both: {errors}. Bumps that just touch are enough.")
-        errors = [f"{each} {error_at_width(each, answer):.2f} mm" for each in self.pair]
-        return words.format(width=answer["kernel_width"], errors=", ".join(errors))
+        words = _(
+            "Width {width} keeps both: {errors}. At width 1 bumps just touch: that is enough."
+        )
+        errors = [f"{each.name} {each.shown}" for each in self.conditions(answer)]
+        width = _width_words(float(answer["kernel_width"]))
+        return words.format(width=width, errors=", ".join(errors))
 
     def tell_bet(self, bet: KeptBet) -> str:
         """Return where the bet was near, and where it was far off."""
@@ -195,19 +205,14 @@ class BumpWidth(Lesson):
         far = int(np.argmax(np.abs(np.log(ratios))))
         near = int(np.argmin(np.abs(np.log(ratios))))
         words = _(
-            "You were nearest at width {near:g}: you said {near_said} mm, it is {near_true}. The "
-            "surprise is at width {far:g}: you said {far_said}, it is {far_true} mm."
+            "You were nearest at width {near[0]:g}: you said {near[1]} mm, it is {near[2]}. The "
+            "surprise is at width {far[0]:g}: you said {far[1]}, it is {far[2]} mm."
         )
-        said = [millimetres(y / 1000) for _x, y in bet]
-        true = [millimetres(each / 1000) for each in truth]
-        return words.format(
-            near=bet[near][0],
-            near_said=said[near],
-            near_true=true[near],
-            far=bet[far][0],
-            far_said=said[far],
-            far_true=true[far],
-        )
+        facts = [
+            (x, millimetres(y / 1000), millimetres(true / 1000))
+            for (x, y), true in zip(bet, truth, strict=True)
+        ]
+        return words.format(near=facts[near], far=facts[far])
 
     def draw(self, state: LessonState) -> Picture:
         """Draw the letter, the curve of what was tried, and the bumps over time."""
@@ -256,25 +261,29 @@ class BumpWidth(Lesson):
 
     def _say(self, error: float, width: float, fit: str, kernel: str) -> dict[str, str]:
         """Return the number and the sentence."""
-        if kernel != "bell" and width < 0.99:
+        text, strong = _("The bumps just touch. "), _("The line sits on the dots.")
+        is_far, is_joint = error > self.limit, fit == "joint"
+        if kernel == "bell" and width < 1.2:
+            text = _("A bell without ends leaves no gap. ")
+        elif width < 1 and is_far:
             text, strong = (
                 _("Between the bumps the robot sleeps. "),
                 _("The pen drifts in the gaps."),
             )
-        elif fit == "joint":
-            text, strong = _("Each bump knows its neighbours. "), _("Its width hardly matters.")
-            if error > 1:
-                strong = _("But bumps so wide are too coarse even so.")
-        elif width > 1.5:
+        elif width > 1.2:
             text = _("Each bump covers the places of {width:.2g}. ").format(width=width)
-            strong = _("Each part of the letter is an average of its neighbours.")
-        else:
-            text, strong = _("The bumps just touch. "), _("The line sits on the dots.")
-        return {
-            "number": millimetres(error / 1000),
-            "unit": _("mm off on average"),
-            "text": text,
-        } | {
-            "strong": strong,
-            "after": "",
-        }
+            if is_far and not is_joint:
+                strong = _("Each part of the letter is an average of its neighbours.")
+            elif is_far:
+                strong = _("Even together they are too alike to tell places apart.")
+            elif is_joint:
+                text, strong = _("Each bump knows its neighbours. "), _("Its width hardly matters.")
+        elif is_far:
+            strong = _("Where soft bells meet, they hardly push.")
+        number = {"number": millimetres(error / 1000), "unit": _("mm off on average")}
+        return {**number, "text": text, "strong": strong, "after": ""}
+
+
+def _width_words(width: float) -> str:
+    """Return a width as it is shown; one that leaves gaps does not look like 1."""
+    return tell_number(width, 1.0, 2) if width < 1 else f"{width:.2g}"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import warnings
 from collections.abc import Iterable, Sequence
 from functools import lru_cache
@@ -21,10 +22,19 @@ BUMP_POINTS = 24
 GOAL_KNOBS = "goal_x", "goal_y"
 
 
-def millimetres(metres: float) -> str:
-    """Return a length as it is shown: "0.37", "3.6", "24"."""
+def tell_number(value: float, limit: float = math.inf, digits: int = 1) -> str:
+    """Return a number as it is shown, with more digits where it would else look like its limit."""
+    for more in range(digits, digits + 6):
+        rounded = round(value, more) + 0.0
+        if np.sign(rounded - limit) == np.sign(value - limit):
+            break
+    return f"{rounded:.{more}f}".replace("-", "−")
+
+
+def millimetres(metres: float, limit: float = math.inf) -> str:
+    """Return a length as it is shown, beside a limit [mm]: "0.37", "3.6", "24"."""
     mm = 1000 * metres
-    return f"{mm:.2f}" if mm < 0.995 else f"{mm:.1f}" if mm < 9.95 else f"{mm:.0f}"
+    return tell_number(mm, limit, 2 if mm < 0.995 else 1 if mm < 9.95 else 0)
 
 
 @lru_cache(maxsize=2048)

@@ -11,12 +11,15 @@ import numpy as np
 from dmp_teach.classroom import Affine, Answer, Drawing
 from dmp_teach.dmp import DMP, Settings, Stepper
 from dmp_teach.ink import recording_of
+from dmp_teach.lessons.drawing import tell_number
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Array, Trajectory, arc_lengths
 
 CM = 0.01
 ACROSS, AWAY, UP = 12.0, 4.0, 6.0
 """How far a goal may be moved across its start, to the other side, and up or down [cm]."""
+ASIDE, UPWARDS, LEAST_SHARE, MOST_MISS = 10.0, 4.0, 95.0, 1.0
+"""What the challenge asks for: how far a goal is to move [cm], `share` [%], and `miss` [mm]."""
 # All else is the same, so that they draw the same letter to its old goal.
 GOAL_RULES = {
     "original": Settings.star(transform="original"),
@@ -154,13 +157,16 @@ class MovedLetter:
 
     @property
     def facts(self) -> Answer:
-        """Return the numbers that sentences name, and the letter."""
-        (x, y), (fx, fy) = self.shift, (f"{each:.2f}".replace("-", "−") for each in self.factors)
+        """Return the letter and the numbers that sentences name, told apart from their limits."""
+        fx, fy = (tell_number(each, digits=2) for each in self.factors)
         degrees, scale = self.turn
+        x, y = map(abs, self.shift)
         return {
-            **{"letter": self.character, "share": self.share, "mm": self.miss, "hurry": self.hurry},
-            **{"x": abs(x), "y": abs(y), "cm": np.hypot(x, y), "s": float(self.values["moves_at"])},
-            **{"fx": fx, "fy": fy, "degrees": degrees, "scale": scale},
+            **{"letter": self.character, "hurry": self.hurry, "cm": np.hypot(x, y)},
+            **{"s": float(self.values["moves_at"]), "degrees": degrees, "scale": scale},
+            **{"x": tell_number(x, ASIDE), "y": tell_number(y, UPWARDS), "fx": fx, "fy": fy},
+            "share": tell_number(self.share, LEAST_SHARE, 0),
+            "mm": tell_number(self.miss, MOST_MISS),
         }
 
     def box(self, side: int) -> list[float]:
@@ -225,17 +231,21 @@ def tell_rule(led: MovedLetter) -> tuple[str, str]:
         plain = _tell_factors(led)
     else:
         does = _(" DMP* keeps each push, and all slides along.")
-        plain = _("The pen stops {mm:.1f} mm from its goal.")
+        plain = _("The pen stops {mm} mm from its goal.")
         if is_late:
-            does = _(" DMP* keeps each push. The pen stops {mm:.1f} mm from its goal.")
+            does = _(" DMP* keeps each push. The pen stops {mm} mm from its goal.")
     return (_("What was written at {s:.1f} s stays.") if is_late else plain), does
 
 
 def _tell_factors(led: MovedLetter) -> str:
     """Return what becomes of a letter that the first rule multiplies from its start on."""
-    if np.abs(led.factors).min() < 0.1:
+    sideways, upwards = np.abs(led.factors) < 0.1
+    if sideways:
+        return _("The goal is straight above or below the start: the {letter} is thin.")
+    if upwards:
         return _("Goal and start are level: the {letter} is pressed flat.")
     if led.factors.min() < 0:
         return _("The {letter} is mirrored.")
-    is_near = np.abs(led.factors - 1).max() < 0.1
-    return _("The {letter} is nearly as it was.") if is_near else _("The {letter} is stretched.")
+    if np.abs(led.factors - 1).max() < 0.1:
+        return _("The {letter} is nearly as it was.")
+    return _("Above 1 the {letter} is stretched, below 1 it shrinks.")

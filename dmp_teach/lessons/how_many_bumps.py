@@ -70,7 +70,7 @@ def find_smallest(character: str, limit: float) -> int:
 
 
 class HowManyBumps(Lesson):
-    """Each doubling leaves a quarter of the error; what counts is kernels a second."""
+    """Each doubling leaves a third to a quarter of the error; what counts is kernels a second."""
 
     key = "04"
     slug = "how_many_bumps"
@@ -141,7 +141,7 @@ class HowManyBumps(Lesson):
         """Each more direct."""
         return (
             _("Go up until the number is under the limit. Then go back one by one."),
-            _("Four times less error needs about twice as many bumps."),
+            _("Twice as many bumps leave about a third to a quarter of the error."),
             _("Try {n}.").format(n=self.smallest),
         )
 
@@ -164,7 +164,7 @@ class HowManyBumps(Lesson):
         error, unused = self._measure(answer)
         each = 1000 * self.duration / number
         facts = {"n": number, "letter": self.letter, "limit": self.limit, "each": f"{each:.0f}"}
-        facts |= {"error": millimetres(error / 1000)}
+        facts |= {"error": millimetres(error / 1000, self.limit)}
         few = _(
             "{n} bumps: each one holds the same push for {each} thousandths of a second, so bends "
             "are cut short. {letter} is {error} mm off; the limit is {limit}."
@@ -180,21 +180,23 @@ class HowManyBumps(Lesson):
         """Return what was found, as bumps a second."""
         words = _("{n} bumps are {rate:.0f} a second of writing: {letter} is {error} mm off.")
         number = int(answer["n_kernels"])
-        error = millimetres(error_with_number(self.letter, number) / 1000)
+        error = millimetres(error_with_number(self.letter, number) / 1000, self.limit)
         rate = number / self.duration
         return words.format(n=number, rate=rate, letter=self.letter, error=error)
 
     def tell_bet(self, bet: KeptBet) -> str:
-        """Return where the bet was near, where it was far off, and the law."""
+        """Return where the bet was furthest off, and the law."""
         truth = [error_with_number(self.letter, number) for number, _y in bet]
         off = [abs(np.log(y / true)) for (_x, y), true in zip(bet, truth, strict=True)]
         far = int(np.argmax(off))
         words = _(
-            "The surprise is at {n:g} bumps: you said {said} mm, it is {true}. From about ten "
-            "bumps on, twice as many leave a quarter of the error."
+            "The surprise is at {n:g} bumps: you said {said} mm, it is {true}. From 10 bumps to 80 "
+            "each doubling leaves about {left:.0f} % of the error."
         )
+        at_10, at_80 = (error_with_number(self.letter, number) for number in (10, 80))
         said, true = millimetres(bet[far][1] / 1000), millimetres(truth[far] / 1000)
-        return words.format(n=bet[far][0], said=said, true=true)
+        left = 100 * (at_80 / at_10) ** (1 / 3)
+        return words.format(n=bet[far][0], said=said, true=true, left=left)
 
     def draw(self, state: LessonState) -> Picture:
         """Draw the letter, and the curve with the paper's rule."""

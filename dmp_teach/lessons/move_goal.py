@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
 
 import numpy as np
 
@@ -24,15 +23,25 @@ from dmp_teach.classroom import (
     at_most,
 )
 from dmp_teach.lessons.drawing import draw_sheet, goal_ring, millimetres
-from dmp_teach.lessons.goals import ACROSS, AWAY, CM, UP, MovedLetter, mean_distance, tell_rule
+from dmp_teach.lessons.goals import (
+    ACROSS,
+    ASIDE,
+    AWAY,
+    CM,
+    LEAST_SHARE,
+    MOST_MISS,
+    UP,
+    UPWARDS,
+    MovedLetter,
+    mean_distance,
+    tell_rule,
+)
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Trajectory
 
 MIRRORED_LETTERS = ("S", "2", "6", "G", "e")
 # Its goal is nearly straight below its start, 1 mm beside it.
 STEEP = "C"
-ASIDE, UPWARDS = 10.0, 4.0
-LEAST_SHARE, MOST_MISS = 95.0, 1.0
 BET_POINTS = 9
 # A line that is nearer to another on average [m] is like it.
 ALIKE = 0.02
@@ -46,12 +55,10 @@ class MoveGoal(Lesson):
 
     def vary(self, random: np.random.Generator | None) -> None:
         """Choose the letter, and whether its goal is to go up or down."""
-        self.letter = (
-            MIRRORED_LETTERS[0]
-            if random is None
-            else MIRRORED_LETTERS[random.integers(len(MIRRORED_LETTERS))]
-        )
-        self.up = 1 if random is None else (1, -1)[random.integers(2)]
+        self.letter, self.up = MIRRORED_LETTERS[0], 1
+        if random is not None:
+            self.letter = MIRRORED_LETTERS[random.integers(len(MIRRORED_LETTERS))]
+            self.up = (1, -1)[random.integers(2)]
         self.start = {"goal_x": 0.0, "goal_y": 0.0, "moves_at": 0.0, "rule": "original"}
         self.start["letter"] = self.letter
         led = MovedLetter(self.letter, self.start)
@@ -74,12 +81,12 @@ class MoveGoal(Lesson):
         rules = {"original": _("first rule"), "printed": _("DMP* as printed")}
         rules |= {"star": "DMP*", "similarity": _("similarity")}
         low, high = sorted([self.side * ACROSS, -self.side * AWAY])
-        x = Slider(_("Goal to the right"), "g", low, high, 0.1, "cm", 1)
-        y = Slider(_("Goal upwards"), "g", -UP, UP, 0.1, "cm", 1)
+        x = Slider(_("Goal to the right"), "g", low, high, 0.1, "cm", 1, is_drawn_here=True)
+        y = Slider(_("Goal upwards"), "g", -UP, UP, 0.1, "cm", 1, is_drawn_here=True)
         letters = {each: each for each in (self.letter, STEEP)}
         return {
-            "goal_x": replace(x, is_drawn_here=True),
-            "goal_y": replace(y, is_drawn_here=True),
+            "goal_x": x,
+            "goal_y": y,
             "moves_at": Slider(_("When the goal moves"), "t", 0.0, self.latest, 0.1, "s", 1),
             "rule": OneOf(_("Rule"), rules),
             "letter": OneOf(_("Letter"), letters, is_view=True),
@@ -157,19 +164,19 @@ class MoveGoal(Lesson):
         led = MovedLetter(self.letter, answer)
         aside, up, same, from_goal = (each.is_met for each in self.conditions(answer))
         is_multiplied_or_turned = answer["rule"] in ("original", "similarity")
-        same_way = _(" {share:.0f} % of the line goes the same way.")
+        same_way = _(" {share} % of the line goes the same way.")
         jumps = _(
             "At {s:.1f} s a part of the {letter} is written already; then the pen runs after its "
             "goal at {hurry:.0f} cm/s."
         )
         lags = _(
             "As printed, DMP* does not tell the pen how the way grows: the pen is always late, and "
-            "stops {mm:.1f} mm from its goal."
+            "stops {mm} mm from its goal."
         )
-        hasty = _("At {s:.1f} s the goal moves too late: the pen stops {mm:.1f} mm from it.")
+        hasty = _("At {s:.1f} s the goal moves too late: the pen stops {mm} mm from it.")
         leans = _("A goal {cm:.1f} cm away slides the {letter} so far that it leans.")
-        short = _("The goal has moved {x:.1f} cm {x_way}; it is to move {x_least:g} cm {aside}.")
-        low = _("The goal has moved {y:.1f} cm {y_way}; it is to move {y_least:g} cm {up}.")
+        short = _("The goal has moved {x} cm {x_way}; it is to move {x_least:g} cm {aside}.")
+        low = _("The goal has moved {y} cm {y_way}; it is to move {y_least:g} cm {up}.")
         found = [
             (not same and is_multiplied_or_turned, "".join(tell_rule(led)) + same_way),
             (not same and answer["moves_at"] > 0, jumps + same_way),
@@ -191,7 +198,7 @@ class MoveGoal(Lesson):
     def praise(self, answer: Answer) -> str:
         """Return what was found."""
         words = _(
-            "{share:.0f} % of the {letter} goes the same way, {cm:.1f} cm from its old goal. The "
+            "{share} % of the {letter} goes the same way, {cm:.1f} cm from its old goal. The "
             "first rule would have multiplied it by {fx} sideways."
         )
         return words.format(**MovedLetter(self.letter, answer).facts)
@@ -270,7 +277,7 @@ def _say(led: MovedLetter) -> dict[str, str]:
         text, strong, after = _("The goal is where it was. "), _("Drag the ring."), ""
     says = {"text": text, "strong": strong, "after": after}
     says = {name: words.format(**led.facts) for name, words in says.items()}
-    return {"number": f"{led.share:.0f}", "unit": _("% the same way"), **says}
+    return {"number": led.facts["share"], "unit": _("% the same way"), **says}
 
 
 def _ways(x: float, y: float) -> tuple[str, str]:

@@ -23,6 +23,7 @@ from dmp_teach.classroom import (
     exactly,
 )
 from dmp_teach.errors import RecordingError
+from dmp_teach.lessons.drawing import tell_number
 from dmp_teach.lessons.pen_up_pictures import draw_over_time, draw_path, draw_strokes
 from dmp_teach.lessons.unsteady_pen import TREMBLE, Times, disturb
 from dmp_teach.texts import gettext as _
@@ -111,7 +112,7 @@ class PenUp(Lesson):
         return (
             _("A lift is fast and high. What is only fast, and what is only high?"),
             _("Put θ above the slow hill’s speed, and σ above the short peak’s height."),
-            _("Try θ = {theta} and σ = {sigma}.").format(**self.solution),
+            _("Try θ = {theta} and σ = {sigma}.").format(**_in_words(self.solution)),
         )
 
     def conditions(self, answer: Answer) -> Sequence[Condition]:
@@ -140,10 +141,12 @@ class PenUp(Lesson):
             "tilt": bool(tilts),
             "ends": off > MOST_OFF,
         }
-        facts: Answer = {**answer, "n": len(strokes), "ms": f"{off:.0f}"}
+        facts: Answer = _in_words(answer) | {"n": len(strokes), "ms": tell_number(off, MOST_OFF, 0)}
         for name, times in (("lift", pen.lift), ("knock", pen.knock), ("tilt", pen.tilt)):
-            facts[f"{name}_mm"] = f"{1000 * pen.highest(times):.0f}"
-            facts[f"{name}_rate"] = f"{1000 * pen.fastest(times):.0f}"
+            facts[f"{name}_mm"] = tell_number(1000 * pen.highest(times), answer["sigma"], 0)
+            # A lift is looked for backwards in time, too: a fall counts as a rise.
+            rate = 1000 * pen.fastest(times, falls=name == "tilt")
+            facts[f"{name}_rate"] = tell_number(rate, answer["theta"], 0)
         words = self._causes()
         return [(is_made, words[name].format(**facts)) for name, is_made in made.items()]
 
@@ -172,8 +175,8 @@ class PenUp(Lesson):
                 "lift. σ = {sigma} mm lets that count: {n} strokes."
             ),
             "tilt": _(
-                "The hand tilted while it wrote: the pen rose by {tilt_mm} mm, but slowly, by "
-                "{tilt_rate} mm/s at most. θ = {theta} lets that count: {n} strokes."
+                "The hand tilted while it wrote: the pen rose by {tilt_mm} mm and fell again, "
+                "but slowly, by {tilt_rate} mm/s at most. θ = {theta} lets that count: {n} strokes."
             ),
             "ends": _(
                 "There are {n} strokes, but one end is {ms} ms off: so low a θ as {theta} takes "
@@ -188,7 +191,7 @@ class PenUp(Lesson):
             "{theta} mm/s and higher than {sigma} mm."
         )
         up, down = _gaps(self.find(answer))[0]
-        return words.format(up=up, down=down, **answer)
+        return words.format(up=up, down=down, **_in_words(answer))
 
     def tell_bet(self, bet: KeptBet) -> str:
         """Return how far both places were from the true ones."""
@@ -263,6 +266,11 @@ class PenUp(Lesson):
         number = "" if strokes is None else str(len(strokes))
         unit = {"": "", "1": _("stroke")}.get(number, _("strokes"))
         return {"number": number, "unit": unit, "text": text, "strong": strong, "after": ""}
+
+
+def _in_words(answer: Answer) -> Answer:
+    """Return the thresholds as they are shown."""
+    return {name: f"{value:.3g}" for name, value in answer.items()}
 
 
 def _gaps(strokes: Sequence[Trajectory]) -> list[Times]:

@@ -21,6 +21,7 @@ from dmp_teach.classroom import (
     Task,
     at_most,
 )
+from dmp_teach.lessons.drawing import tell_number
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Array, Trajectory
 
@@ -28,6 +29,8 @@ DURATION = 2.0
 BET_TIMES = (0.0, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0)
 START = np.array([-0.06, -0.03])
 MOST_PAST, MOST_AWAY = 1.0, 2.0
+# Less past the ring [% of the way] is not called a swing.
+STILL = 0.05
 BEAD_EVERY = 0.1
 
 
@@ -55,10 +58,11 @@ class SpringToGoal(Lesson):
         tenths = 9 if random is None else int(random.integers(6, 15))
         self.time = tenths / 10
         goal = (6.0, 3.0) if random is None else random.integers([3, -1], [9, 6])
-        alpha = round(13 / self.time, 1)
+        # Two figures, as the sliders have.
+        alpha = float(f"{13 / self.time:.2g}")
         ends = {"goal_x": float(goal[0]), "goal_y": float(goal[1])}
         self.start = {"alpha": 3.0, "beta": 12.0, **ends}
-        self.solution = {"alpha": alpha, "beta": round(alpha / 4, 2), **ends}
+        self.solution = {"alpha": alpha, "beta": float(f"{alpha / 4:.2g}"), **ends}
 
     @property
     def question(self) -> str:
@@ -128,18 +132,17 @@ class SpringToGoal(Lesson):
     @property
     def hints(self) -> tuple[str, str, str]:
         """Each more direct."""
-        words = _("At β = α/4 it just does not swing. Try α = {alpha} and β = {beta}.")
-        solution = {name: self.solution[name] for name in ("alpha", "beta")}
+        words = _("At β = α/4 it just does not swing. Try α = {alpha:g} and β = {beta:g}.")
         return (
             _("Does it swing, or does it creep? Against swinging brake more, or pull less."),
             _("There is a pull for every brake at which it just does not swing: a quarter of it."),
-            words.format(**solution),
+            words.format(**self.solution),
         )
 
     def conditions(self, answer: Answer) -> Sequence[Condition]:
         """Return how far past the ring the pen goes, and how much of the way is left."""
         past, left = self._measure(answer)
-        after = _("left after {time} s").format(time=self.time)
+        after = _("most left from {time} s on").format(time=self.time)
         return [
             at_most(after, left, MOST_AWAY, "%"),
             at_most(_("past the ring"), past, MOST_PAST, "%"),
@@ -149,7 +152,7 @@ class SpringToGoal(Lesson):
         """Return whether it swings, creeps, or is weak in all."""
         past, left = self._measure(answer)
         facts = {"alpha": f"{answer['alpha']:.2g}", "beta": f"{answer['beta']:.2g}"}
-        facts |= {"past": f"{past:.0f}", "left": f"{left:.0f}", "time": str(self.time)}
+        facts |= {"past": tell_number(past, MOST_PAST, 0), "left": tell_number(left, MOST_AWAY, 0)}
         swings = _(
             "With a brake of {alpha} and a pull of {beta} the pen swings: it goes past the ring by "
             "{past} % of the way."
@@ -159,8 +162,8 @@ class SpringToGoal(Lesson):
             "{time} s {left} % of the way is left."
         )
         weak = _(
-            "Brake {alpha} and pull {beta} do not swing, but both are weak: after {time} s "
-            "{left} % of the way is left."
+            "Brake {alpha} and pull {beta} are both weak: after {time} s {left} % of the way is "
+            "left."
         )
         late = left > MOST_AWAY
         found = [
@@ -168,13 +171,21 @@ class SpringToGoal(Lesson):
             (late and answer["alpha"] > 6 * answer["beta"], creeps),
             (late, weak),
         ]
-        return [(is_made, words.format(**facts)) for is_made, words in found]
+        return [(is_made, words.format(time=self.time, **facts)) for is_made, words in found]
 
     def praise(self, answer: Answer) -> str:
         """Return what was found."""
-        _past, left = self._measure(answer)
-        words = _("It arrives and does not swing: after {time} s {left:.1f} % of the way is left.")
-        return words.format(time=self.time, left=left)
+        past, left = self._measure(answer)
+        words = _(
+            "It goes past the ring by {past} % of the way, and from {time} s on it is at most "
+            "{left} % away."
+        )
+        if past < STILL:
+            words = _(
+                "It does not swing, and from {time} s on at most {left} % of the way is left."
+            )
+        facts = {"past": tell_number(past, MOST_PAST), "left": tell_number(left, MOST_AWAY)}
+        return words.format(time=self.time, **facts)
 
     def tell_bet(self, bet: KeptBet) -> str:
         """Return where the bet was furthest off, and how far the pen went past the ring."""
@@ -184,10 +195,14 @@ class SpringToGoal(Lesson):
         far = int(np.argmax(np.abs(said - truth)))
         words = _(
             "The pen swings past the ring by {past:.0f} % of the way before it comes to rest. At "
-            "{t:g} s you said {said:.0f} %, and {true:.0f} % is left."
+            "{t:g} s you said {said} %, and {true} % is left."
         )
         past, _left = self._measure(self.start)
-        return words.format(past=past, t=t[far], said=said[far], true=truth[far])
+        at_far = {
+            "said": tell_number(said[far], digits=0),
+            "true": tell_number(truth[far], digits=0),
+        }
+        return words.format(past=past, t=t[far], **at_far)
 
     def draw(self, state: LessonState) -> Picture:
         """Draw the way to the ring, and how much of it is left over time."""
@@ -263,9 +278,10 @@ class SpringToGoal(Lesson):
         if past > MOST_PAST:
             text = _("The brake is weak for such a pull. ")
             strong = _("The pen swings past the ring, and arrives in the end.")
-        elif left > MOST_AWAY:
-            text, strong = _("It does not swing. "), _("It creeps to the ring.")
         else:
-            text, strong = _("It does not swing, and it is there in time. "), _("Well balanced.")
-        number = {"number": f"{past:.0f}", "unit": _("% past the ring")}
+            text = _("It does not swing. ") if past < STILL else _("It hardly swings. ")
+            strong = _("It is there in time.")
+            if left > MOST_AWAY:
+                strong = _("It creeps to the ring.")
+        number = {"number": tell_number(past, MOST_PAST, 0), "unit": _("% past the ring")}
         return {**number, "text": text, "strong": strong, "after": ""}

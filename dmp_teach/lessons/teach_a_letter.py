@@ -23,7 +23,7 @@ from dmp_teach.classroom import (
     at_most,
 )
 from dmp_teach.lessons.bumps import BUMP_NUMBER, learn_bumps
-from dmp_teach.lessons.drawing import draw_sheet, millimetres
+from dmp_teach.lessons.drawing import draw_sheet, millimetres, tell_number
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Array, Trajectory
 
@@ -151,8 +151,12 @@ class TeachALetter(Lesson):
         bump, change = int(answer["bump"]), float(answer["change"])
         error, wanted = self._error(bump, change), self.solution["change"]
         between = abs(self.bumps.wakes(bump) - self.bumps.wakes(self.spoilt[0]))
-        facts = {"bump": bump, "change": f"{change:+g}".replace("-", "−"), "letter": self.letter}
-        facts |= {"error": f"{error:.1f}", "limit": self.limit, "s": f"{between:.1f}"}
+        facts = {"bump": bump, "change": f"{change:+.3g}".replace("-", "−"), "letter": self.letter}
+        facts |= {
+            "error": tell_number(error, self.limit),
+            "limit": self.limit,
+            "s": f"{between:.1f}",
+        }
         nothing = _(
             "The change of bump {bump} is 0 cm, so nothing is put right yet: {letter} is {error} "
             "mm off."
@@ -192,10 +196,10 @@ class TeachALetter(Lesson):
         """Return what was found."""
         words = _(
             "Bump {bump} was {by:g} cm off. One number is put right, and all that came after it is "
-            "right again: {letter} is {error:.1f} mm off."
+            "right again: {letter} is {error} mm off."
         )
         by = abs(self.solution["change"])
-        error = self._error(**answer)
+        error = tell_number(self._error(**answer), self.limit)
         return words.format(bump=answer["bump"], by=by, letter=self.letter, error=error)
 
     def tell_bet(self, bet: KeptBet) -> str:
@@ -287,9 +291,9 @@ class TeachALetter(Lesson):
         awake = _("Bump {bump} is awake from {begin:.1f} s to {end:.1f} s. ")
         text = awake.format(bump=bump, begin=t[0], end=t[-1])
         if by > 0:
-            strong = _("Its weight is {cm:g} cm higher: it pushes further up.")
+            strong = _("Its weight is {cm:.3g} cm higher: it pushes further up.")
         elif by < 0:
-            strong = _("Its weight is {cm:g} cm lower: it pushes further down.")
+            strong = _("Its weight is {cm:.3g} cm lower: it pushes further down.")
         else:
             strong = _("Its weight is as it was.")
         number = {"number": millimetres(error / 1000), "unit": _("mm off on average"), "text": text}

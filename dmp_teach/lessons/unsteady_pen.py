@@ -44,9 +44,10 @@ class UnsteadyPen:
     tilt: Times
     knock: Times
 
-    def fastest(self, times: Times) -> float:
-        """Return the fastest rise between two times [m/s]."""
-        return float(self.rise[self._between(times)].max())
+    def fastest(self, times: Times, *, falls: bool = False) -> float:
+        """Return the fastest rise between two times [m/s], or the fastest of rises and falls."""
+        rise = self.rise[self._between(times)]
+        return float((np.abs(rise) if falls else rise).max())
 
     def highest(self, times: Times) -> float:
         """Return how far the pen gets above where it was at the first of two times [m]."""

@@ -52,6 +52,17 @@ def test_a_check_says_no_at_the_start_and_yes_to_the_solution(key, pupil):
     assert (end.done, end.hint) == (True, ""), end
 
 
+@pytest.mark.parametrize("pupil", [None, *(f"w{n:02d}" for n in range(20))])
+def test_a_solution_is_a_place_that_its_sliders_have(key, pupil):
+    lesson = teach.lesson(key, pupil=pupil)
+    for name, knob in lesson.knobs.items():
+        value = lesson.solution[name]
+        if not isinstance(value, str):
+            steps = value / float(f"{value:.2g}") if knob.is_log else value / knob.step
+            assert steps == pytest.approx(round(steps)), name
+    assert teach.check(key, answer_of(lesson, lesson.solution), pupil=pupil).done
+
+
 def test_neighbours_have_other_challenges_and_a_pupil_has_the_same_again(key):
     texts = [teach.lesson(key, pupil=f"w{n:02d}") for n in range(30)]
     facts = [(each.challenge, str(each.start), str(each.solution)) for each in texts]

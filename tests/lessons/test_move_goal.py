@@ -70,7 +70,7 @@ def test_the_challenge_asks_for_a_rule_that_slides_from_the_start_on():
             {"rule": "original"},
             "The S is mirrored. The first rule multiplies by new way / old way: −0.56 sideways",
         ),
-        ({"rule": "original", "goal_x": 6.7}, "pressed flat"),
+        ({"rule": "original", "goal_x": 6.7}, "the S is thin"),
         ({"rule": "similarity"}, "turns it by"),
         ({"rule": "printed"}, "stops 7.6 mm from its goal"),
         ({"moves_at": 2.0}, "At 2.0 s a part of the S is written already"),

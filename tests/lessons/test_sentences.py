@@ -1,0 +1,71 @@
+"""What lessons say of an answer is so, and its numbers do not hide the verdict."""
+
+import pytest
+
+import dmp_teach as teach
+from dmp_teach.lessons.drawing import tell_number
+from dmp_teach.lessons.how_many_bumps import error_with_number
+
+GAPS = "leaves gaps: for"
+
+
+def said(key, **values):
+    """What is said of the solution with other values."""
+    lesson = teach.lesson(key)
+    return lesson.check({name: (lesson.solution | values)[name] for name in lesson.settable}).reason
+
+
+@pytest.mark.parametrize(
+    ("key", "values", "words"),
+    [
+        ("01", {"alpha": 12, "beta": 4.4}, "goes past the ring by 1.01 % of the way"),
+        ("01", {"alpha": 14, "beta": 3.3}, "after 0.9 s 2.1 % of the way is left"),
+        ("01", {"alpha": 14, "beta": 3.6}, "It does not swing, and from 0.9 s on at most 1.0 %"),
+        ("01", {"alpha": 13, "beta": 4.2}, "It goes past the ring by 0.3 % of the way"),
+        ("02", {"change": 6.42457}, "+6.42 cm is the wrong way"),
+        ("03", {"kernel_width": 0.29, "fit": "joint"}, f"Width 0.29 {GAPS} 71 %"),
+        ("03", {"kernel_width": 0.999}, f"Width 0.999 {GAPS} 0.1 %"),
+        ("03", {"kernel_width": 18, "fit": "joint"}, "at width 18 D is 7.0 mm off"),
+        ("03", {"kernel_width": 0.5, "kernel": "bell"}, "no gap however narrow it is"),
+        ("03", {"kernel_width": 18, "kernel": "bell"}, "averages so many places"),
+        ("03", {"kernel_width": 1.4}, "At width 1 bumps just touch"),
+        ("05", {"rule": "original", "goal_x": 6.7}, "straight above or below the start"),
+        ("05", {"rule": "original", "goal_x": 5.6, "goal_y": -0.5}, "below 1 it shrinks"),
+        ("06", {"theta": 60, "sigma": 5.702087172973264}, "σ = 5.7 mm lets that count"),
+    ],
+)
+def test_the_cause_is_named_with_its_numbers(key, values, words):
+    assert words in said(key, **values)
+
+
+def test_gaps_that_do_no_harm_are_not_refused():
+    lesson = next(
+        each
+        for each in (teach.lesson("03", pupil=f"w{n:02d}") for n in range(99))
+        if each.pair == ("h", "S")
+    )
+    answer = {"kernel_width": 0.99, "kernel": lesson.kernel, "fit": "lwr"}
+    assert "Width 0.99 keeps both" in lesson.check(answer).reason
+
+
+@pytest.mark.parametrize("value", [1.96, 2.0, 2.04, 2.0004, 1.9996, 0.0, -0.01, 94.9])
+@pytest.mark.parametrize("limit", [0, 2, 95])
+def test_a_number_stays_on_its_side_of_a_limit(value, limit):
+    number = float(tell_number(value, limit, 0).replace("−", "-"))
+    assert (number > limit, number < limit) == (value > limit, value < limit)
+
+
+def test_ways_past_the_ring_carry_a_minus_sign():
+    lesson = teach.lesson("01")
+    told = lesson.tell_bet([[0.25, 26.0], [0.5, 100.0]])
+    assert "−" in told
+    assert "-" not in told
+
+
+def test_a_doubling_leaves_what_the_letter_of_the_pupil_leaves():
+    lesson = teach.lesson("04", pupil="w03")
+    errors = [error_with_number(lesson.letter, n) for n in (10, 20, 40, 80)]
+    told = lesson.tell_bet([[10, 5.0], [80, 5.0]])
+    left = 100 * (errors[-1] / errors[0]) ** (1 / 3)
+    assert f"leaves about {left:.0f} % of the error" in told
+    assert 25 < left < 34
