@@ -266,10 +266,8 @@ class BumpWidth(Lesson):
         if kernel == "bell" and width < 1.2:
             text = _("A bell without ends leaves no gap. ")
         elif width < 1 and is_far:
-            text, strong = (
-                _("Between the bumps the robot sleeps. "),
-                _("The pen drifts in the gaps."),
-            )
+            text = _("Between the bumps the robot sleeps. ")
+            strong = _("The pen drifts in the gaps.")
         elif width > 1.2:
             text = _("Each bump covers the places of {width:.2g}. ").format(width=width)
             if is_far and not is_joint:

@@ -244,7 +244,5 @@ class HowManyBumps(Lesson):
             strong = _("The line is within its own thickness.")
         else:
             strong = _("Nobody can see what more bumps would change.")
-        return {"number": millimetres(error), "unit": _("mm off on average"), "text": text} | {
-            "strong": strong,
-            "after": "",
-        }
+        off = {"number": millimetres(error), "unit": _("mm off on average")}
+        return {**off, "text": text, "strong": strong, "after": ""}

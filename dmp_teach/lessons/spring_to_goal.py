@@ -73,15 +73,16 @@ class SpringToGoal(Lesson):
     def knobs(self) -> Knobs:
         """What a pupil can turn; where the ring is does not matter to the answer."""
         return {
-            "alpha": Slider(
-                _("How hard it brakes"), "α", 2.0, 60.0, is_log=True, digits=None, unit="/s"
-            ),
-            "beta": Slider(
-                _("How hard it pulls"), "β", 0.5, 30.0, is_log=True, digits=None, unit="/s"
-            ),
+            "alpha": self._factor(_("How hard it brakes"), "α", 2.0, 60.0),
+            "beta": self._factor(_("How hard it pulls"), "β", 0.5, 30.0),
             "goal_x": self._goal_slider(_("Goal, left and right"), "x"),
             "goal_y": self._goal_slider(_("Goal, down and up"), "y"),
         }
+
+    @staticmethod
+    def _factor(label: str, term: str, low: float, high: float) -> Slider:
+        """Return a slider of a factor of the spring."""
+        return Slider(label, term, low, high, is_log=True, digits=None, unit="/s")
 
     @staticmethod
     def _goal_slider(label: str, term: str) -> Slider:
@@ -198,11 +199,8 @@ class SpringToGoal(Lesson):
             "{t:g} s you said {said} %, and {true} % is left."
         )
         past, _left = self._measure(self.start)
-        at_far = {
-            "said": tell_number(said[far], digits=0),
-            "true": tell_number(truth[far], digits=0),
-        }
-        return words.format(past=past, t=t[far], **at_far)
+        there, true = (tell_number(each[far], digits=0) for each in (said, truth))
+        return words.format(past=past, t=t[far], said=there, true=true)
 
     def draw(self, state: LessonState) -> Picture:
         """Draw the way to the ring, and how much of it is left over time."""

@@ -72,16 +72,8 @@ class TeachALetter(Lesson):
     @property
     def knobs(self) -> Knobs:
         """What a pupil can turn."""
-        change = Slider(
-            _("Change of its weight"),
-            "Δw",
-            -MOST_CHANGE,
-            MOST_CHANGE,
-            0.5,
-            "cm",
-            1,
-            is_drawn_here=True,
-        )
+        label, low, high = _("Change of its weight"), -MOST_CHANGE, MOST_CHANGE
+        change = Slider(label, "Δw", low, high, 0.5, "cm", 1, is_drawn_here=True)
         return {"bump": Slider(_("Which bump"), "i", 1, BUMP_NUMBER), "change": change}
 
     @property
@@ -152,11 +144,8 @@ class TeachALetter(Lesson):
         error, wanted = self._error(bump, change), self.solution["change"]
         between = abs(self.bumps.wakes(bump) - self.bumps.wakes(self.spoilt[0]))
         facts = {"bump": bump, "change": f"{change:+.3g}".replace("-", "−"), "letter": self.letter}
-        facts |= {
-            "error": tell_number(error, self.limit),
-            "limit": self.limit,
-            "s": f"{between:.1f}",
-        }
+        facts |= {"error": tell_number(error, self.limit), "limit": self.limit}
+        facts["s"] = f"{between:.1f}"
         nothing = _(
             "The change of bump {bump} is 0 cm, so nothing is put right yet: {letter} is {error} "
             "mm off."
