@@ -221,7 +221,8 @@ def tell_rule(led: MovedLetter) -> tuple[str, str]:
         does = _(" Similarity turns it by {degrees:.0f}° and makes it {scale:.1f} times as large.")
         if is_late:
             does = _(
-                " From then on similarity turns by {degrees:.0f}°, {scale:.1f} times as large."
+                " From then on similarity turns it by {degrees:.0f}° and makes it {scale:.1f} "
+                "times as large."
             )
         plain = _("The {letter} is as it was, but does not stand as it stood.")
     elif rule == "original":
@@ -248,4 +249,9 @@ def _tell_factors(led: MovedLetter) -> str:
         return _("The {letter} is mirrored.")
     if np.abs(led.factors - 1).max() < 0.1:
         return _("The {letter} is nearly as it was.")
-    return _("Above 1 the {letter} is stretched, below 1 it shrinks.")
+    most = int(np.argmax(np.abs(np.log(led.factors))))
+    if led.factors[most] > 1:
+        words = _("The {letter} is stretched sideways."), _("The {letter} is stretched upwards.")
+    else:
+        words = _("The {letter} shrinks sideways."), _("The {letter} shrinks upwards.")
+    return words[most]

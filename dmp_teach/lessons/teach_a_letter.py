@@ -105,7 +105,7 @@ class TeachALetter(Lesson):
                 lambda v: v["bump"] == BUMP_NUMBER and abs(v["change"]) >= 5,
             ),
             Task(
-                _("Set the change to 0. Walk through the bumps to the one that pushes most."),
+                _("Set the change to 0. Walk to the bump that pushes most, up or down."),
                 lambda v: v["change"] == 0 and v["bump"] == self.bumps.hardest,
             ),
         )

@@ -30,7 +30,7 @@ def said(key, **values):
         ("03", {"kernel_width": 18, "kernel": "bell"}, "averages so many places"),
         ("03", {"kernel_width": 1.4}, "At width 1 bumps just touch"),
         ("05", {"rule": "original", "goal_x": 6.7}, "straight above or below the start"),
-        ("05", {"rule": "original", "goal_x": 5.6, "goal_y": -0.5}, "below 1 it shrinks"),
+        ("05", {"rule": "original", "goal_x": 5.6, "goal_y": -0.5}, "The S shrinks sideways"),
         ("06", {"theta": 60, "sigma": 5.702087172973264}, "σ = 5.7 mm lets that count"),
     ],
 )
