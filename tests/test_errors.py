@@ -32,6 +32,7 @@ from dmp_teach.studies.experiments.variants import rms_error
 D, STROKE = recording_of("D"), recording_of("D").strokes()[1]
 LEARNED = Letter.learn(D)
 TAKE_SETTINGS = {
+    dmp_teach.sliders: [],
     DMP.imitate: (STROKE,),
     Letter.learn: (D,),
     imitate_strokes: ([STROKE],),
@@ -55,6 +56,8 @@ TAKE_SETTINGS = {
 }
 # What other rooms call with settings that are checked already.
 INSIDE = {"Hand.of", "NamedChoice.of", "both_forms", "has_ends", "kernels_of", "note_gaps"}
+# Its settings are keywords, each checked by its own knob.
+INSIDE |= {"explore"}
 
 
 def takes_settings(thing):

@@ -66,6 +66,8 @@ def letter_parts(path: str | os.PathLike[str]) -> dict[str, Any]:
         if content.pop("check") != check_sum(content) or content["units"] != LETTER_UNITS:
             raise LetterError("it was changed after it was saved, or damaged; save again.")
         strokes = [np.array(rows, dtype=float) for rows in content["strokes"]]
+        if not 0 < len(strokes) == len(content["primitives"]):
+            raise LetterError("it must have strokes, and a primitive for each.")
         return {
             "strokes": tuple(Trajectory(row[:, 0], row[:, 1:]) for row in strokes),
             "primitives": tuple(map(_primitive_from_json, content["primitives"])),

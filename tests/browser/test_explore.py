@@ -250,7 +250,7 @@ def test_while_a_goal_is_held_the_kernel_hears_nothing_and_then_once(panel, ask)
 
 
 def test_a_goal_moves_while_the_kernel_computes_and_when_there_is_none(panel):
-    panel.expects.append("console error: Could not send widget sync message")
+    panel.allows.append("console error: Could not send widget sync message")
     panel.evaluate(f"{KERNEL}.requestExecute({{code: 'import time; time.sleep(5)'}}) && null")
     assert len(set(drag(panel, ".dt-goal .dt-ring", (-50, 30)))) == 20
     panel.mouse.up()
