@@ -58,8 +58,8 @@ class Condition:
         limits = [limit for limit in (self.low, self.high) if math.isfinite(limit)]
         is_count = not self.unit and value % 1 == 0
         words = f"{value:.0f}" if is_count or abs(value) >= 10 else f"{value:.1f}"
-        for digits in (1, 2, 3):
-            if all((float(words) <= limit) == (value <= limit) for limit in limits):
+        for digits in range(1, 7):
+            if all(_side(float(words), limit) == _side(value, limit) for limit in limits):
                 break
             words = f"{value:.{digits}f}"
         return f"{words.replace('-', '−')} {self.unit}".strip()
@@ -82,6 +82,11 @@ class Condition:
         name = self.name[:1].upper() + self.name[1:]
         words = _("{name}: {shown}. It must be {rule}.")
         return words.format(name=name, shown=self.shown, rule=self.rule)
+
+
+def _side(value: float, limit: float) -> int:
+    """Return whether a value is above a limit, 1, on it, 0, or below it, -1."""
+    return (value > limit) - (value < limit)
 
 
 # Any: as what is called.

@@ -182,7 +182,7 @@ class LessonView {
   }
 
   keep(/** @type {Values} */ progress) {
-    const work = { values: this.model.get("values"), progress };
+    const work = { variant: this.spec.pupil, values: this.model.get("values"), progress };
     sessionStorage.setItem(this.place, JSON.stringify(work));
   }
 
