@@ -203,3 +203,55 @@ def test_a_goal_that_is_dragged_asks_the_kernel_once(lesson):
     page.wait_for_function("() => window.sent > 0")
     page.wait_for_timeout(800)
     assert page.evaluate(line) == held
+
+
+def walk_to(page, words, key="Tab"):
+    """Press a key until what has the focus is called so."""
+    name = """() => {
+        const here = document.activeElement;
+        return here.getAttribute("aria-label") ?? here.labels?.[0]?.innerText ?? here.innerText;
+    }"""
+    for _ in range(60):
+        if (page.evaluate(name) or "").strip().startswith(words):
+            return
+        page.keyboard.press(key)
+    raise AssertionError(f"{words} is not reached by {key}")
+
+
+def test_a_whole_lesson_by_keyboard_alone(lesson, shot):
+    """From the cell to the robot that writes: no mouse, no finger."""
+    page = lesson("04")
+    spec = teach.lesson("04")
+    walk_to(page, spec.bet.labels[0], "Shift+Tab")
+    for key in ("ArrowUp", "ArrowUp", "ArrowRight", "ArrowDown"):
+        page.keyboard.press(key)
+    page.wait_for_function(
+        "() => !document.querySelector('.dt-card .dt-main').getAttribute('aria-disabled')"
+    )
+    walk_to(page, "Lay the truth over it", "Shift+Tab")
+    page.keyboard.press("Enter")
+    page.get_by_role("button", name="Now try it").wait_for()
+    for button in ("Now try it", "To the challenge"):
+        walk_to(page, button)
+        page.keyboard.press("Enter")
+        page.wait_for_timeout(500)
+    for _ in range(2):
+        walk_to(page, "Check")
+        page.keyboard.press("Enter")
+        page.locator(".dt-reason").wait_for()
+        page.wait_for_timeout(300)
+    walk_to(page, "Show a hint")
+    page.keyboard.press("Enter")
+    page.get_by_text(spec.hints[0], exact=True).wait_for()
+    walk_to(page, "How many bumps")
+    page.keyboard.press("Home")
+    for _ in range(spec.smallest - spec.knobs["n_kernels"].low):
+        page.keyboard.press("ArrowRight")
+    page.wait_for_timeout(800)
+    walk_to(page, "Check", "Shift+Tab")
+    page.keyboard.press("Enter")
+    page.locator(".dt-card.dt-passed").wait_for()
+    walk_to(page, "Robot, write it")
+    page.keyboard.press("Enter")
+    page.wait_for_selector(".dt-scene[data-dt-awake='true']", timeout=60_000)
+    shot(page, "lesson_04_by_keyboard")

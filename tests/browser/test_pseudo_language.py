@@ -85,7 +85,7 @@ def test_no_string_is_left_behind_and_no_box_overflows(open_notebook, lab, shot)
 
 
 # Units are the same in every language, and so are the paper's names.
-UNITS = re.compile(r"(?<!\w)(mm|cm|/s|DMP|Δw)(?!\w)")
+UNITS = re.compile(r"(?<!\w)(mm|cm|ms|/s|DMP|Δw)(?!\w)")
 LESSONS = """import dmp_teach as teach
 from dmp_teach.lessons import lessons
 teach.set_language("pseudo")

@@ -1,5 +1,6 @@
 import numpy as np
 import pytest
+from hypothesis import assume
 from hypothesis import strategies as st
 
 from dmp_teach.errors import PageError, TrajectoryError
@@ -180,6 +181,9 @@ def test_a_jump_inside_a_stroke_is_named(letter, share, way):
 
 @law(letter=ink.letters())
 def test_fast_writing_is_no_jump(letter):
+    # In so little time no hand makes a step 3 mm longer than the next.
+    steps = [np.linalg.norm(np.diff(s.position, axis=0), axis=1) for s in letter]
+    assume(all(np.abs(np.diff(each)).max(initial=0) < 0.003 for each in steps))
     faster = tuple(Trajectory(s.t / 3, s.position) for s in letter)
     assert len(lay_out(faster, PAGE)) == len(letter)
 

@@ -97,21 +97,24 @@ export function labelPlace(view, [x, y], strokes, wide) {
  * @param {View} view
  * @param {Place} goal
  * @param {Place[][]} strokes
+ * @param {number} wide of the word [px]
  */
-export function wordPlace(view, goal, strokes) {
+export function wordPlace(view, goal, strokes, wide = 36) {
   const [x, y] = view.px(goal);
   const ink = everyNth(strokes.flat(), 3).map(view.px);
   /** @type {[number, number, Anchor, number][]} */
   const places = [
-    [0, -24, "middle", -18],
-    [0, 36, "middle", -18],
+    [0, -24, "middle", -wide / 2],
+    [0, 36, "middle", -wide / 2],
     [24, 5, "start", 0],
-    [-24, 5, "end", -36],
+    [-24, 5, "end", -wide],
   ];
   const [dx, dy, anchor] = least(places, ([right, down, , left]) => {
     const [x0, y0] = [x + right + left, y + down - 5];
-    const hidden = ink.filter(([px, py]) => px > x0 - 4 && px < x0 + 40 && Math.abs(py - y0) < 12);
-    const isOff = x0 < 4 || x0 + 36 > view.w - 4 || y0 < 12 || y0 > view.h - 12;
+    const hidden = ink.filter(
+      ([px, py]) => px > x0 - 4 && px < x0 + wide + 4 && Math.abs(py - y0) < 12,
+    );
+    const isOff = x0 < 4 || x0 + wide > view.w - 4 || y0 < 12 || y0 > view.h - 12;
     return hidden.length + (isOff ? 100 : 0);
   });
   return { x: dx, y: dy, "text-anchor": anchor };

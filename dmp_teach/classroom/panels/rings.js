@@ -29,7 +29,9 @@ const WAYS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDow
  */
 export function goalLabels(view, goals, { robot, demo }) {
   const badges = badgePlaces(view, goals, robot);
-  const word = goals.length === 1 ? wordPlace(view, goals[0], [...robot, ...demo]) : {};
+  // A letter of the word is about 9 pixels wide.
+  const wide = 9 * t("goal").length;
+  const word = goals.length === 1 ? wordPlace(view, goals[0], [...robot, ...demo], wide) : {};
   return { badges, word };
 }
 
