@@ -18,7 +18,10 @@ KERNEL = "window.jupyterapp.shell.currentWidget.sessionContext.session.kernel"
 COUNT_SENT = f"""() => {{
     window.sent = 0;
     {KERNEL}.anyMessage.connect((_, {{ msg, direction }}) => {{
-        if (direction === 'send' && msg.header.msg_type === 'comm_msg') window.sent += 1;
+        // The still picture for print follows by itself, a second after the last drawing.
+        const isStill = msg.content?.data?.content?.kind === 'still';
+        if (direction === 'send' && msg.header.msg_type === 'comm_msg' && !isStill)
+            window.sent += 1;
     }});
 }}"""
 
