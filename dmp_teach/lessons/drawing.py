@@ -38,12 +38,27 @@ def millimetres(metres: float, limit: float = math.inf) -> str:
 
 
 @lru_cache(maxsize=2048)
-def learn_letter(character: str, settings: Settings) -> Letter:
-    """Learn a letter of our alphabet; what its settings warn of, the lesson says itself."""
+def learn_letter(character: str, settings: Settings, rate: int | None = None) -> Letter:
+    """Learn a letter of our alphabet; what its settings warn of, the lesson says itself.
+
+    With a rate it is first sampled so often a second.
+    """
+    strokes = recording_of(character).strokes()
+    if rate is not None:
+        strokes = tuple(_resample(stroke, rate) for stroke in strokes)
     with warnings.catch_warnings(action="ignore", category=SettingWarning):
-        return Letter.learn(recording_of(character), settings)
+        return Letter.learn(strokes, settings)
 
 
+def _resample(stroke: Trajectory, rate: int) -> Trajectory:
+    """Return a stroke with so many samples a second."""
+    t = np.linspace(stroke.t[0], stroke.t[-1], round(stroke.duration * rate) + 1)
+    axes = [np.interp(t, stroke.t, axis) for axis in stroke.position.T]
+    return Trajectory(t, np.column_stack(axes))
+
+
+# A slider asks for all of a curve at every move.
+@lru_cache(maxsize=2048)
 def error_of(letter: Letter) -> float:
     """Return how far the robot's letter is off the person's, on average [m]."""
     return rms_distance(letter.write(), letter.strokes)

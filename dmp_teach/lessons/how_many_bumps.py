@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Sequence
 from functools import lru_cache
 
@@ -24,12 +23,16 @@ from dmp_teach.classroom import (
     at_most,
 )
 from dmp_teach.dmp import Settings
-from dmp_teach.errors import SettingWarning
-from dmp_teach.ink import recording_of
-from dmp_teach.lessons.drawing import draw_sheet, error_axis, error_of, millimetres, paths_of
+from dmp_teach.lessons.drawing import (
+    draw_sheet,
+    error_axis,
+    error_of,
+    learn_letter,
+    millimetres,
+    paths_of,
+)
 from dmp_teach.letters import Letter
 from dmp_teach.texts import gettext as _
-from dmp_teach.trajectory import Trajectory
 
 FEWEST, MOST = 2, 80
 BET_NUMBERS = (2, 5, 10, 20, 40, 80)
@@ -42,20 +45,9 @@ PAPER_RATE = "120"
 MOST_UNUSED = 20.0
 
 
-@lru_cache(maxsize=1024)
 def learn_with_number(character: str, number: int, rate: str = PAPER_RATE) -> Letter:
     """Learn a letter, sampled so often a second, with so many touching kernels."""
-    strokes = [_resample(stroke, int(rate)) for stroke in recording_of(character).strokes()]
-    # With few kernels the spring is soft, and says so.
-    with warnings.catch_warnings(action="ignore", category=SettingWarning):
-        return Letter.learn(strokes, Settings.star(n_kernels=number, sharpen=False))
-
-
-def _resample(stroke: Trajectory, rate: int) -> Trajectory:
-    """Return a stroke with so many samples a second."""
-    t = np.linspace(stroke.t[0], stroke.t[-1], round(stroke.duration * rate) + 1)
-    axes = [np.interp(t, stroke.t, axis) for axis in stroke.position.T]
-    return Trajectory(t, np.column_stack(axes))
+    return learn_letter(character, Settings.star(n_kernels=number, sharpen=False), int(rate))
 
 
 def error_with_number(character: str, number: float, rate: str = PAPER_RATE) -> float:

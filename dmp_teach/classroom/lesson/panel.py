@@ -109,10 +109,6 @@ class LessonPanel(RobotPanel):
         variant = self.lesson.pupil or ""
         return {"variant": variant, "values": dict(self.values), "progress": self.progress}
 
-    def _keep(self) -> None:
-        """Keep the work as it is now."""
-        self._kept.update(self._work())
-
     # What the browser asks for --------------------------------------------------------------------
 
     # Any: as in the base class.
@@ -262,11 +258,11 @@ class LessonPanel(RobotPanel):
             self.picture = pack({"sheet": picture.sheet, "plots": picture.plots})
             self.message = picture.says
             self._draw_on_still(picture)
-            self.card = self._write_card(picture)
+            self.card = self._write_card()
             self._show_strokes(picture.strokes)
             self.drawing += 1
             self.answered += 1
-        self._keep()
+        self._kept.update(self._work())
 
     def _draw_on_still(self, picture: Picture) -> None:
         """Set what an exported notebook shows: our own letter, and never the pupil's bet."""
@@ -282,7 +278,7 @@ class LessonPanel(RobotPanel):
         """Return the letter and the robot's, with the sentence."""
         return super().draw_still()._replace(person=self._demonstration, robot=self._strokes)
 
-    def _write_card(self, picture: Picture) -> dict[str, Any]:
+    def _write_card(self) -> dict[str, Any]:
         """Return the words of the step."""
         lesson, progress = self.lesson, self.progress
         conditions = lesson.conditions(self.answer) if progress["step"] == "challenge" else ()

@@ -5,14 +5,6 @@ import { affinePoints, unpack } from "../panels/affine.js";
 
 /** @typedef {Record<string, any>} Values what is set, by the names of the knobs */
 
-/** @type {WeakMap<DataView, ArrayLike<number>>} */
-const unpacked = new WeakMap();
-
-function numbers(/** @type {DataView} */ view) {
-  if (!unpacked.has(view)) unpacked.set(view, unpack(view));
-  return unpacked.get(view);
-}
-
 /**
  * Points [x, y]; one that is not a number breaks a line and comes as null.
  * @param {DataView} base
@@ -20,8 +12,8 @@ function numbers(/** @type {DataView} */ view) {
  * @param {Values} values
  */
 function points(base, terms, values) {
-  const each = Object.entries(terms).map(([name, term]) => [name, numbers(term)]);
-  const places = affinePoints(numbers(base), Object.fromEntries(each), values);
+  const each = Object.entries(terms).map(([name, term]) => [name, unpack(term)]);
+  const places = affinePoints(unpack(base), Object.fromEntries(each), values);
   return places.map((place) => (place.every(Number.isFinite) ? place : null));
 }
 
