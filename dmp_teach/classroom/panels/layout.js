@@ -186,7 +186,8 @@ export function outside(view, points) {
   const { far, way, at, arrow } = sides.reduce((a, b) => (b.far > a.far ? b : a));
   if (far <= 4) return null;
   const x = Math.min(Math.max(at[0], 30), w - 30);
-  const y = Math.min(Math.max(at[1], 30), h - 44);
+  // The ruler stands at the left, below.
+  const y = Math.min(Math.max(at[1], 30), h - (x < rulerEnd(view) ? 84 : 44));
   const metres = far / k;
   const size =
     metres < 0.1

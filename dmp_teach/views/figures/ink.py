@@ -85,12 +85,15 @@ def draw_redrawn_letters(redrawings: Redrawings, most: int = 4) -> Figure:
     size = min(4.5, max(2.6, 11 * tall / across)) if across > 0 else 3.0
     shape = (size * across / tall + 0.9, size + 1.5)
     figure, panels = new_figure(1, len(items), *shape, width_ratios=widths)
+    is_compared = len({item.settings for item in items}) > 1
     for panel, item, (low, high) in zip(panels[0], items, boxes, strict=True):
         _plot_redrawn(panel, item)
         panel.set_xlim(low[0] - 0.05 * tall, high[0] + 0.05 * tall)
         panel.set_ylim(low[1] - 0.05 * tall, low[1] + 1.05 * tall)
-        error = f"{_format_millimetres(item.error)} mm, {100 * item.error / item.letter.size:.1g} %"
-        style_paper(panel, f"‘{item.letter.character}’ {error}")
+        share = 100 * item.error / item.letter.size
+        error = f"{_format_millimetres(item.error)} mm, {share:.{0 if share >= 1 else 1}f} %"
+        how = f" {item.settings}:" if is_compared else ""
+        style_paper(panel, f"‘{item.letter.character}’{how} {error}")
     add_legend_below(figure, panels[0, 0])
     label_millimetres(panels)
     return figure

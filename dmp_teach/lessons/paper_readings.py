@@ -1,0 +1,183 @@
+"""The places where the paper can be read in two ways, and what each reading does to a letter."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from functools import lru_cache
+from itertools import combinations
+from math import sqrt
+from typing import Any
+
+from dmp_teach.classroom import Answer
+from dmp_teach.dmp import Settings
+from dmp_teach.lessons.drawing import error_of, learn_letter
+from dmp_teach.letters import Letter
+from dmp_teach.texts import gettext as _
+
+BY_TEXT, BY_PROGRAM, MENDED = "printed", "program", "mended"
+# Any: the keywords of `Settings`.
+PLACES: dict[str, dict[str, dict[str, Any]]] = {
+    "push": {BY_TEXT: {}, MENDED: {"divide": True}},
+    "ends": {BY_TEXT: {}, MENDED: {"kernel_sides": "both"}},
+    "clock": {BY_TEXT: {}, MENDED: {"phase": "linear", "phase_decay": 4.6}},
+    "step": {BY_TEXT: {}, MENDED: {"integrator": "explicit"}},
+    "stand": {
+        BY_TEXT: {},
+        BY_PROGRAM: {"kernel_centers": "grid"},
+        MENDED: {"kernel_centers": "middles"},
+    },
+    "spring": {
+        BY_TEXT: {},
+        BY_PROGRAM: {"alpha": None, "alpha_per_second": 4.0, "damping": 1 / sqrt(8)},
+        MENDED: {"alpha": None},
+    },
+    "width": {BY_TEXT: {}, BY_PROGRAM: {"kernel_width": 2.0}},
+}
+"""By the place, each reading as changes of `Settings.as_printed`."""
+
+AS_PRINTED: Answer = dict.fromkeys(PLACES, BY_TEXT)
+AS_FIXED: Answer = AS_PRINTED | {name: MENDED for name, all_ in PLACES.items() if MENDED in all_}
+AS_CODED: Answer = AS_FIXED | {
+    name: BY_PROGRAM for name, all_ in PLACES.items() if BY_PROGRAM in all_
+}
+AS_CODED |= {"step": BY_TEXT}
+# What is no mistake of the text: there the program alone does other than it says.
+FAULTY = tuple(name for name, all_ in PLACES.items() if MENDED in all_)
+
+
+def settings_of(readings: Answer) -> Settings:
+    """Return the settings that follow from one reading for each place."""
+    # Any: as in PLACES.
+    changed_settings: dict[str, Any] = {}
+    for name, reading in readings.items():
+        changed_settings |= PLACES[name][str(reading)]
+    return Settings.as_printed(**changed_settings)
+
+
+def learn_by(character: str, readings: Answer) -> Letter:
+    """Learn a letter of our alphabet by these readings."""
+    return learn_letter(character, settings_of(readings))
+
+
+def error_by(character: str, readings: Answer) -> float:
+    """Return how far off a letter is by these readings, on average [mm]."""
+    return 1000 * error_of(learn_by(character, readings))
+
+
+def changed(readings: Answer) -> list[str]:
+    """Return the places that are not read as printed."""
+    return [name for name in PLACES if readings[name] != BY_TEXT]
+
+
+@lru_cache(maxsize=64)
+def find_best(character: str, number: int) -> tuple[str, ...]:
+    """Return which places, so many, bring a letter nearest when they alone are mended."""
+    choices = combinations(FAULTY, number)
+    return min(choices, key=lambda names: error_by(character, mend(*names)))
+
+
+def mend(*names: str) -> Answer:
+    """Return the paper as printed with these places mended."""
+    return AS_PRINTED | dict.fromkeys(names, MENDED)
+
+
+def error_left(character: str, name: str) -> float:
+    """Return how far off a letter is if one place is left as printed and all else mended [mm]."""
+    return error_by(character, AS_FIXED | {name: BY_TEXT})
+
+
+def find_costliest(character: str, readings: Answer) -> tuple[str, float]:
+    """Return the place that costs most as it is read, and the error when it is mended [mm]."""
+    errors = {
+        name: error_by(character, readings | {name: right})
+        for name, right in AS_FIXED.items()
+        if readings[name] != right
+    }
+    name = min(errors, key=errors.__getitem__)
+    return name, errors[name]
+
+
+def find_idlest(character: str, readings: Answer) -> tuple[str, float]:
+    """Return the change that does least, and the error when it is put back [mm]."""
+    errors = {name: error_by(character, readings | {name: BY_TEXT}) for name in changed(readings)}
+    name = min(errors, key=errors.__getitem__)
+    return name, errors[name]
+
+
+def names() -> Mapping[str, str]:
+    """Return the name of each place."""
+    return {
+        "push": _("push"),
+        "ends": _("bump ends"),
+        "clock": _("clock"),
+        "step": _("step"),
+        "stand": _("bump places"),
+        "spring": _("spring"),
+        "width": _("bump width"),
+    }
+
+
+def formulas() -> Mapping[str, Mapping[str, str]]:
+    """Return the words of each reading, by the place."""
+    words: dict[str, dict[str, str]] = {
+        "push": {BY_TEXT: "f", MENDED: "f ÷ K"},
+        "ends": {BY_TEXT: "x − c ≤ θ", MENDED: "|x − c| ≤ θ"},
+        "stand": {BY_TEXT: _("0 to 1"), BY_PROGRAM: "i/N", MENDED: "(i−½)/N"},
+        "clock": {BY_TEXT: "ẋ = −x/T", MENDED: "x = 1 − t/T"},
+        "spring": {BY_TEXT: "α = 25", BY_PROGRAM: "4/s", MENDED: "2N"},
+        "step": {BY_TEXT: _("the last one"), MENDED: _("its own")},
+        "width": {BY_TEXT: "1/N", BY_PROGRAM: "2/N"},
+    }
+    kinds = {
+        BY_TEXT: _("printed: {formula}"),
+        BY_PROGRAM: _("program: {formula}"),
+        MENDED: _("mended: {formula}"),
+    }
+    return {
+        name: {kind: kinds[kind].format(formula=formula) for kind, formula in each.items()}
+        for name, each in words.items()
+    }
+
+
+def cause_of(name: str, reading: str) -> str:
+    """Return why a reading costs something, with places for the numbers of `facts_of`."""
+    return {
+        ("push", BY_TEXT): _(
+            "The push is learned with the spring’s K in it, then multiplied by K again: {k} times "
+            "too strong."
+        ),
+        ("ends", BY_TEXT): _(
+            "x − c ≤ θ ends a bump on one side only: all {n} bumps stay awake to the end, and "
+            "learn averages."
+        ),
+        ("stand", BY_TEXT): _(
+            "{n} bumps of width 1/{n} from 0 to 1 leave {gaps} gaps, in which nothing pushes."
+        ),
+        ("stand", BY_PROGRAM): _(
+            "{n} bumps at i/{n} leave half a bump bare, where the letter ends: nothing pushes."
+        ),
+        ("clock", BY_TEXT): _(
+            "This clock slows down and stops at 0.37: only 63 % of the {n} bumps ever wake up."
+        ),
+        ("spring", BY_TEXT): _(
+            "A spring of α = 25 is soft for {n} bumps: it corrects little of what they round off."
+        ),
+        ("spring", BY_PROGRAM): _(
+            "The program’s spring, α = {alpha:.0f}, is so soft that it swings, and corrects little."
+        ),
+        ("step", BY_TEXT): _("Every push comes a step late, {ms:.0f} thousandths of a second."),
+        ("width", BY_PROGRAM): _(
+            "Bumps of width 2/{n} lie over each other: each place gets the average of two."
+        ),
+    }[name, reading]
+
+
+def facts_of(character: str, readings: Answer) -> dict[str, float | str]:
+    """Return the numbers behind the causes."""
+    primitive = learn_by(character, readings).primitives[0]
+    settings = primitive.settings
+    alpha, number = float(settings.alpha or 0), int(settings.n_kernels or 1)
+    stiffness = (alpha / (2 * settings.damping)) ** 2
+    ms = 1000 * primitive.duration / (len(primitive.times) - 1)
+    facts = {"alpha": alpha, "n": number, "gaps": number - 1, "ms": ms}
+    return facts | {"k": f"{stiffness:.0f}"}
