@@ -17,7 +17,9 @@ const SVG_TAGS = new Set("svg g path circle line rect text clipPath defs title".
  * @typedef {HTMLElementTagNameMap
  *   & Omit<SVGElementTagNameMap, keyof HTMLElementTagNameMap>} Tags
  */
-/** @typedef {{ value: string, label: string, name?: string, group?: string }} Option */
+/**
+ * @typedef {{ value: string, label: string, name?: string, group?: string, asks?: boolean }} Option
+ */
 
 /**
  * An element with attributes and children; a child that is null is left out.
@@ -46,6 +48,15 @@ export function change(node, attributes) {
     else node.setAttribute(name, value === true ? "" : value);
   }
   return node;
+}
+
+/**
+ * Mark a control that Python answers: a page without a kernel shows it disabled.
+ * @template {Element} T
+ * @param {T} node
+ */
+export function asking(node) {
+  return change(node, { "data-dt-asks": true });
 }
 
 /**
@@ -80,9 +91,10 @@ export function choice({ legend, options, value, onChange, kind = "dt-choice" })
   const inputs = options.map((option) =>
     make("input", { type: "radio", name: group, value: option.value, "aria-label": option.name }),
   );
-  const labels = options.map(({ label, name }, i) =>
-    make("label", { title: name }, inputs[i], make("span", {}, label)),
-  );
+  const labels = options.map(({ label, name, asks }, i) => {
+    const node = make("label", { title: name }, inputs[i], make("span", {}, label));
+    return asks ? asking(node) : node;
+  });
   const node = make("fieldset", { class: kind }, make("legend", {}, legend), ...labels);
   for (const input of inputs) input.addEventListener("change", () => onChange(input.value));
   const show = (/** @type {string | number} */ chosen) => {

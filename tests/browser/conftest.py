@@ -238,13 +238,16 @@ def opened(chromium, file, request):
     """Open the module's `file` in a browser without network; no trouble and no request may have
     been seen at the end.
 
-    The module's VIEWPORT is the size of the window, unless a test gives another.
+    The module's VIEWPORT is the size of the window, unless a test gives another. READY is what is
+    waited for.
     """
+    ready = getattr(request.module, "READY", ".dt-scene[data-dt-awake='true']")
     contexts, seen = [], []
 
-    def open_it(**options):
+    def open_it(script="", **options):
         context = chromium.new_context(**{"viewport": request.module.VIEWPORT, **options})
         contexts.append(context)
+        context.add_init_script(script)
         context.set_offline(True)
         page = context.new_page()
         page.on("request", lambda request: seen.append(request.url))
@@ -254,7 +257,7 @@ def opened(chromium, file, request):
             lambda message: message.type == "error" and seen.append(f"console: {message.text}"),
         )
         page.goto(file.as_uri())
-        page.wait_for_selector(".dt-scene[data-dt-awake='true']")
+        page.wait_for_selector(ready)
         return page
 
     yield open_it

@@ -18,9 +18,9 @@ SCRIPTS = sorted(PACKAGE.rglob("*.js"))
 ENTRIES = [
     path
     for path in SCRIPTS
-    if "export default" in path.read_text(encoding="utf-8") or path.name == "page.js"
+    if "export default" in path.read_text(encoding="utf-8") or path.name.endswith("page.js")
 ]
-SHARED = {"views/dom.js", "views/texts.js"}
+SHARED = {"views/dom.js", "views/standalone.js", "views/texts.js"}
 MODULES = {
     "entry.js": 'import { number as seen } from "./in/first.js";\n'
     'import {\n  second,\n} from "./in/second.js";\n\n'

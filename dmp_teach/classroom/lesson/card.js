@@ -1,6 +1,6 @@
 // The card of a step: what to do now, in one place above the pictures, with its one main button.
 
-import { change, choice, make } from "../../views/dom.js";
+import { asking, change, choice, make } from "../../views/dom.js";
 import { t } from "../../views/texts.js";
 import { button, ICONS, icon, put, spokenBox } from "../panels/controls.js";
 
@@ -44,6 +44,7 @@ export class Card {
     this.write.prepend(icon(ICONS.pen));
     this.options = spec.bet.options && this.optionBar(send);
     this.buttons.append(...this.all(), this.write);
+    for (const node of [this.toChallenge, this.check, this.hint, this.write]) asking(node);
   }
 
   all() {

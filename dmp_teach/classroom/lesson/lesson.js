@@ -1,7 +1,7 @@
 // A lesson: its steps, the card of the step, the pictures, and the knobs. What a lesson shows comes
 // from Python as a picture; what is drawn by hand here waits for nobody.
 
-import { choice, hear, keepKeys, make, save } from "../../views/dom.js";
+import { asking, choice, hear, keepKeys, make, save } from "../../views/dom.js";
 import { t, useTexts } from "../../views/texts.js";
 import { bump, button, LOG, put, sentence, slider } from "../panels/controls.js";
 import {
@@ -20,7 +20,7 @@ import { Stage } from "./stage.js";
 /** @typedef {Record<string, any>} Values */
 
 /** @param {import("../../views/dom.js").Widget} widget */
-function render({ model, el, host, signal }) {
+export function render({ model, el, host, signal }) {
   useTexts(model.get("texts"));
   const root = keepKeys(make("div", { class: "dt-panel dt-lesson" }));
   const lesson = new LessonView(model);
@@ -59,6 +59,8 @@ class LessonView {
     this.spec = model.get("spec");
     /** @type {Values} what is set, in the hand, too */
     this.values = { ...model.get("values") };
+    /** the values that the sentence is about */
+    this.said = "";
     const says = sentence();
     const asleep = asleepBox(t("The robot does not answer."));
     const robot = robotTable();
@@ -70,7 +72,7 @@ class LessonView {
       options: [
         { value: "bet", label: t("1 Bet") },
         { value: "try", label: t("2 Try") },
-        { value: "challenge", label: t("3 Challenge") },
+        { value: "challenge", label: t("3 Challenge"), asks: true },
       ],
       onChange: (step) => send({ kind: "step", step }),
     });
@@ -142,6 +144,7 @@ class LessonView {
   drawPictures() {
     for (const [name, knob] of Object.entries(this.knobs)) knob.show(this.values[name]);
     this.stage.draw(this.model.get("picture"), this.values);
+    this.parts.says.node.classList.toggle("dt-ahead", JSON.stringify(this.values) !== this.said);
   }
 
   redraw() {
@@ -149,6 +152,7 @@ class LessonView {
     this.steps.show(progress.step);
     this.parts.card.show(progress, this.model.get("card"));
     this.stage.take(progress);
+    this.said = JSON.stringify(this.model.get("values"));
     this.drawPictures();
     this.parts.says.show(this.model.get("message"));
     this.parts.knobs.hidden = progress.step === "bet";
@@ -178,7 +182,7 @@ class LessonView {
       },
     });
     yes.hidden = true;
-    return [save, forget, yes];
+    return [asking(save), asking(forget), yes];
   }
 
   keep(/** @type {Values} */ progress) {
@@ -218,6 +222,7 @@ function knobsOf(knobs, onSet) {
         show: bar.show,
       };
     } else made[name] = knobSlider(knob, (value, isDone) => onSet(name, value, isDone));
+    if (!knob.is_drawn_here) asking(made[name].node);
   }
   return made;
 }

@@ -6,7 +6,10 @@ from typing import Any
 
 import numpy as np
 
+from dmp_teach.classroom.lesson.bets import ChosenBet, LessonState
 from dmp_teach.classroom.lesson.content import Affine, LessonContent, Pick
+from dmp_teach.classroom.lesson.progress import begin_progress
+from dmp_teach.texts import gettext as _
 
 
 # Any, here and below: JSON for the browser.
@@ -38,3 +41,41 @@ def pack(value: Any) -> Any:
     if isinstance(value, list | tuple):
         return [pack(each) for each in value]
     return value.item() if isinstance(value, np.generic) else value
+
+
+def describe_page(lesson: LessonContent) -> dict[str, Any]:
+    """Return a lesson that nobody has begun, each step with what is seen of it at the start."""
+    start, bet = dict(lesson.start), lesson.bet
+    if isinstance(bet, ChosenBet):
+        told = {name: lesson.tell_bet(name) for name in bet.options}
+        any_bet = next(iter(told))
+    else:
+        told = {"line": _("Your bet is the dashed line. Look how far the truth is from it.")}
+        any_bet = bet.checked(np.asarray(bet.handles).tolist())
+    states = {
+        "bet": LessonState(start),
+        "truth": LessonState(start, "bet", any_bet, is_revealed=True),
+        "try": LessonState(start, "try", any_bet, is_revealed=True),
+    }
+    seen = {name: _describe_step(lesson, state) for name, state in states.items()}
+    return {
+        "spec": describe_lesson(lesson) | {"pupil": ""},
+        "progress": begin_progress(),
+        "card": {"bet": "", "rows": [], "hints": [], "offersHint": False},
+        **seen["bet"],
+        **{"values": start, "start": start, "seen": seen, "told": told},
+        **{"status": "", "still": ""},
+    }
+
+
+def _describe_step(lesson: LessonContent, state: LessonState) -> dict[str, Any]:
+    """Return what is seen of a step, without the thresholds that a kernel would draw anew."""
+    picture, knobs = lesson.draw(state), lesson.knobs
+
+    # Any: whatever a plot holds.
+    def keep(plot: dict[str, Any]) -> dict[str, Any]:
+        thresholds = plot.get("thresholds", [])
+        return plot | {"thresholds": [t for t in thresholds if knobs[t["name"]].is_drawn_here]}
+
+    plots = {name: keep(plot) for name, plot in picture.plots.items()}
+    return {"picture": pack({"sheet": picture.sheet, "plots": plots}), "message": picture.says}

@@ -13,7 +13,7 @@ from dmp_teach.classroom.lesson.bets import KeptBet, LessonState
 from dmp_teach.classroom.lesson.check import Answer, Verdict
 from dmp_teach.classroom.lesson.content import LessonContent, Picture
 from dmp_teach.classroom.lesson.knobs import check_answer
-from dmp_teach.classroom.lesson.packing import describe_lesson, pack
+from dmp_teach.classroom.lesson.packing import describe_lesson, describe_page, pack
 from dmp_teach.classroom.lesson.progress import (
     LESSON_STEPS,
     LessonProgress,
@@ -22,6 +22,7 @@ from dmp_teach.classroom.lesson.progress import (
 )
 from dmp_teach.classroom.lesson.work_file import forget_work, read_work, save_work
 from dmp_teach.classroom.panels.kept import forget_all, kept
+from dmp_teach.classroom.panels.panel_page import PanelPage
 from dmp_teach.classroom.panels.robot_panel import RobotPanel
 from dmp_teach.classroom.panels.saved_attempts import find_free_pseudonym
 from dmp_teach.classroom.panels.sheets import SHEET_OF_ANY_LETTER
@@ -44,7 +45,7 @@ class RefusedValueError(SettingError, traitlets.TraitError):
     """A value that no knob has; traitlets puts back the old one."""
 
 
-class LessonPanel(RobotPanel):
+class LessonPanel(RobotPanel, PanelPage):
     """A lesson as a pupil sees it.
 
     `values` are the knobs, which may be set from Python, too; `answer` is what `teach.check` takes.
@@ -57,6 +58,7 @@ class LessonPanel(RobotPanel):
         *(_PANELS / f"{name}.css" for name in ("panel", "paper", "plot")),
         _HERE / "lesson.css",
     )
+    _page_script, _page_traits = _HERE / "lesson_page.js", ("title", "texts")
 
     # Any, here and below: JSON for the browser.
     spec: traitlets.Dict[str, Any] = traitlets.Dict().tag(sync=True)
@@ -277,6 +279,11 @@ class LessonPanel(RobotPanel):
     def draw_still(self) -> Still:
         """Return the letter and the robot's, with the sentence."""
         return super().draw_still()._replace(person=self._demonstration, robot=self._strokes)
+
+    # Any: as `progress`.
+    def _describe_page(self) -> dict[str, Any]:
+        """Return the lesson as it begins; what a pupil has done is in no page."""
+        return describe_page(self.lesson)
 
     def _write_card(self) -> dict[str, Any]:
         """Return the words of the step."""

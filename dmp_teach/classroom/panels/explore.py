@@ -13,11 +13,12 @@ import numpy as np
 import traitlets
 
 from dmp_teach.classroom.panels import messages
+from dmp_teach.classroom.panels.panel_page import PanelPage
 from dmp_teach.classroom.panels.robot_panel import RobotPanel, list_letter_choices, pack_points
 from dmp_teach.classroom.panels.sheets import fit_goal_sheet
 from dmp_teach.classroom.panels.still import Still
 from dmp_teach.dmp import SettingChanges, Settings, knob_of
-from dmp_teach.errors import SettingError, SettingWarning
+from dmp_teach.errors import RecordingError, SettingError, SettingWarning
 from dmp_teach.files import join_modules, join_styles
 from dmp_teach.ink import Recording, characters, recording_of
 from dmp_teach.letters import Letter, rms_distance
@@ -60,7 +61,7 @@ def explore(
     return Explore(recording, page, show, settings)
 
 
-class Explore(RobotPanel):
+class Explore(RobotPanel, PanelPage):
     """The start panel.
 
     Its knobs are traits: `n_kernels`, `kernel_width` [1/N], `stroke`, `goal_x` and `goal_y` [m].
@@ -69,6 +70,12 @@ class Explore(RobotPanel):
 
     _esm = join_modules(_HERE / "explore.js")
     _css = join_styles(STYLE_TOKENS, *(_HERE / sheet for sheet in ("panel.css", "paper.css")))
+    _page_script = _HERE / "explore_page.js"
+    _page_traits = (
+        *("shown", "near", "choices", "letter", "knobs", "n_kernels", "most_kernels"),
+        *("kernel_width", "stroke", "goal_shifts", "drawn_shifts", "goal_terms", "demo", "robot"),
+        *("sheet", "counts", "message", "title", "still", "files", "texts"),
+    )
 
     shown = traitlets.List(list(EXPLORE_PARTS)).tag(sync=True)
     near = traitlets.List(list(NEAR_LETTERS)).tag(sync=True)
@@ -101,6 +108,7 @@ class Explore(RobotPanel):
         self._demo: tuple[Trajectory, ...] = ()
         self._drawn: tuple[object, ...] = ()
         self._own: Recording | None = None
+        self._from_browser: Recording | None = None
         super().__init__(page, knobs=knobs, shown=_check_parts(show), **start)
         self.choices = list_letter_choices()
         if recording is None:
@@ -147,6 +155,21 @@ class Explore(RobotPanel):
         if self.letter == OWN_RECORDING:
             return plain
         return plain._replace(person=self._demo, robot=self._strokes)
+
+    # Any: JSON for the browser.
+    def _describe_page(self) -> dict[str, Any]:
+        """Refuse what was opened in the browser: it may be a pupil's."""
+        if self.letter == OWN_RECORDING and self._own is self._from_browser:
+            raise RecordingError(
+                "A recording that was opened in the panel is written nowhere. Choose a letter of "
+                "the alphabet, or open it by explore(recording)."
+            )
+        return {}
+
+    def _open_bytes(self, name: str, content: bytes) -> None:
+        """Read a file that came from the browser; it is kept nowhere."""
+        super()._open_bytes(name, content)
+        self._from_browser = self._own
 
     def _show_own(self, own: Recording) -> None:
         """Show a recording beside the letters of the alphabet."""

@@ -1,16 +1,11 @@
 // Meshcat's viewer script and the commands that it hears, as Python has packed them.
 
+import { gunzip } from "../gunzip.js";
+
 /** @typedef {ArrayBufferView | ArrayBuffer} Bytes */
 
 /** @type {any} what all copies of this module on a page share */
 const PAGE = globalThis;
-
-/** Unpack bytes that Python has compressed. @param {Bytes} value */
-export async function gunzip(value) {
-  const packed = new Blob([/** @type {BlobPart} */ (value)]);
-  const stream = packed.stream().pipeThrough(new DecompressionStream("gzip"));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
-}
 
 /**
  * Meshcat's viewer script, run once per page; neither its names nor a loader of the page's can

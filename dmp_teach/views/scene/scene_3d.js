@@ -1,7 +1,8 @@
 // The picture in three dimensions: meshcat's viewer without its server, its clock and its panel.
 
+import { gunzip } from "../gunzip.js";
 import { t } from "../texts.js";
-import { commandsOf, gunzip, loadMeshcat } from "./meshcat.js";
+import { commandsOf, loadMeshcat } from "./meshcat.js";
 
 /**
  * @typedef {{

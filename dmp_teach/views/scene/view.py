@@ -12,10 +12,10 @@ from dmp_teach.errors import ViewError, kind_of
 from dmp_teach.files import join_modules, join_styles, write_whole
 from dmp_teach.robot import Motion, Run
 from dmp_teach.texts import javascript_texts
+from dmp_teach.views.page_file import render_page
 from dmp_teach.views.scene.cameras import CAMERA_NAMES
 from dmp_teach.views.scene.commands import pack_robot, pack_viewer, record_stage
 from dmp_teach.views.scene.packing import pack_commands
-from dmp_teach.views.scene.page_file import render_page
 from dmp_teach.views.scene.picture import render_png
 from dmp_teach.views.scene.stage import Stage
 
@@ -115,12 +115,12 @@ class SceneView(anywidget.AnyWidget):
         Raises:
             PathError: A path that cannot be written; what was there before stays.
         """
-        parts = {name: getattr(self, name) for name in ("viewer", "robot", "run", "planned_run")}
-        names = ("facts", "planned_facts", "camera", "seen", "texts")
-        state = {name: getattr(self, name) for name in names}
+        names = ("viewer", "robot", "run", "facts", "planned_run", "planned_facts")
+        state = {name: getattr(self, name) for name in (*names, "camera", "seen", "texts")}
         state |= {"time": 0.0, "playing": True, "speed": 1.0, "compact": False, "motion_id": "0"}
         script = join_modules(_HERE / "page.js")
-        text = render_page("A robot writes a letter", self._css, script, state, parts)
+        label = self.facts["label"]
+        text = render_page("A robot writes a letter", self._css, script, state, label)
         return write_whole(path, text, ".html")
 
     def png(

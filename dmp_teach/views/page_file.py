@@ -1,4 +1,4 @@
-"""The view as one file that opens from disk, without network or kernel."""
+"""A widget as one file that opens from disk, without network or kernel."""
 
 from __future__ import annotations
 
@@ -27,13 +27,16 @@ body {{ margin: 0; padding: 8px; background: var(--jp-layout-color0); }}
 body {{ --jp-layout-color0: #ffffff; --jp-border-color2: #e0e0e0; --jp-ui-font-color0: #111111; }}
 body[data-jp-theme-light="false"] {{ --jp-layout-color0: #111417; --jp-border-color2: #3a4047; }}
 body[data-jp-theme-light="false"] {{ --jp-ui-font-color0: #f4f4f4; }}
-.dt-scene {{ margin: 0 auto; }}
+.dt-scene, .dt-panel {{ margin: 0 auto; }}
+[data-dt-asks] {{ opacity: 0.45; filter: grayscale(1); }}
+.dt-rests {{ margin: 0 0 6px; text-align: center; font: 16px system-ui, sans-serif; }}
+.dt-rests {{ color: var(--jp-ui-font-color0); }}
 </style>
 </head>
 <body>
 <main id="view"></main>
 <noscript>{label} This page needs JavaScript to show it.</noscript>
-{data}
+<script type="application/gzip;base64" id="state">{state}</script>
 <script type="module">
 {script}
 </script>
@@ -42,29 +45,29 @@ body[data-jp-theme-light="false"] {{ --jp-ui-font-color0: #f4f4f4; }}
 """
 
 
-def render_page(
-    title: str, css: str, script: str, state: dict[str, Any], parts: dict[str, bytes]
-) -> bytes:
-    """Return the whole page as the bytes of an HTML file.
+# Any: JSON with bytes at any depth.
+def render_page(title: str, css: str, script: str, state: dict[str, Any], label: str) -> bytes:
+    """Return a widget's page as the bytes of an HTML file.
 
     Args:
         title: Of the window.
-        css: The view's style sheet.
-        script: The page's script; it shows the view with the traits that stand in the page.
-        state: The view's traits that are not bytes, of any type.
-        parts: Those that are: "viewer", "robot", "run" and "planned_run", compressed.
+        css: The widget's style sheet.
+        script: The page's script, which calls `showPage` of `standalone.js`.
+        state: The widget's traits; bytes may stand at any depth.
+        label: What is read where scripts do not run.
     """
-    data = []
-    packed_state = gzip.compress(json.dumps(state).encode("utf-8"), 9, mtime=0)
-    for name, part in {"state": packed_state, **parts}.items():
-        text = base64.b64encode(part).decode("ascii")
-        data.append(f'<script type="application/gzip;base64" id="{name}">{text}</script>')
+    packed = gzip.compress(json.dumps(state, default=_pack_bytes).encode(), 9, mtime=0)
     text = _PAGE.format(
         title=html.escape(title),
         policy=_POLICY,
         css=css,
-        label=html.escape(state["facts"]["label"]),
-        data="\n".join(data),
+        label=html.escape(label),
+        state=base64.b64encode(packed).decode(),
         script=script,
     )
-    return text.encode("utf-8")
+    return text.encode()
+
+
+def _pack_bytes(value: bytes | memoryview) -> dict[str, str]:
+    """Return bytes as the page reads them."""
+    return {"base64": base64.b64encode(value).decode()}
