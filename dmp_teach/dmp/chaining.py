@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -19,7 +19,7 @@ LONGEST_TRAVEL = 5.0
 
 def chain(
     primitives: Iterable[DMP],
-    overlap: float = 0.1,
+    overlap: float | Sequence[float] = 0.1,
     starts: Mapping[int, ArrayLike] | None = None,
     goals: Mapping[int, ArrayLike] | None = None,
 ) -> Trajectory:
@@ -36,7 +36,7 @@ def chain(
         primitives: In the order in which they are drawn.
         overlap: How long before the end of one the next begins [s]; a negative one is a time for
             the way between them, in which the goal moves from the end of the one to the start of
-            the next.
+            the next. One for all joints, or one for each.
         starts: Where movements begin, by their number counted from 0 [m].
         goals: Where they end [m].
 
@@ -49,11 +49,11 @@ def chain(
             number, or an overlap that is longer than half of a movement.
     """
     primitives, starts, goals = tuple(primitives), dict(starts or {}), dict(goals or {})
-    _check(primitives, overlap, starts.keys() | goals.keys())
+    overlaps = _check(primitives, overlap, starts.keys() | goals.keys())
     parts: list[_Part] = []
     for number, primitive in enumerate(primitives):
         plan = Plan.of(primitive, starts.get(number), goals.get(number))
-        parts.append(_Part(plan, parts[-1].end - overlap if parts else 0.0))
+        parts.append(_Part(plan, parts[-1].end - overlaps[number - 1] if parts else 0.0))
     first = parts[0].plan
     now = np.array([first.start, first.start_velocity / first.duration])
     times, path, states = [0.0], [now[0]], np.array([np.full_like(now, np.nan), now])
@@ -133,8 +133,10 @@ def _blend(part: _Part, following: _Part, t: float, h: float) -> tuple[Array, fl
     return one + share * (other - one) + (bend + D * rate) * (y_2 - y) + 2 * rate * (v_2 - v), K, D
 
 
-def _check(primitives: tuple[DMP, ...], overlap: float, numbers: Iterable[int]) -> None:
-    """Raise a TrajectoryError where there is nothing that can be chained."""
+def _check(
+    primitives: tuple[DMP, ...], overlap: float | Sequence[float], numbers: Iterable[int]
+) -> Sequence[float]:
+    """Return an overlap for each joint; raise a TrajectoryError where nothing can be chained."""
     wrong = [each for each in primitives if not isinstance(each, DMP)]
     if wrong or not primitives:
         what = kind_of(wrong[0]) if wrong else "nothing"
@@ -152,8 +154,12 @@ def _check(primitives: tuple[DMP, ...], overlap: float, numbers: Iterable[int]) 
                 f"from 0 to {len(primitives) - 1}."
             )
     most = min(each.duration for each in primitives) / 2
-    if not (isinstance(overlap, int | float) and -LONGEST_TRAVEL <= overlap <= most):
+    joints = len(primitives) - 1
+    given = list(overlap) if isinstance(overlap, Sequence) else [overlap] * max(joints, 1)
+    fits = [isinstance(each, int | float) and -LONGEST_TRAVEL <= each <= most for each in given]
+    if not all(fits) or len(given) < joints:
         raise TrajectoryError(
             f"overlap is {overlap!r}, but it must be between {-LONGEST_TRAVEL:g} s and {most:.3g} "
-            "s, half of the shortest movement."
+            f"s, half of the shortest movement: one number, or {joints}, one for each joint."
         )
+    return given

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from os import PathLike
@@ -138,7 +138,7 @@ class Letter:
 
     def chain(
         self,
-        overlap: float = 0.1,
+        overlap: float | Sequence[float] = 0.1,
         goals: Mapping[int, ArrayLike] | None = None,
         starts: Mapping[int, ArrayLike] | None = None,
         goal_shifts: Mapping[int, ArrayLike] | None = None,
@@ -147,7 +147,7 @@ class Letter:
 
         Args:
             overlap: How long before the end of a stroke the next begins [s]; negative: a time for
-                the connection between them.
+                the connection between them. One for all joints, or one for each.
             goals: As in `write` [m].
             starts: As in `write` [m].
             goal_shifts: As in `write` [m].

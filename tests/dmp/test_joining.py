@@ -183,3 +183,20 @@ def test_starts_and_goals_may_move():
 def test_what_cannot_be_joined_is_said_in_a_sentence(ask, answer):
     with pytest.raises(TrajectoryError, match=answer):
         ask(DMP.imitate(letter()))
+
+
+@few
+@given(presets, st.floats(-0.3, 0.2), st.floats(-0.3, 0.2))
+def test_each_joint_may_have_its_own_overlap(preset, first, second):
+    parts = [DMP.imitate(letter(121, 1.0, seed=n), preset()) for n in range(3)]
+    drawn = chain(parts, overlap=[first, second])
+    assert drawn.duration == pytest.approx(3.0 - first - second)
+    begun = drawn.t <= drawn.t[0] + 2.0 - first - max(second, 0)
+    before = chain(parts[:2], overlap=first)
+    assert np.abs(drawn.position[begun] - before.position[: begun.sum()]).max() < 1e-9
+
+
+def test_an_overlap_for_every_joint_is_needed():
+    parts = [DMP.imitate(letter(121, 1.0, seed=n)) for n in range(3)]
+    with pytest.raises(TrajectoryError, match="one for each joint"):
+        chain(parts, overlap=[0.1])
