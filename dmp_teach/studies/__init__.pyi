@@ -1,6 +1,7 @@
 from .authorship.answers import Answers as Answers
 from .authorship.answers import Attributions as Attributions
 from .authorship.made import attribute_made_letters as attribute_made_letters
+from .authorship.made import ink_directions as ink_directions
 from .authorship.real import classify_writers as classify_writers
 from .experiments.d_to_p import MadeLetter as MadeLetter
 from .experiments.d_to_p import MadeLetters as MadeLetters

@@ -133,7 +133,11 @@ export class Stage {
 
   drawSheet(/** @type {Values} */ sheet) {
     this.caption.show(sheet.caption, sheet.note);
-    this.rings = sheet.rings ?? [];
+    // A home that follows knobs comes as points.
+    this.rings = (sheet.rings ?? []).map((/** @type {any} */ ring) => ({
+      ...ring,
+      home: ring.home.flat(),
+    }));
     this.paper.sheet(sheet.box);
     this.paper.draw({
       title: "",

@@ -132,7 +132,7 @@ def question(way: str, varied: bool, less: bool) -> str:
     return f"{way}{', varied' * varied}, {'less the mean' if less else 'as drawn'}"
 
 
-def directions(path: Array) -> Array:
+def ink_directions(path: Array) -> Array:
     """Return the directions of ink at equal arc length, from its upper end on, shape (78,)."""
     downwards = path if path[0, 1] >= path[-1, 1] else path[::-1]
     step = np.diff(resample_evenly(downwards, DIRECTION_STEPS + 1)[0], axis=0)
@@ -214,8 +214,8 @@ def _last(take: OneTake, how: str, variations: int) -> tuple[Array, Array] | Non
             continue
         size = float(np.ptp(real, axis=0).max())
         for number in range(1 + variations):
-            row[number] = directions(_varied(led, size, number).drawn.position)
-    return directions(real), made
+            row[number] = ink_directions(_varied(led, size, number).drawn.position)
+    return ink_directions(real), made
 
 
 def _shelf(take: OneTake, how: str, settings: Settings) -> Shelf:

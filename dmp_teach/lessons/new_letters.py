@@ -1,0 +1,286 @@
+"""Lesson 07: a letter that nobody has shown, in whose hand (the paper's figure of D and P)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from dmp_teach.classroom import (
+    Answer,
+    ChosenBet,
+    Condition,
+    KeptBet,
+    Knobs,
+    Lesson,
+    LessonState,
+    OneOf,
+    Picture,
+    Slider,
+    Task,
+    at_most,
+    between,
+)
+from dmp_teach.lessons.drawing import tell_number
+from dmp_teach.lessons.new_letters_pictures import draw_blind, draw_letter, draw_speed, draw_whose
+from dmp_teach.lessons.two_hands import BOWL, NewLetter, find_goals
+from dmp_teach.texts import gettext as _
+
+THIRD_STROKES = {"P": "none", "R": "stem", "B": "bowl"}
+SHARES = (30, 50, 70, 130)
+LOWEST, HIGHEST = 40, 60
+MOST_GAP, MOST_LEAN_OFF, MOST_END_OFF = 2.0, 1.0, 6.0
+
+
+class NewLetters(Lesson):
+    """A D becomes a P, an R or a B by other goals, between two hands."""
+
+    key = "07"
+    slug = "new_letters"
+
+    def vary(self, random: np.random.Generator | None) -> None:
+        """Choose the letter to make, its lean, and whose bowl is shown first."""
+        letter, share, self.whose = "P", 50, 2
+        if random is not None:
+            letter = str(random.choice(list(THIRD_STROKES)))
+            share = int(random.choice(SHARES))
+            self.whose = int(random.integers(1, 3))
+        self.letter, self.third = letter, THIRD_STROKES[letter]
+        moved = dict.fromkeys(("goal_x", "goal_y", "third_x", "third_y"), 0.0)
+        self.start: Answer = moved | {"share": 0, "third": "none", "way": "lifted"}
+        self.solution = find_goals(self.start | {"share": share, "third": self.third})
+        self.lean = round(NewLetter(self.solution).lean)
+
+    @property
+    def question(self) -> str:
+        """The title."""
+        return _("Can a robot write a letter that nobody showed it?")
+
+    @property
+    def thirds(self) -> dict[str, str]:
+        """The strokes on the shelf, in words."""
+        names = {"none": _("nothing"), "stem": _("D stem"), "bowl": _("D bowl")}
+        return names | {"hump": _("n hump"), "ring": "o"}
+
+    @property
+    def knobs(self) -> Knobs:
+        """The hands, the shelf, and where strokes end."""
+
+        def goal(label: str, low: float, high: float) -> Slider:
+            return Slider(label, "g", low, high, 0.1, "cm", 1, is_drawn_here=True)
+
+        ways = {"lifted": _("lift the pen"), "joined": _("in one line")}
+        return {
+            "goal_x": goal(_("Bowl’s end to the right"), -4.0, 6.0),
+            "goal_y": goal(_("Bowl’s end upwards"), -2.0, 10.0),
+            "share": Slider(_("How much of hand 2"), "", -50, 150, 5, "%", is_drawn_here=True),
+            "third": OneOf(_("From the shelf"), self.thirds),
+            "third_x": goal(_("Third end to the right"), -4.0, 14.0),
+            "third_y": goal(_("Third end upwards"), -4.0, 10.0),
+            "way": OneOf(_("Between strokes"), ways, is_view=True),
+        }
+
+    @property
+    def bet(self) -> ChosenBet:
+        """Whose bowl it is."""
+        question = _(
+            "Two hands wrote a D. From the bowl of one of them the robot has made the bowl of a P, "
+            "by moving its end. Whose bowl is it?"
+        )
+        hands = {"1": _("hand 1"), "2": _("hand 2"), "none": _("nobody can tell")}
+        return ChosenBet(question, hands)
+
+    @property
+    def tasks(self) -> Sequence[Task]:
+        """What to try."""
+        return (
+            Task(
+                _("Drag the ring to the middle of the stem. Which letter is it now?"),
+                lambda v: v["goal_y"] >= 4,
+            ),
+            Task(
+                _("Take a third stroke from the shelf, and drag its ring. Can you make an R? A B?"),
+                lambda v: v["third"] in ("stem", "bowl") and v["goal_y"] >= 4,
+            ),
+            Task(
+                _("Go from hand 1 to hand 2, and beyond 100 %. Whose bowl is it half way?"),
+                lambda v: v["share"] > 100,
+            ),
+            Task(
+                _("Write it in one line. At which joint does the pen no longer stop?"),
+                lambda v: v["way"] == "joined",
+            ),
+        )
+
+    @property
+    def challenge(self) -> str:
+        """What is checked."""
+        ask = {
+            "P": _("Make a **P** whose bowl meets the stem, from {low} to {high} % of its height."),
+            "R": _(
+                "Make an **R**: its bowl meets the stem from {low} to {high} % of its height, and "
+                "its leg ends on the writing line, right under the widest place of the bowl."
+            ),
+            "B": _(
+                "Make a **B**: its bowl meets the stem from {low} to {high} % of its height, and a "
+                "second bowl ends at the foot of the stem."
+            ),
+        }[self.letter]
+        lean = _("The stem must lean by {lean}°, more or less one degree.")
+        return f"{ask} {lean}".format(low=LOWEST, high=HIGHEST, lean=self.lean)
+
+    @property
+    def hints(self) -> tuple[str, str, str]:
+        """Each more direct."""
+        first = _("Set how much of hand 2 first: when the stem leans, every goal must follow it.")
+        second = _("Then put the ring of the bowl on the middle of the stem.")
+        more = _(" Take {name} from the shelf, and drag its ring, too.")
+        last = _("Take {share} % of hand 2. Move the bowl’s end {x:.1f} cm right and {y:.1f} up.")
+        end = _(" Take {name} from the shelf, and move its end {x3:.1f} cm right and {y3:.1f} up.")
+        if self.third == "none":
+            more = end = ""
+        sign = {"x": "goal_x", "y": "goal_y", "x3": "third_x", "y3": "third_y"}
+        facts = {name: self.solution[knob] for name, knob in sign.items()}
+        facts |= {"share": self.solution["share"], "name": self.thirds[self.third]}
+        return first, (second + more).format(**facts), (last + end).format(**facts)
+
+    def conditions(self, answer: Answer) -> Sequence[Condition]:
+        """Return where the bowl meets the stem, how that leans, and where the third ends."""
+        made = NewLetter(answer)
+        gap, up = made.meeting
+        asked = [
+            at_most(_("bowl to stem"), 1000 * abs(gap), MOST_GAP, "mm"),
+            between(_("they meet at"), 100 * up, LOWEST, HIGHEST, "%"),
+            between(_("lean"), made.lean, self.lean - 1, self.lean + 1, "°"),
+        ]
+        if self.third != "none":
+            off = 1000 * self._miss(made)
+            asked.append(at_most(_("third end off by"), off, MOST_END_OFF, "mm"))
+        return asked
+
+    def _miss(self, made: NewLetter) -> float:
+        """Return how far the third stroke ends from its place [m]; without one, all the way."""
+        if made.third == "none":
+            return float(np.linalg.norm(made.lifted[BOWL][-1] - made.foot))
+        return float(np.linalg.norm(made.third_miss))
+
+    def mistakes(self, answer: Answer) -> Sequence[tuple[bool, str]]:
+        """Return what is open, too low or high, too many, or leans otherwise."""
+        made = NewLetter(answer)
+        met, height, leans, *_end = (each.is_met for each in self.conditions(answer))
+        gap, up = made.meeting
+        x, y = (0, 0) if made.third == "none" else 1000 * made.third_miss
+        facts = {
+            "mm": tell_number(1000 * abs(gap), MOST_GAP),
+            "up": tell_number(100 * up, HIGHEST if up > 0.5 else LOWEST, 0),
+            "aside": _("right") if gap >= 0 else _("left"),
+            "letter": self.letter,
+            "strokes": 2 if self.third == "none" else 3,
+            "took": self.thirds[made.third],
+            "wanted": self.thirds[self.third],
+            "lean": tell_number(made.lean, self.lean + (1 if made.lean > self.lean else -1)),
+            "asked": self.lean,
+            "share": answer["share"],
+            "x": f"{abs(x):.0f}",
+            "y": f"{abs(y):.0f}",
+            "x_way": _("right") if x >= 0 else _("left"),
+            "y_way": _("above") if y >= 0 else _("below"),
+        }
+        is_other = made.third != self.third
+        made_mistakes = {
+            "open": not met,
+            "low": not height and up < 0.5,
+            "high": not height,
+            "many": is_other and self.third == "none",
+            "third": is_other,
+            "lean": not leans,
+            "end": self.third != "none" and self._miss(made) * 1000 > MOST_END_OFF,
+        }
+        words = self._causes()
+        return [(is_made, words[name].format(**facts)) for name, is_made in made_mistakes.items()]
+
+    @staticmethod
+    def _causes() -> dict[str, str]:
+        """Return what is said of each mistake."""
+        return {
+            "open": _(
+                "The bowl is open: it ends {mm} mm {aside} of the stem, {up} % up. Its ring must "
+                "lie on the stem, wherever that leans."
+            ),
+            "low": _("The bowl meets the stem only {up} % up: that is still nearly a D."),
+            "high": _("The bowl meets the stem {up} % up: a {letter} has a larger one."),
+            "third": _("{letter} has {strokes} strokes; the third is {wanted}. You took {took}."),
+            "many": _("P has {strokes} strokes. Put back what you took from the shelf: {took}."),
+            "lean": _(
+                "With {share} % of hand 2 the stem leans by {lean}°, and {asked}° are asked for."
+            ),
+            "end": _(
+                "The third stroke ends {x} mm {x_way} of its place and {y} mm {y_way} it: lead it "
+                "there by its own ring."
+            ),
+        }
+
+    def praise(self, answer: Answer) -> str:
+        """Return what was made, and of whom."""
+        made = NewLetter(answer)
+        words = _(
+            "A {letter} that nobody showed, {share} % of it by hand 2. The bowl ends {mm} mm from "
+            "the stem, {up:.0f} % up."
+        )
+        gap, up = made.meeting
+        mm = tell_number(1000 * abs(gap), MOST_GAP)
+        return words.format(letter=self.letter, share=answer["share"], mm=mm, up=100 * up)
+
+    @property
+    def shown(self) -> NewLetter:
+        """The P of one hand whose bowl is judged."""
+        return NewLetter(find_goals(self.start | {"share": 100 * (self.whose - 1)}))
+
+    def tell_bet(self, bet: KeptBet) -> str:
+        """Return whose it is, and whom two ways of making it are given to."""
+        words = _(
+            "It is hand {whose}’s. By the directions of its ink it is {a:.0f}° from hand 1 and "
+            "{b:.0f}° from hand 2: one would take it for hand {taken}’s. Turned and scaled "
+            "(similarity) one would take it for hand {alike}’s."
+        )
+        shown = self.shown
+        a, b = shown.differences["DMP*"]
+        near = shown.nearest
+        taken = {"taken": near["DMP*"], "alike": near["similarity"]}
+        said = {"1": _("You said hand 1."), "2": _("You said hand 2.")}
+        begin = said.get(str(bet), _("You said: nobody can tell."))
+        return f"{begin} {words.format(whose=self.whose, a=a, b=b, **taken)}"
+
+    def draw(self, state: LessonState) -> Picture:
+        """Draw two hands and a bowl, or the new letter; and whose it is, or how fast the pen is."""
+        if state.step == "bet":
+            shown = self.shown
+            is_seen = state.is_revealed
+            plots = {"whose": draw_whose(shown if is_seen else None)}
+            sheet = draw_blind(shown, self.whose if is_seen else None)
+            return Picture(_ask(is_seen), sheet, plots, shown.strokes)
+        made = NewLetter(state.values)
+        is_joined = state.values["way"] == "joined"
+        plots = {"speed": draw_speed(made)} if is_joined else {"whose": draw_whose(made)}
+        return Picture(_say(made), draw_letter(made), plots, made.strokes)
+
+
+def _ask(is_seen: bool) -> dict[str, str]:
+    """Return what is said of the bowl at the beginning."""
+    text = _("The two hands differ in how they lean, and in how round they are. ")
+    strong = _("Can a new letter show whose it is?") if is_seen else _("Bet first.")
+    return {"number": "", "unit": "", "text": text, "strong": strong, "after": ""}
+
+
+def _say(made: NewLetter) -> dict[str, str]:
+    """Return how far the bowl is from the stem, and whose it is."""
+    gap, up = made.meeting
+    text = _("from the bowl’s end to the stem, {up:.0f} % up. ").format(up=100 * up)
+    near = made.nearest
+    if near["DMP*"] == near["similarity"]:
+        strong = _("By its ink, the bowl is hand {n}’s.").format(n=near["DMP*"])
+    else:
+        strong = _("DMP* makes it look like hand {n}’s, similarity like hand {m}’s.")
+        strong = strong.format(n=near["DMP*"], m=near["similarity"])
+    number = tell_number(1000 * abs(gap), MOST_GAP)
+    return {"number": number, "unit": "mm", "text": text, "strong": strong, "after": ""}

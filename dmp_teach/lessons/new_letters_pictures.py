@@ -1,0 +1,125 @@
+"""A new letter on its sheet between two hands, whose it is, and how fast the pen goes."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from dmp_teach.classroom import Affine, Drawing
+from dmp_teach.lessons.goals import CM
+from dmp_teach.lessons.two_hands import BOWL, HANDS, NewLetter, follow, learn_hands, speed_of
+from dmp_teach.texts import gettext as _
+from dmp_teach.trajectory import Array
+
+BOX = [-0.05, -0.03, 0.14, 0.15]
+# Two letters and a bowl side by side.
+NEXT, BELOW = 0.14, 0.075
+WIDE_BOX = [-0.03, -0.02, 0.39, 0.165]
+MOST_DEGREES = 60.0
+
+
+def draw_blind(shown: NewLetter, whose: int | None) -> Drawing:
+    """Draw the D of both hands and the bowl that the robot made of one, unless it is hidden.
+
+    Once it may be seen, the same bowl by the other rule stands beside it.
+    """
+    places = [NEXT * n * np.eye(2)[0] for n in range(3)]
+    made = _("whose?") if whose is None else _("hand {n} by DMP*").format(n=whose)
+    names = [_("hand 1"), _("hand 2"), made]
+    letters = learn_hands().letters
+    inks = [
+        {"points": stroke.position + place, "kind": "hand"}
+        for letter, place in zip(letters, places, strict=False)
+        for stroke in letter.strokes
+    ]
+    tops = [letter.strokes[0].position[0] for letter in letters]
+    tops.append(tops[0] + [0, 0.012])
+    words = [_word(top + place, name) for top, place, name in zip(tops, places, names, strict=True)]
+    lines = [shown.lifted[BOWL] + places[2]]
+    if whose is not None:
+        lines.append(shown.turned + places[2] - [0, BELOW])
+        words.append(_word(places[2] + [-0.055, 0.005], _("by similarity")))
+    return {
+        "caption": _("On paper"),
+        "note": _("dotted: by hand; blue: by the robot"),
+        "title": _("A D by each of two hands, and the bowl that the robot made of one."),
+        "box": WIDE_BOX,
+        "extras": inks,
+        "dots": words,
+        "robot": lines,
+    }
+
+
+def draw_letter(made: NewLetter) -> Drawing:
+    """Draw the new letter over the D of both hands, with a ring for each goal."""
+    drawn = follow(made.third, str(made.values["way"]))
+    count = 1 if made.third == "none" else 2
+    strokes, goals = drawn[:-count], drawn[-count:]
+    letters = learn_hands().letters
+    inks = [{"points": s.position, "kind": "hand"} for each in letters for s in each.strokes]
+    tops = [letter.strokes[0].position[0] for letter in letters]
+    words = [_word(top, str(n)) for n, top in enumerate(tops[: len(HANDS)], 1)]
+    labels = [_("bowl’s end"), _("third end")]
+    rings = [
+        _ring(goal, label, knob)
+        for goal, label, knob in zip(goals, labels, ("goal", "third"), strict=False)
+    ]
+    return {
+        "caption": _("On paper"),
+        "note": _("dotted: the D of hands 1 and 2"),
+        "title": _("The new letter, over the D of both hands."),
+        "box": BOX,
+        "extras": inks,
+        "dots": words,
+        "robot": strokes,
+        "rings": rings,
+    }
+
+
+def _word(top: Array, label: str) -> Drawing:
+    """Return a word above a stem whose top is at a place (2,) [m]."""
+    return {"at": top[None] + [[-0.008, 0.013]], "kind": "word", "label": label}
+
+
+def _ring(goal: Affine, label: str, knob: str) -> Drawing:
+    """Return a ring that two knobs move [cm]; where they are 0 follows the other knobs."""
+    own = [f"{knob}_x", f"{knob}_y"]
+    home = Affine(goal.base, {name: term for name, term in goal.terms.items() if name not in own})
+    return {"home": home, "at": goal, "knobs": own, "scale": CM, "label": label}
+
+
+def draw_whose(made: NewLetter | None) -> Drawing:
+    """Draw how far the bowl is from that of each hand, by each rule; None hides it."""
+    ticks = [[n, f"{n}°"] for n in range(0, int(MOST_DEGREES) + 1, 20)]
+    x: Drawing = {"label": _("how differently the ink is directed"), "ticks": ticks}
+    x |= {"low": -6.0, "high": MOST_DEGREES}
+    plot: Drawing = {
+        "caption": _("Whose bowl is it?"),
+        "note": _("after your bet"),
+        "x": x,
+        "y": {"label": "", "low": -0.7, "high": 1.7, "ticks": [[1, "DMP*"], [0, _("similarity")]]},
+    }
+    if made is None:
+        return plot
+    dots, lines = [], []
+    for height, apart in zip((1.0, 0.0), made.differences.values(), strict=True):
+        places = [[min(each, MOST_DEGREES), height] for each in apart]
+        lines.append({"points": np.array(places), "kind": "quiet"})
+        for n, place in enumerate(places, 1):
+            dots.append({"at": place, "kind": "robot", "label": str(n)})
+    return plot | {"note": _("at the left: most alike"), "dots": dots, "lines": lines}
+
+
+def draw_speed(made: NewLetter) -> Drawing:
+    """Draw how fast the pen goes in one line, and with lifts."""
+    lifted = NewLetter(made.values | {"way": "lifted"}).strokes
+    lines = [
+        {"points": speed_of(lifted), "kind": "quiet", "label": _("with lifts")},
+        {"points": speed_of(made.strokes), "kind": "robot", "label": _("in one line")},
+    ]
+    return {
+        "caption": _("How fast the pen goes [cm/s]"),
+        "note": _("0: it stops"),
+        "x": {"label": _("time [s]"), "low": 0.0, "high": float(lifted[-1].t[-1])},
+        "y": {"label": "", "low": 0.0, "high": 70.0},
+        "lines": lines,
+    }
