@@ -56,7 +56,8 @@ SAID_ELSEWHERE = {
 def declared(extras=True):
     """What pyproject.toml asks for."""
     project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
-    more = project["optional-dependencies"]["test"] if extras else []
+    optional = project["optional-dependencies"]
+    more = optional["test"] + optional["ways"] if extras else []
     return [Requirement(line) for line in project["dependencies"] + more]
 
 

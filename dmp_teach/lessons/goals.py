@@ -12,6 +12,7 @@ from dmp_teach.classroom import Affine, Answer, Drawing
 from dmp_teach.dmp import DMP, Settings, Stepper
 from dmp_teach.ink import recording_of
 from dmp_teach.lessons.drawing import tell_number
+from dmp_teach.studies import share_of_same_way
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Array, Trajectory, arc_lengths
 
@@ -148,12 +149,7 @@ class MovedLetter:
     @cached_property
     def share(self) -> float:
         """How much of its line goes the way of the person's, to within 45 degrees [%]."""
-        paths = self.path, self.strokes[0].position
-        line, taught = (np.diff(each, axis=0) for each in paths)
-        length = np.linalg.norm(line, axis=1)
-        along = np.sum(line * taught, axis=1)
-        is_same = along > np.sqrt(0.5) * length * np.linalg.norm(taught, axis=1)
-        return float(100 * length[is_same].sum() / max(length.sum(), 1e-9))
+        return 100 * share_of_same_way(self.path, self.strokes[0].position)
 
     @property
     def facts(self) -> Answer:

@@ -34,6 +34,15 @@ from .experiments.variants import NUMBER_VARIANTS as NUMBER_VARIANTS
 from .experiments.variants import WIDTH_VARIANTS as WIDTH_VARIANTS
 from .experiments.variants import Variant as Variant
 from .inputs import RecordingsLike as RecordingsLike
+from .other_ways.compare import WAYS as WAYS
+from .other_ways.compare import WaysTried as WaysTried
+from .other_ways.compare import WayTried as WayTried
+from .other_ways.compare import compare_ways_to_learn as compare_ways_to_learn
+from .other_ways.compare import share_of_same_way as share_of_same_way
+from .other_ways.takes import draw_takes as draw_takes
+from .other_ways.way import GaussianWay as GaussianWay
+from .other_ways.way import Way as Way
+from .other_ways.way import even_path as even_path
 from .parallel import progress_bar as progress_bar
 from .verdicts.all import claims as claims
 from .verdicts.claim import Claim as Claim

@@ -16,3 +16,4 @@ from .paper import draw_kernel_types as draw_kernel_types
 from .robot import draw_reach as draw_reach
 from .stroke import draw_strokes_by_rule as draw_strokes_by_rule
 from .style import draw_style_sheet as draw_style_sheet
+from .ways import draw_ways_to_learn as draw_ways_to_learn

@@ -1,0 +1,1 @@
+"""Other ways to learn a movement that the paper names, beside DMP*."""

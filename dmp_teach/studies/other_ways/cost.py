@@ -1,0 +1,110 @@
+"""Inverse optimal control: a cost is learned, and the letter is what costs least."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cache, cached_property
+from typing import ClassVar, Self
+
+import numpy as np
+from scipy.linalg import cho_solve_banded, cholesky_banded, solveh_banded
+from scipy.optimize import minimize
+
+from dmp_teach.studies.other_ways.way import STEPS, Aligned, GaussianWay, align
+from dmp_teach.trajectory import Array, Trajectory
+
+PLACE_NUMBER = 20
+PLACES = np.linspace(0, STEPS, PLACE_NUMBER).round().astype(int)
+# No take is the same again within less [sizes].
+LEAST_SPREAD = 1e-3
+# Logarithms of the weight of the jerk, and of those of the places [1/sizes^2].
+JERK_RANGE, PLACE_RANGE = (-12.0, 12.0), (0.0, 16.0)
+
+
+@dataclass(frozen=True, eq=False)
+class LearnedCost(GaussianWay):
+    """A quadratic cost of which the letter is the minimum.
+
+        J(y) = w_0 integral of jerk^2 + sum w_k |y(t_k) - p_k|^2
+
+    A person who writes so as to pay little writes y with a probability of exp(-J / 2); the weights
+    are those that make the demonstrations likeliest. J is quadratic, so that the approximation of
+    Levine and Koltun (2012) to that probability is exact. The places p_k are where the
+    demonstrations are on average: where they agree, w_k is large. Yin (2016) learns such costs for
+    handwriting, many for each letter; here it is one.
+
+    Args:
+        aligned: The demonstrations.
+        places: p_k, shape (K, D) [sizes].
+        weights: w_0 to w_K, shape (K + 1,).
+    """
+
+    aligned: Aligned
+    places: Array
+    weights: Array
+    name: ClassVar[str] = "learned cost"
+
+    @classmethod
+    def learn(cls, demonstrations: Iterable[Trajectory]) -> Self:
+        """Find the weights by maximum likelihood."""
+        aligned = align(demonstrations)
+        apart = (aligned.paths - aligned.mean).transpose(0, 2, 1).reshape(-1, STEPS + 1)
+        freedoms = max(len(apart) - aligned.mean.shape[1], 1)
+        # The mean square jerk, and the mean square distance from each place, of the takes.
+        jerk = np.sum((apart @ _third_difference().T) ** 2) / STEPS / freedoms
+        jerk += LEAST_SPREAD**2 * _jerk_bands()[0].sum()
+        spread = (apart[:, PLACES] ** 2).sum(axis=0) / freedoms + LEAST_SPREAD**2
+
+        def misfit(logarithms: Array) -> tuple[float, Array]:
+            """Return -2 log likelihood of the weights for one coordinate, and its gradient."""
+            w = np.exp(logarithms)
+            root = cholesky_banded(_bands(w), lower=True)
+            at_places = cho_solve_banded((root, True), np.eye(STEPS + 1)[:, PLACES])
+            variance = at_places[PLACES, np.arange(PLACE_NUMBER)]
+            expected_jerk = (STEPS + 1 - w[1:] @ variance) / w[0]
+            value = w[0] * jerk + w[1:] @ spread - 2 * np.log(root[0]).sum()
+            return value, w * np.array([jerk - expected_jerk, *(spread - variance)])
+
+        begin = np.array([0.0] + [8.0] * PLACE_NUMBER)
+        bounds = [JERK_RANGE] + [PLACE_RANGE] * PLACE_NUMBER
+        found = minimize(misfit, begin, jac=True, bounds=bounds, options={"maxiter": 50})
+        return cls(aligned, aligned.mean[PLACES], np.exp(found.x))
+
+    @cached_property
+    def mean_path(self) -> Array:
+        """The minimum of the cost."""
+        pull = np.zeros((STEPS + 1, self.places.shape[1]))
+        pull[PLACES] = self.weights[1:, None] * self.places
+        return solveh_banded(_bands(self.weights), pull, lower=True)
+
+    @cached_property
+    def end_gain(self) -> Array:
+        """The minimum where the end is given: a column of the inverse of the cost's matrix."""
+        response = solveh_banded(_bands(self.weights), np.eye(STEPS + 1)[-1], lower=True)
+        return np.multiply.outer(response / response[-1], np.eye(self.places.shape[1]))
+
+    @property
+    def numbers_stored(self) -> int:
+        """The weights, the places, and the duration."""
+        return self.weights.size + self.places.size + 1
+
+
+def _third_difference() -> Array:
+    """Return the matrix that takes the jerk of a path, in tenths, shape (STEPS - 2, STEPS + 1)."""
+    return np.diff(np.eye(STEPS + 1), 3, axis=0) * (STEPS / 10) ** 3
+
+
+@cache
+def _jerk_bands() -> Array:
+    """Return the lower bands of the matrix of the integral of jerk^2, shape (4, STEPS + 1)."""
+    third = _third_difference()
+    rows = [(third[:, k:] * third[:, : STEPS + 1 - k]).sum(axis=0) / STEPS for k in range(4)]
+    return np.array([np.pad(row, (0, k)) for k, row in enumerate(rows)])
+
+
+def _bands(weights: Array) -> Array:
+    """Return the lower bands of the matrix of the cost for one coordinate."""
+    bands = weights[0] * _jerk_bands()
+    bands[0, PLACES] += weights[1:]
+    return bands
