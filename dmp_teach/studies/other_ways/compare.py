@@ -18,19 +18,19 @@ from dmp_teach.studies.inputs import RecordingsLike, list_letters
 from dmp_teach.studies.other_ways.cost import LearnedCost
 from dmp_teach.studies.other_ways.mixture import Mixture
 from dmp_teach.studies.other_ways.probabilistic import Probabilistic
-from dmp_teach.studies.other_ways.star import Star
+from dmp_teach.studies.other_ways.star import StarWay
 from dmp_teach.studies.other_ways.states import HiddenMarkov
 from dmp_teach.studies.other_ways.takes import draw_takes
-from dmp_teach.studies.other_ways.way import STEPS, Way, even_path
+from dmp_teach.studies.other_ways.way import CUTS, Way, even_path
 from dmp_teach.studies.parallel import Progress, run
 from dmp_teach.studies.tables import Columns, Tabled
 from dmp_teach.trajectory import Array, Trajectory, rms
 
 WAYS: Mapping[str, type[Way]] = {
-    each.name: each for each in (Star, Mixture, HiddenMarkov, LearnedCost, Probabilistic)
+    each.name: each for each in (StarWay, Mixture, HiddenMarkov, LearnedCost, Probabilistic)
 }
 """The ways to learn, by their names."""
-NUMBERS = (1, 2, 5, 10)
+NUMBERS_SHOWN = (1, 2, 5, 10)
 # Takes that are drawn to be shown, where no recordings are given.
 TAKES_DRAWN = 10
 
@@ -42,7 +42,7 @@ class WayTried:
     Args:
         way: As it was learned.
         takes: The demonstrations.
-        meant: The letter that they are takes of, shape (STEPS + 1, D) [m].
+        meant: The letter that they are takes of, shape (CUTS + 1, D) [m].
         shift: How far the goal moved, shape (D,) [m].
         letter: As it is written to its own goal.
         moved: As it is written to the goal that moved.
@@ -86,9 +86,9 @@ class WayTried:
         return share_of_same_way(self._timed(self.moved), self._timed(self.letter))
 
     def _timed(self, movement: Trajectory) -> Array:
-        """Return where the pen is at equal parts of the letter's duration (STEPS + 1, D) [m]."""
+        """Return where the pen is at equal parts of the letter's duration (CUTS + 1, D) [m]."""
         t = movement.t - movement.t[0]
-        even = np.linspace(0, self.way.duration, STEPS + 1)
+        even = np.linspace(0, self.way.duration, CUTS + 1)
         return np.column_stack([np.interp(even, t, axis) for axis in movement.position.T])
 
 
@@ -152,7 +152,7 @@ def compare_ways_to_learn(
     else:
         paths, meant = _lay_together(takes, stroke), None
         most = len(paths) - 1
-    wanted = [n for n in NUMBERS if n <= most] if numbers is None else list(numbers)
+    wanted = [n for n in NUMBERS_SHOWN if n <= most] if numbers is None else list(numbers)
     odd = [n for n in wanted if n not in range(1, most + 1)]
     if odd or not wanted:
         asked = f"{odd[0]!r} demonstrations" if odd else "no number of demonstrations"

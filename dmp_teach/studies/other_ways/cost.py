@@ -11,11 +11,11 @@ import numpy as np
 from scipy.linalg import cho_solve_banded, cholesky_banded, solveh_banded
 from scipy.optimize import minimize
 
-from dmp_teach.studies.other_ways.way import STEPS, Aligned, GaussianWay, align
+from dmp_teach.studies.other_ways.way import CUTS, Aligned, GaussianWay, align_takes
 from dmp_teach.trajectory import Array, Trajectory
 
 PLACE_NUMBER = 20
-PLACES = np.linspace(0, STEPS, PLACE_NUMBER).round().astype(int)
+PLACES = np.linspace(0, CUTS, PLACE_NUMBER).round().astype(int)
 # No take is the same again within less [sizes].
 LEAST_SPREAD = 1e-3
 # Logarithms of the weight of the jerk, and of those of the places [1/sizes^2].
@@ -48,11 +48,11 @@ class LearnedCost(GaussianWay):
     @classmethod
     def learn(cls, demonstrations: Iterable[Trajectory]) -> Self:
         """Find the weights by maximum likelihood."""
-        aligned = align(demonstrations)
-        apart = (aligned.paths - aligned.mean).transpose(0, 2, 1).reshape(-1, STEPS + 1)
+        aligned = align_takes(demonstrations)
+        apart = (aligned.paths - aligned.mean).transpose(0, 2, 1).reshape(-1, CUTS + 1)
         freedoms = max(len(apart) - aligned.mean.shape[1], 1)
         # The mean square jerk, and the mean square distance from each place, of the takes.
-        jerk = np.sum((apart @ _third_difference().T) ** 2) / STEPS / freedoms
+        jerk = np.sum((apart @ _third_difference().T) ** 2) / CUTS / freedoms
         jerk += LEAST_SPREAD**2 * _jerk_bands()[0].sum()
         spread = (apart[:, PLACES] ** 2).sum(axis=0) / freedoms + LEAST_SPREAD**2
 
@@ -60,9 +60,9 @@ class LearnedCost(GaussianWay):
             """Return -2 log likelihood of the weights for one coordinate, and its gradient."""
             w = np.exp(logarithms)
             root = cholesky_banded(_bands(w), lower=True)
-            at_places = cho_solve_banded((root, True), np.eye(STEPS + 1)[:, PLACES])
+            at_places = cho_solve_banded((root, True), np.eye(CUTS + 1)[:, PLACES])
             variance = at_places[PLACES, np.arange(PLACE_NUMBER)]
-            expected_jerk = (STEPS + 1 - w[1:] @ variance) / w[0]
+            expected_jerk = (CUTS + 1 - w[1:] @ variance) / w[0]
             value = w[0] * jerk + w[1:] @ spread - 2 * np.log(root[0]).sum()
             return value, w * np.array([jerk - expected_jerk, *(spread - variance)])
 
@@ -74,14 +74,14 @@ class LearnedCost(GaussianWay):
     @cached_property
     def mean_path(self) -> Array:
         """The minimum of the cost."""
-        pull = np.zeros((STEPS + 1, self.places.shape[1]))
+        pull = np.zeros((CUTS + 1, self.places.shape[1]))
         pull[PLACES] = self.weights[1:, None] * self.places
         return solveh_banded(_bands(self.weights), pull, lower=True)
 
     @cached_property
     def end_gain(self) -> Array:
         """The minimum where the end is given: a column of the inverse of the cost's matrix."""
-        response = solveh_banded(_bands(self.weights), np.eye(STEPS + 1)[-1], lower=True)
+        response = solveh_banded(_bands(self.weights), np.eye(CUTS + 1)[-1], lower=True)
         return np.multiply.outer(response / response[-1], np.eye(self.places.shape[1]))
 
     @property
@@ -91,15 +91,15 @@ class LearnedCost(GaussianWay):
 
 
 def _third_difference() -> Array:
-    """Return the matrix that takes the jerk of a path, in tenths, shape (STEPS - 2, STEPS + 1)."""
-    return np.diff(np.eye(STEPS + 1), 3, axis=0) * (STEPS / 10) ** 3
+    """Return the matrix that takes the jerk of a path, in tenths, shape (CUTS - 2, CUTS + 1)."""
+    return np.diff(np.eye(CUTS + 1), 3, axis=0) * (CUTS / 10) ** 3
 
 
 @cache
 def _jerk_bands() -> Array:
-    """Return the lower bands of the matrix of the integral of jerk^2, shape (4, STEPS + 1)."""
+    """Return the lower bands of the matrix of the integral of jerk^2, shape (4, CUTS + 1)."""
     third = _third_difference()
-    rows = [(third[:, k:] * third[:, : STEPS + 1 - k]).sum(axis=0) / STEPS for k in range(4)]
+    rows = [(third[:, k:] * third[:, : CUTS + 1 - k]).sum(axis=0) / CUTS for k in range(4)]
     return np.array([np.pad(row, (0, k)) for k, row in enumerate(rows)])
 
 

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from dmp_teach.dmp import check_point
-from dmp_teach.studies.other_ways.way import STEPS, Aligned, Way, align, import_library
+from dmp_teach.studies.other_ways.way import CUTS, Aligned, Way, align_takes, import_library
 from dmp_teach.trajectory import Array, Trajectory
 
 COMPONENT_NUMBER = 10
@@ -53,14 +53,14 @@ class Mixture(Way):
     @classmethod
     def learn(cls, demonstrations: Iterable[Trajectory]) -> Self:
         """Learn the mixture with scikit-learn, from equal pieces of the demonstrations on."""
-        aligned = align(demonstrations)
+        aligned = align_takes(demonstrations)
         library = import_library("sklearn.mixture", "scikit-learn")
         places = aligned.paths - aligned.paths[:, -1:]
         speed, push = aligned.derivative(1), aligned.derivative(2)
         pull = places + push / STIFFNESS**2 + 2 * speed / STIFFNESS
         seen = np.concatenate([places, speed, pull], axis=2)
         # The last component is the pen at rest on its goal.
-        rest = np.zeros((len(seen), STEPS // COMPONENT_NUMBER, seen.shape[2]))
+        rest = np.zeros((len(seen), CUTS // COMPONENT_NUMBER, seen.shape[2]))
         pieces = [*np.array_split(seen, COMPONENT_NUMBER - 1, axis=1), rest]
         rows = [piece.reshape(-1, seen.shape[2]) for piece in pieces]
         spread = [np.cov(each.T) + 1e-3 * np.eye(seen.shape[2]) for each in rows]
@@ -99,17 +99,17 @@ class Mixture(Way):
         else:
             end = (check_point("goal", goal, len(at.start)) - at.start) / at.size
         place, speed = -end, at.derivative(1)[:, 0].mean(axis=0)
-        step = 10 / STEPS / SMOOTHER
+        step = 10 / CUTS / SMOOTHER
         path = [place]
-        for number in range(round(LONGEST * STEPS) * SMOOTHER):
+        for number in range(round(LONGEST * CUTS) * SMOOTHER):
             push = STIFFNESS**2 * (self.pull(place, speed) - place) - 2 * STIFFNESS * speed
             speed = speed + step * push
             place = place + step * speed
             if (number + 1) % SMOOTHER == 0:
                 path.append(place)
-                if len(path) > STEPS and np.linalg.norm(place) < ARRIVED:
+                if len(path) > CUTS and np.linalg.norm(place) < ARRIVED:
                     break
-        t = at.duration * np.arange(len(path)) / STEPS
+        t = at.duration * np.arange(len(path)) / CUTS
         return Trajectory(t, at.start + at.size * (end + np.array(path)))
 
     @property

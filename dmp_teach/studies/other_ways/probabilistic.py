@@ -9,7 +9,7 @@ from typing import ClassVar, Self
 
 import numpy as np
 
-from dmp_teach.studies.other_ways.way import STEPS, Aligned, GaussianWay, align
+from dmp_teach.studies.other_ways.way import CUTS, Aligned, GaussianWay, align_takes
 from dmp_teach.trajectory import Array, Trajectory
 
 BASIS_NUMBER = 20
@@ -38,7 +38,7 @@ class Probabilistic(GaussianWay):
     @classmethod
     def learn(cls, demonstrations: Iterable[Trajectory]) -> Self:
         """Fit the weights of every demonstration, and take their mean and covariance."""
-        aligned = align(demonstrations)
+        aligned = align_takes(demonstrations)
         fit = np.linalg.pinv(_bumps())
         weights = np.array([(fit @ path).T.ravel() for path in aligned.paths])
         apart = weights - weights.mean(axis=0)
@@ -66,8 +66,8 @@ class Probabilistic(GaussianWay):
 
 
 def _bumps() -> Array:
-    """Return normalised Gaussian bumps, as wide as they are apart, shape (STEPS + 1, N)."""
+    """Return normalised Gaussian bumps, as wide as they are apart, shape (CUTS + 1, N)."""
     centres = np.linspace(-0.02, 1.02, BASIS_NUMBER)
-    away = (np.linspace(0, 1, STEPS + 1)[:, None] - centres) / (centres[1] - centres[0])
+    away = (np.linspace(0, 1, CUTS + 1)[:, None] - centres) / (centres[1] - centres[0])
     heights = np.exp(-0.5 * away**2)
     return heights / heights.sum(axis=1, keepdims=True)

@@ -14,7 +14,7 @@ from dmp_teach.trajectory import Trajectory
 
 
 @dataclass(frozen=True, eq=False)
-class Star(Way):
+class StarWay(Way):
     """DMP* (Algorithm 2 of the paper): it learns the first demonstration, and no other.
 
     Averaging several before would help it as it helps the others; the paper does not.

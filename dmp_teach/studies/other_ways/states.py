@@ -12,7 +12,13 @@ from numpy.typing import NDArray
 from scipy.sparse import csc_array, csr_array, diags_array, eye_array
 from scipy.sparse.linalg import splu
 
-from dmp_teach.studies.other_ways.way import STEPS, Aligned, GaussianWay, align, import_library
+from dmp_teach.studies.other_ways.way import (
+    CUTS,
+    Aligned,
+    GaussianWay,
+    align_takes,
+    import_library,
+)
 from dmp_teach.trajectory import Array, Trajectory
 
 STATE_NUMBER = 16
@@ -44,7 +50,7 @@ class HiddenMarkov(GaussianWay):
     @classmethod
     def learn(cls, demonstrations: Iterable[Trajectory]) -> Self:
         """Learn the states with hmmlearn, from equal pieces of the demonstrations on."""
-        aligned = align(demonstrations)
+        aligned = align_takes(demonstrations)
         hmm = import_library("hmmlearn.hmm", "hmmlearn")
         seen = np.concatenate([aligned.derivative(order) for order in range(3)], axis=2)
         count, samples, numbers = seen.shape
@@ -67,9 +73,9 @@ class HiddenMarkov(GaussianWay):
 
     @property
     def states(self) -> NDArray[np.int_]:
-        """The number of the state at each sample, shape (STEPS + 1,)."""
+        """The number of the state at each sample, shape (CUTS + 1,)."""
         ends = np.cumsum(self.lengths).round()
-        return np.searchsorted(ends[:-1], np.arange(STEPS + 1), side="right")
+        return np.searchsorted(ends[:-1], np.arange(CUTS + 1), side="right")
 
     @cached_property
     def mean_path(self) -> Array:
@@ -79,7 +85,7 @@ class HiddenMarkov(GaussianWay):
     @cached_property
     def end_gain(self) -> Array:
         """The likeliest path to another end: a column of the paths' covariance."""
-        gain = np.zeros((STEPS + 1, *2 * self.means.shape[2:]))
+        gain = np.zeros((CUTS + 1, *2 * self.means.shape[2:]))
         for axis, (_path, response) in enumerate(self._axes):
             gain[:, axis, axis] = response / response[-1]
         return gain
@@ -87,9 +93,9 @@ class HiddenMarkov(GaussianWay):
     @cached_property
     def _axes(self) -> list[tuple[Array, Array]]:
         """The likeliest path of each coordinate, and how it answers to a pull at its end."""
-        slope = csr_array(np.gradient(np.eye(STEPS + 1), 10 / STEPS, axis=0))
-        operators = eye_array(STEPS + 1), slope, slope @ slope
-        last = np.eye(STEPS + 1)[-1]
+        slope = csr_array(np.gradient(np.eye(CUTS + 1), 10 / CUTS, axis=0))
+        operators = eye_array(CUTS + 1), slope, slope @ slope
+        last = np.eye(CUTS + 1)[-1]
         found = []
         for axis in range(self.means.shape[2]):
             certain = 1 / self.variances[self.states, :, axis]

@@ -16,7 +16,7 @@ from dmp_teach.dmp import check_point
 from dmp_teach.errors import MissingPartError, TrajectoryError, kind_of
 from dmp_teach.trajectory import Array, Trajectory
 
-STEPS = 120
+CUTS = 120
 """In so many equal parts of its duration a demonstration is learned."""
 
 
@@ -25,7 +25,7 @@ class Aligned:
     """Demonstrations of one movement, at equal parts of their durations.
 
     Args:
-        paths: Seen from the mean start, in sizes, shape (n, STEPS + 1, D).
+        paths: Seen from the mean start, in sizes, shape (n, CUTS + 1, D).
         start: The mean start, shape (D,) [m].
         size: The larger side of the mean path's bounding box [m].
         duration: The mean [s].
@@ -38,14 +38,14 @@ class Aligned:
 
     @property
     def mean(self) -> Array:
-        """The mean path, shape (STEPS + 1, D) [sizes]."""
+        """The mean path, shape (CUTS + 1, D) [sizes]."""
         return self.paths.mean(axis=0)
 
     def derivative(self, order: int) -> Array:
-        """Return how paths change in a tenth of the movement, shape (n, STEPS + 1, D) [sizes]."""
+        """Return how paths change in a tenth of the movement, shape (n, CUTS + 1, D) [sizes]."""
         values = self.paths
         for _ in range(order):
-            values = np.gradient(values, 10 / STEPS, axis=1)
+            values = np.gradient(values, 10 / CUTS, axis=1)
         return values
 
 
@@ -102,12 +102,12 @@ class GaussianWay(Way):
     @property
     @abstractmethod
     def mean_path(self) -> Array:
-        """The likeliest path, shape (STEPS + 1, D) [sizes]."""
+        """The likeliest path, shape (CUTS + 1, D) [sizes]."""
 
     @property
     @abstractmethod
     def end_gain(self) -> Array:
-        """How each point moves with the end, shape (STEPS + 1, D, D), 0 where nothing moves it."""
+        """How each point moves with the end, shape (CUTS + 1, D, D), 0 where nothing moves it."""
 
     def write(self, goal: ArrayLike | None = None) -> Trajectory:
         """Write the likeliest path, or the likeliest of those that end at a goal."""
@@ -121,7 +121,7 @@ class GaussianWay(Way):
         )
 
 
-def align(demonstrations: Iterable[Trajectory]) -> Aligned:
+def align_takes(demonstrations: Iterable[Trajectory]) -> Aligned:
     """Return demonstrations at equal parts of their durations.
 
     Raises:
@@ -139,7 +139,7 @@ def list_demonstrations(demonstrations: Iterable[Trajectory]) -> tuple[Trajector
     """Return demonstrations, checked.
 
     Raises:
-        TrajectoryError: As `align`.
+        TrajectoryError: As `align_takes`.
     """
     # Any: what somebody gave.
     given: tuple[Any, ...] = (demonstrations,)
@@ -154,7 +154,7 @@ def list_demonstrations(demonstrations: Iterable[Trajectory]) -> tuple[Trajector
     return given
 
 
-def even_path(movement: Trajectory, steps: int = STEPS) -> Array:
+def even_path(movement: Trajectory, steps: int = CUTS) -> Array:
     """Return where a pen is at equal parts of its duration, shape (steps + 1, D) [m]."""
     t = np.linspace(movement.t[0], movement.t[-1], steps + 1)
     return np.column_stack([np.interp(t, movement.t, axis) for axis in movement.position.T])
