@@ -15,7 +15,7 @@ from dmp_teach.studies.other_ways.way import CUTS, Aligned, GaussianWay, align_t
 from dmp_teach.trajectory import Array, Trajectory
 
 PLACE_NUMBER = 20
-PLACES = np.linspace(0, CUTS, PLACE_NUMBER).round().astype(int)
+SAMPLES_OF_PLACES = np.linspace(0, CUTS, PLACE_NUMBER).round().astype(int)
 # No take is the same again within less [sizes].
 LEAST_SPREAD = 1e-3
 # Logarithms of the weight of the jerk, and of those of the places [1/sizes^2].
@@ -54,14 +54,14 @@ class LearnedCost(GaussianWay):
         # The mean square jerk, and the mean square distance from each place, of the takes.
         jerk = np.sum((apart @ _third_difference().T) ** 2) / CUTS / freedoms
         jerk += LEAST_SPREAD**2 * _jerk_bands()[0].sum()
-        spread = (apart[:, PLACES] ** 2).sum(axis=0) / freedoms + LEAST_SPREAD**2
+        spread = (apart[:, SAMPLES_OF_PLACES] ** 2).sum(axis=0) / freedoms + LEAST_SPREAD**2
 
         def misfit(logarithms: Array) -> tuple[float, Array]:
             """Return -2 log likelihood of the weights for one coordinate, and its gradient."""
             w = np.exp(logarithms)
             root = cholesky_banded(_bands(w), lower=True)
-            at_places = cho_solve_banded((root, True), np.eye(CUTS + 1)[:, PLACES])
-            variance = at_places[PLACES, np.arange(PLACE_NUMBER)]
+            at_places = cho_solve_banded((root, True), np.eye(CUTS + 1)[:, SAMPLES_OF_PLACES])
+            variance = at_places[SAMPLES_OF_PLACES, np.arange(PLACE_NUMBER)]
             expected_jerk = (CUTS + 1 - w[1:] @ variance) / w[0]
             value = w[0] * jerk + w[1:] @ spread - 2 * np.log(root[0]).sum()
             return value, w * np.array([jerk - expected_jerk, *(spread - variance)])
@@ -69,13 +69,13 @@ class LearnedCost(GaussianWay):
         begin = np.array([0.0] + [8.0] * PLACE_NUMBER)
         bounds = [JERK_RANGE] + [PLACE_RANGE] * PLACE_NUMBER
         found = minimize(misfit, begin, jac=True, bounds=bounds, options={"maxiter": 50})
-        return cls(aligned, aligned.mean[PLACES], np.exp(found.x))
+        return cls(aligned, aligned.mean[SAMPLES_OF_PLACES], np.exp(found.x))
 
     @cached_property
     def mean_path(self) -> Array:
         """The minimum of the cost."""
         pull = np.zeros((CUTS + 1, self.places.shape[1]))
-        pull[PLACES] = self.weights[1:, None] * self.places
+        pull[SAMPLES_OF_PLACES] = self.weights[1:, None] * self.places
         return solveh_banded(_bands(self.weights), pull, lower=True)
 
     @cached_property
@@ -106,5 +106,5 @@ def _jerk_bands() -> Array:
 def _bands(weights: Array) -> Array:
     """Return the lower bands of the matrix of the cost for one coordinate."""
     bands = weights[0] * _jerk_bands()
-    bands[0, PLACES] += weights[1:]
+    bands[0, SAMPLES_OF_PLACES] += weights[1:]
     return bands
