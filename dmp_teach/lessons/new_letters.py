@@ -71,12 +71,12 @@ class NewLetters(Lesson):
 
         ways = {"lifted": _("lift the pen"), "joined": _("in one line")}
         return {
-            "goal_x": goal(_("Bowl’s end to the right"), -4.0, 6.0),
-            "goal_y": goal(_("Bowl’s end upwards"), -2.0, 10.0),
+            "goal_x": goal(_("Bowl’s end, sideways"), -4.0, 6.0),
+            "goal_y": goal(_("Bowl’s end, upwards"), -2.0, 10.0),
             "share": Slider(_("How much of hand 2"), "", -50, 150, 5, "%", is_drawn_here=True),
             "third": OneOf(_("From the shelf"), self.thirds),
-            "third_x": goal(_("Third end to the right"), -4.0, 14.0),
-            "third_y": goal(_("Third end upwards"), -4.0, 10.0),
+            "third_x": goal(_("Third end, sideways"), -4.0, 14.0),
+            "third_y": goal(_("Third end, upwards"), -4.0, 10.0),
             "way": OneOf(_("Between strokes"), ways, is_view=True),
         }
 
@@ -239,9 +239,9 @@ class NewLetters(Lesson):
     def tell_bet(self, bet: KeptBet) -> str:
         """Return whose it is, and whom two ways of making it are given to."""
         words = _(
-            "It is hand {whose}’s. By the directions of its ink it is {a:.0f}° from hand 1 and "
-            "{b:.0f}° from hand 2: one would take it for hand {taken}’s. Turned and scaled "
-            "(similarity) one would take it for hand {alike}’s."
+            "It is hand {whose}’s. Its ink points {a:.0f}° away from hand 1’s, on average, and "
+            "{b:.0f}° from hand 2’s: who measures would say hand {taken}. If the robot turns and "
+            "scales the bowl instead (similarity), they would say hand {alike}."
         )
         shown = self.shown
         a, b = shown.differences["DMP*"]
@@ -278,9 +278,9 @@ def _say(made: NewLetter) -> dict[str, str]:
     text = _("from the bowl’s end to the stem, {up:.0f} % up. ").format(up=100 * up)
     near = made.nearest
     if near["DMP*"] == near["similarity"]:
-        strong = _("By its ink, the bowl is hand {n}’s.").format(n=near["DMP*"])
+        strong = _("By its ink, the bowl looks like hand {n}’s.").format(n=near["DMP*"])
     else:
-        strong = _("DMP* makes it look like hand {n}’s, similarity like hand {m}’s.")
+        strong = _("By DMP* it looks like hand {n}’s, by similarity like hand {m}’s.")
         strong = strong.format(n=near["DMP*"], m=near["similarity"])
     number = tell_number(1000 * abs(gap), MOST_GAP)
     return {"number": number, "unit": "mm", "text": text, "strong": strong, "after": ""}

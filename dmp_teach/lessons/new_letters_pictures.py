@@ -12,8 +12,8 @@ from dmp_teach.trajectory import Array
 
 BOX = [-0.05, -0.03, 0.14, 0.15]
 # Two letters and a bowl side by side.
-NEXT, BELOW = 0.14, 0.075
-WIDE_BOX = [-0.03, -0.02, 0.39, 0.165]
+NEXT, BELOW = 0.105, 0.085
+WIDE_BOX = [-0.015, -0.045, 0.3, 0.16]
 MOST_DEGREES = 60.0
 
 
@@ -23,7 +23,7 @@ def draw_blind(shown: NewLetter, whose: int | None) -> Drawing:
     Once it may be seen, the same bowl by the other rule stands beside it.
     """
     places = [NEXT * n * np.eye(2)[0] for n in range(3)]
-    made = _("whose?") if whose is None else _("hand {n} by DMP*").format(n=whose)
+    made = _("whose?") if whose is None else "DMP*"
     names = [_("hand 1"), _("hand 2"), made]
     letters = learn_hands().letters
     inks = [
@@ -32,12 +32,12 @@ def draw_blind(shown: NewLetter, whose: int | None) -> Drawing:
         for stroke in letter.strokes
     ]
     tops = [letter.strokes[0].position[0] for letter in letters]
-    tops.append(tops[0] + [0, 0.012])
+    tops.append(tops[0] + [0, 0.009])
     words = [_word(top + place, name) for top, place, name in zip(tops, places, names, strict=True)]
     lines = [shown.lifted[BOWL] + places[2]]
     if whose is not None:
         lines.append(shown.turned + places[2] - [0, BELOW])
-        words.append(_word(places[2] + [-0.055, 0.005], _("by similarity")))
+        words.append(_word(lines[1][-1] - [0.01, 0.035], _("similarity")))
     return {
         "caption": _("On paper"),
         "note": _("dotted: by hand; blue: by the robot"),
@@ -90,7 +90,7 @@ def _ring(goal: Affine, label: str, knob: str) -> Drawing:
 def draw_whose(made: NewLetter | None) -> Drawing:
     """Draw how far the bowl is from that of each hand, by each rule; None hides it."""
     ticks = [[n, f"{n}°"] for n in range(0, int(MOST_DEGREES) + 1, 20)]
-    x: Drawing = {"label": _("how differently the ink is directed"), "ticks": ticks}
+    x: Drawing = {"label": _("how differently it points"), "ticks": ticks}
     x |= {"low": -6.0, "high": MOST_DEGREES}
     plot: Drawing = {
         "caption": _("Whose bowl is it?"),
@@ -100,25 +100,25 @@ def draw_whose(made: NewLetter | None) -> Drawing:
     }
     if made is None:
         return plot
-    dots, lines = [], []
-    for height, apart in zip((1.0, 0.0), made.differences.values(), strict=True):
-        places = [[min(each, MOST_DEGREES), height] for each in apart]
-        lines.append({"points": np.array(places), "kind": "quiet"})
-        for n, place in enumerate(places, 1):
-            dots.append({"at": place, "kind": "robot", "label": str(n)})
-    return plot | {"note": _("at the left: most alike"), "dots": dots, "lines": lines}
+    rows = zip((1.0, 0.0), made.differences.values(), strict=True)
+    dots = [
+        {"at": [min(each, MOST_DEGREES), height + lift], "kind": "robot", "label": str(n)}
+        for height, apart in rows
+        for n, each, lift in zip((1, 2), apart, (0.16, -0.16), strict=True)
+    ]
+    return plot | {"note": _("at the left: most alike"), "dots": dots}
 
 
 def draw_speed(made: NewLetter) -> Drawing:
     """Draw how fast the pen goes in one line, and with lifts."""
     lifted = NewLetter(made.values | {"way": "lifted"}).strokes
     lines = [
-        {"points": speed_of(lifted), "kind": "quiet", "label": _("with lifts")},
-        {"points": speed_of(made.strokes), "kind": "robot", "label": _("in one line")},
+        {"points": speed_of(lifted), "kind": "quiet"},
+        {"points": speed_of(made.strokes), "kind": "robot"},
     ]
     return {
         "caption": _("How fast the pen goes [cm/s]"),
-        "note": _("0: it stops"),
+        "note": _("thin: with lifts"),
         "x": {"label": _("time [s]"), "low": 0.0, "high": float(lifted[-1].t[-1])},
         "y": {"label": "", "low": 0.0, "high": 70.0},
         "lines": lines,
