@@ -116,13 +116,13 @@ class NewLetters(Lesson):
     def challenge(self) -> str:
         """What is checked."""
         ask = {
-            "P": _("Make a **P** whose bowl meets the stem, from {low} to {high} % of its height."),
+            "P": _("Make a P whose bowl meets the stem, from {low} to {high} % of its height."),
             "R": _(
-                "Make an **R**: its bowl meets the stem from {low} to {high} % of its height, and "
+                "Make an R: its bowl meets the stem from {low} to {high} % of its height, and "
                 "its leg ends on the writing line, right under the widest place of the bowl."
             ),
             "B": _(
-                "Make a **B**: its bowl meets the stem from {low} to {high} % of its height, and a "
+                "Make a B: its bowl meets the stem from {low} to {high} % of its height, and a "
                 "second bowl ends at the foot of the stem."
             ),
         }[self.letter]
