@@ -96,7 +96,10 @@ def test_every_file_that_is_read_is_in_the_wheel(wheel):
     kinds = {".py", ".pyi", ".js", ".css", ".typed", ".po", ".pot"}
     package = [path for path in (ROOT / "dmp_teach").rglob("*") if path.suffix in kinds]
     assets = [*(ROOT / "assets").glob("*.urdf"), *(ROOT / "assets" / "meshes").iterdir()]
-    assets += (ROOT / "assets" / "alphabets").rglob("*.json")
+    assets += [
+        *(ROOT / "assets" / "alphabets").rglob("*.json"),
+        *(ROOT / "assets" / "pupils").iterdir(),
+    ]
     wanted = {path.relative_to(ROOT).as_posix() for path in package}
     wanted |= {f"dmp_teach/{path.relative_to(ROOT).as_posix()}" for path in assets}
     assert {name for name in wanted if "__pycache__" not in name} - inside == set()

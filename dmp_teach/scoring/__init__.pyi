@@ -11,6 +11,7 @@ from .letter_score import check_hand as check_hand
 from .letter_score import leading_fault as leading_fault
 from .letter_score import score as score
 from .matching import match_strokes as match_strokes
+from .phrases import place_in_words as place_in_words
 from .reading import read_letter as read_letter
 from .resampling import resample as resample
 from .resampling import size_of as size_of

@@ -1,0 +1,144 @@
+"""A session of teaching: a log without identity that replays to the bit, and a teacher for it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from typing import Any, Self
+
+import numpy as np
+
+from dmp_teach.classroom.teaching.pupil import RobotPupil
+from dmp_teach.classroom.teaching.traits import PupilTraits
+from dmp_teach.errors import RecordingError
+from dmp_teach.files import must
+from dmp_teach.ink import recording_of
+from dmp_teach.scoring import LetterLike, to_strokes
+from dmp_teach.trajectory import Trajectory
+
+FORMAT, VERSION = "dmp_teach teaching", 1
+# A log keeps whole milliseconds and hundredths of a millimetre.
+TICK, GRAIN = 1e-3, 1e-5
+MOST_TURNS = 100
+
+# Of each stroke: t [ms], x, y [0.01 mm], point by point.
+LoggedStrokes = list[list[list[int]]]
+
+
+@dataclass(frozen=True)
+class TeachingTurn:
+    """One turn: what was shown, and what was answered to the question, if anything."""
+
+    strokes: LoggedStrokes
+    answer: bool | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class TeachingSession:
+    """A pupil that is taught, turn by turn; made by `TeachingSession.begin`.
+
+    Args:
+        traits: Of the pupil.
+        letter: What it is taught.
+        turns: Every turn, in order.
+        shown: The pupil when it had been shown each turn, before its question was answered.
+        met: The pupil as it came to each turn, and as it would come to the next.
+    """
+
+    traits: PupilTraits
+    letter: str
+    turns: tuple[TeachingTurn, ...] = ()
+    shown: tuple[RobotPupil, ...] = ()
+    met: tuple[RobotPupil, ...] = ()
+
+    @classmethod
+    def begin(cls, traits: PupilTraits, letter: str) -> Self:
+        """Return a session in which nothing was shown yet; a RecordingError: no such letter."""
+        return cls(traits, letter, met=(RobotPupil.load(traits, letter),))
+
+    def show(self, demonstration: LetterLike) -> Self:
+        """Return the session with one turn more.
+
+        Raises:
+            LetterError: No strokes.
+            RecordingError: More turns than a session has.
+        """
+        must(len(self.turns) < MOST_TURNS, "turns", len(self.turns) + 1, f"at most {MOST_TURNS}")
+        turn = TeachingTurn([_log(each) for each in to_strokes(demonstration)])
+        # What is learned is what the log holds.
+        pupil = self.met[-1].learn(_strokes_of(turn.strokes))
+        return replace(
+            self,
+            turns=(*self.turns, turn),
+            shown=(*self.shown, pupil),
+            met=(*self.met, pupil.forget()),
+        )
+
+    def answer(self, is_yes: bool) -> Self:
+        """Return the session with an answer to the question of the last turn."""
+        if not self.turns:
+            return self
+        answered = self.shown[-1].answer(is_yes)
+        turns = (*self.turns[:-1], replace(self.turns[-1], answer=is_yes))
+        return replace(self, turns=turns, met=(*self.met[:-1], answered.forget()))
+
+    def as_json(self) -> dict[str, Any]:
+        """Return the log: nothing in it says who has taught, or when."""
+        turns = [{"strokes": each.strokes, "answer": each.answer} for each in self.turns]
+        about = {"format": FORMAT, "version": VERSION, "letter": self.letter}
+        return {**about, "pupil": self.traits.as_json(), "turns": turns}
+
+    # Any: JSON.
+    @classmethod
+    def of(cls, content: Any) -> Self:
+        """Return the session of a log.
+
+        Raises:
+            RecordingError: It is none.
+        """
+        try:
+            must(content["format"] == FORMAT, "format", content["format"], FORMAT)
+            session = cls.begin(PupilTraits.of(content["pupil"]), content["letter"])
+            for turn in content["turns"]:
+                session = session.show(_strokes_of(turn["strokes"]))
+                must(
+                    turn["answer"] in (True, False, None), "answer", turn["answer"], "true or false"
+                )
+                session = session if turn["answer"] is None else session.answer(turn["answer"])
+        except (KeyError, TypeError, ValueError, IndexError, OverflowError) as error:
+            raise RecordingError(f"This is no log of teaching: {error!r:.100}") from None
+        return session
+
+
+def _log(stroke: Trajectory) -> list[list[int]]:
+    """Return a stroke in whole numbers; points at one moment become the later one."""
+    t = np.rint(stroke.t / TICK).astype(int)
+    xy = np.rint(stroke.position / GRAIN).astype(int)
+    last = np.append(np.diff(t) > 0, True)
+    return np.column_stack([t, xy])[last].tolist()
+
+
+def _strokes_of(logged: Sequence[Sequence[Sequence[int]]]) -> tuple[Trajectory, ...]:
+    """Return the strokes of a log."""
+    rows = [np.array(stroke, dtype=float) for stroke in logged]
+    return tuple(Trajectory(each[:, 0] * TICK, each[:, 1:] * GRAIN) for each in rows)
+
+
+def teach_in_simulation(
+    traits: PupilTraits, letter: str, turns: int, answers: bool = True
+) -> TeachingSession:
+    """Return a session in which our own letter is shown, whatever the pupil writes.
+
+    Args:
+        traits: Of the pupil.
+        letter: What it is taught.
+        turns: How often it is shown.
+        answers: Whether its questions are answered, and rightly.
+    """
+    session = TeachingSession.begin(traits, letter)
+    for _ in range(turns):
+        session = session.show(recording_of(letter))
+        question = session.shown[-1].question
+        if answers and question is not None:
+            session = session.answer(question.is_so)
+    return session
