@@ -19,7 +19,7 @@ _NAMES = {
     "scoring": "score Score letter_distance",
     "dmp": "Settings DMP Stepper chain",
     "letters": "Letter Style Shelf Piece make_letter write_word write_lines",
-    "robot": "Page Motion Fetch reach_map reach_around simulate Run",
+    "robot": "Page Motion Fetch reach_map reach_around known_reach simulate Run",
     "ros": "write_rosbag",
     "studies": "claims choose_kernels sweep_kernel_width sweep_kernel_number change_goals_1d "
     "change_goals_2d progress_bar",

@@ -46,6 +46,7 @@ from dmp_teach.robot import Fetch as Fetch
 from dmp_teach.robot import Motion as Motion
 from dmp_teach.robot import Page as Page
 from dmp_teach.robot import Run as Run
+from dmp_teach.robot import known_reach as known_reach
 from dmp_teach.robot import reach_around as reach_around
 from dmp_teach.robot import reach_map as reach_map
 from dmp_teach.robot import simulate as simulate

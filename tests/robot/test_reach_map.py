@@ -8,6 +8,7 @@ import pytest
 import dmp_teach as teach
 from dmp_teach.errors import PageError
 from dmp_teach.robot.page import Page
+from dmp_teach.robot.reach.known import USUAL_PAGES, known_reach
 from dmp_teach.robot.reach.map import reach_around, reach_map
 
 pytest.importorskip("placo", reason="PlaCo is not on this platform")
@@ -118,3 +119,20 @@ def test_around_what_is_no_page_there_is_no_map():
     ):
         reach_around("table")
     assert reach_around(Page.board(), (0.9,), (0.0,)).reached.all()
+
+
+@pytest.mark.parametrize("name", ["table", "desk", "board"])
+def test_a_known_map_is_what_the_solver_finds(name):
+    known = known_reach(name)
+    rows, columns = np.random.default_rng(8).integers(known.reached.shape, size=(3, 2)).T
+    for row, column in zip(rows, columns, strict=True):
+        x, y = known.x[column : column + 1], known.across[row : row + 1]
+        found = reach_around(USUAL_PAGES[name], x, y)
+        assert repr(found.pages[0][0]) == repr(known.pages[row][column])
+        assert found.effort == pytest.approx(known.effort[row, column], abs=0.006)
+        assert found.residual == pytest.approx(known.residual[row, column], abs=6e-6)
+
+
+def test_a_map_that_is_not_known_is_refused_by_name():
+    with pytest.raises(PageError, match="'table', 'desk', 'board'"):
+        known_reach("ceiling")

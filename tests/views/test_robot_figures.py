@@ -6,7 +6,7 @@ import pytest
 from dmp_teach.errors import ViewError
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.reach.map import ReachMap
-from dmp_teach.views.figures.robot import draw_reach
+from dmp_teach.views.figures.robot import draw_reach, draw_writing
 
 INF = np.inf
 
@@ -84,3 +84,12 @@ def test_what_is_no_map_is_refused(maps):
         ViewError, match=r"takes maps, as reach_map\(\) and reach_around\(\) give them"
     ):
         draw_reach(*maps)
+
+
+def test_from_frame_to_frame_there_is_more_ink(motion):
+    pytest.importorskip("pybullet", reason="pybullet draws the frames")
+    frames = [panel.images[0].get_array() for panel in draw_writing(motion, "page from above").axes]
+    ink = [(frame[..., 2] - frame[..., 0] > 0.4).sum() for frame in frames]
+    assert len(ink) == 6
+    assert ink == sorted(ink)
+    assert ink[-1] > 2 * ink[0]

@@ -14,6 +14,7 @@ from .paper import draw_goal_change_over_time as draw_goal_change_over_time
 from .paper import draw_kernel_choice as draw_kernel_choice
 from .paper import draw_kernel_types as draw_kernel_types
 from .robot import draw_reach as draw_reach
+from .robot import draw_writing as draw_writing
 from .stroke import draw_strokes_by_rule as draw_strokes_by_rule
 from .style import draw_style_sheet as draw_style_sheet
 from .ways import draw_ways_to_learn as draw_ways_to_learn

@@ -1,17 +1,30 @@
-"""Figures of the robot: where a page can lie."""
+"""Figures of the robot: where a page can lie, and how it writes."""
 
 from __future__ import annotations
+
+from io import BytesIO
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from scipy.spatial import ConvexHull
+from matplotlib.image import imread
 
 from dmp_teach.errors import ViewError
-from dmp_teach.robot import TIP_TOLERANCE, Model, Page, ReachMap
+from dmp_teach.robot import (
+    ROBOT_PARTS,
+    TIP_TOLERANCE,
+    Model,
+    Motion,
+    Page,
+    ReachMap,
+    Run,
+    outline_from_above,
+)
 from dmp_teach.trajectory import Array
 from dmp_teach.views.figures.figure_style import DrawStyle, add_legend_below, new_figure, style_axes
 from dmp_teach.views.palette import MUTED_COLOR, SHADE_COLOR, STROKE_COLORS, TEXT_COLOR
+from dmp_teach.views.scene.picture import render_png
+from dmp_teach.views.scene.stage import Stage
 
 # Each a form of its own, so that they stay apart in grey.
 REACH_LOOKS: dict[str, DrawStyle] = {
@@ -31,11 +44,6 @@ REACH_LOOKS: dict[str, DrawStyle] = {
     },
     "too far": {"marker": ".", "markersize": 2.5, "color": MUTED_COLOR},
 }
-DRAWN_PARTS = (
-    ("base_link", "l_wheel_link", "r_wheel_link"),
-    ("torso_fixed_link", "torso_lift_link"),
-    ("head_pan_link", "head_tilt_link"),
-)
 
 
 def draw_reach(*maps: ReachMap) -> Figure:
@@ -59,13 +67,38 @@ def draw_reach(*maps: ReachMap) -> Figure:
     return figure
 
 
+def draw_writing(motion: Motion | Run, camera: str = "over the shoulder") -> Figure:
+    """Draw the robot that writes, in six frames from left to right and then down (figure 1).
+
+    Args:
+        motion: What the robot does, or the run that shows what it did.
+        camera: "whole robot", "over the shoulder" or "page from above".
+
+    Raises:
+        SettingError: Another camera.
+        MissingPartError: pybullet, which draws the frames, is not installed.
+    """
+    run = motion if isinstance(motion, Run) else None
+    stage = Stage(motion.motion if isinstance(motion, Run) else motion, run)
+    rows, columns = 2, 3
+    figure, panels = new_figure(rows, columns, 4.0 * columns, 2.8 * rows)
+    down = np.flatnonzero(motion.planned.pen_down if isinstance(motion, Run) else motion.pen_down)
+    moments = motion.t[down[np.linspace(0, len(down) - 1, rows * columns).astype(int)]]
+    for panel, moment in zip(panels.flat, moments, strict=True):
+        picture = render_png(stage, float(moment - motion.t[0]), camera, 480, 320)
+        panel.imshow(imread(BytesIO(picture)))
+        panel.set_axis_off()
+        panel.set_title(f"{moment - motion.t[0]:.1f} s", fontsize=10, color=TEXT_COLOR)
+    return figure
+
+
 def _plot_from_above(panel: Axes, reach: ReachMap) -> None:
     """Plot the robot from above, looking up the panel, and a mark at each page's centre."""
     right = "page's centre to the robot's right [m]"
     style_axes(panel, right, "page's centre ahead of the robot [m]", "Seen from above")
     panel.set_aspect("equal", adjustable="box")
-    for links in DRAWN_PARTS:
-        outline = _find_outline(links)
+    for links in ROBOT_PARTS:
+        outline = outline_from_above(links)
         look: DrawStyle = {"facecolor": SHADE_COLOR, "edgecolor": MUTED_COLOR, "linewidth": 1.1}
         panel.fill(-outline[:, 1], outline[:, 0], **look)
     x, y = Model.load().frame("shoulder_pan_link", np.empty((1, 0)), ())[0, :2, 3]
@@ -117,16 +150,3 @@ def _name_place(
         "bbox": {"facecolor": "white", "edgecolor": "none", "pad": 1.5},
     }
     panel.annotate(name, place, at, color=TEXT_COLOR, fontsize=9, va="center", zorder=6, **look)
-
-
-def _find_outline(links: tuple[str, ...]) -> Array:
-    """Return the hull of some links' shells, seen from above, shape (n, 2) [m]."""
-    model = Model.load()
-    poses = model.link_poses(np.empty((1, 0)), ())
-    shells = []
-    for piece in model.visuals:
-        if piece.link in links:
-            X = poses[piece.link][0] @ piece.X_link_visual
-            shells.append(piece.vertices @ X[:3, :3].T + X[:3, 3])
-    points = np.concatenate(shells)[:, :2]
-    return points[ConvexHull(points).vertices]
