@@ -13,8 +13,10 @@ from dmp_teach.classroom.lesson.bets import Bet, KeptBet, LessonState
 from dmp_teach.classroom.lesson.check import Answer, Condition, Verdict, judge
 from dmp_teach.classroom.lesson.knobs import Knobs, check_answer
 from dmp_teach.classroom.panels.messages import Message
+from dmp_teach.classroom.panels.planning import Physics
 from dmp_teach.errors import SettingError
 from dmp_teach.ink import check_pseudonym
+from dmp_teach.robot import Page
 from dmp_teach.trajectory import Array, Trajectory
 
 
@@ -57,12 +59,16 @@ class Picture:
         sheet: Of the letter: box, demo, robot, and what else `lesson.js` draws on paper.
         plots: Of each plot by its name: caption, note, and a scene of `plot.js`.
         strokes: What the robot writes when it is asked.
+        page: Where it writes them; None where the lesson has no say in it.
+        physics: What `simulate` is called with; None: the robot's motion is shown as planned.
     """
 
     says: Message
     sheet: Drawing | None = None
     plots: dict[str, Drawing] = field(default_factory=dict)
     strokes: tuple[Trajectory, ...] = ()
+    page: Page | None = None
+    physics: Physics | None = None
 
 
 @dataclass(frozen=True)
@@ -157,6 +163,10 @@ class LessonContent:
     def draw(self, state: LessonState) -> Picture:
         """Return what is seen; quick, since it is called while a slider moves."""
         raise NotImplementedError
+
+    def values_on(self, page: Page, values: Answer) -> Answer:
+        """Return what is to be set so that the robot writes on a page that cures a fault."""
+        return values
 
     def conditions(self, answer: Answer) -> Sequence[Condition]:
         """Return what the challenge asks for, each with the number of this answer."""

@@ -29,7 +29,7 @@ from dmp_teach.classroom.panels.sheets import SHEET_OF_ANY_LETTER
 from dmp_teach.classroom.panels.still import Still
 from dmp_teach.errors import SettingError, TeachError
 from dmp_teach.files import join_modules, join_styles
-from dmp_teach.robot import Motion
+from dmp_teach.robot import Motion, Page, Run
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Trajectory
 from dmp_teach.views import STYLE_TOKENS
@@ -238,9 +238,14 @@ class LessonPanel(RobotPanel, PanelPage):
     def _show_result(self, result: object) -> None:
         """Show the motion, and tick what the robot was to do; or say what it cannot."""
         super()._show_result(result)
-        if isinstance(result, Motion) and self.progress["step"] == "try":
+        if isinstance(result, Motion | Run) and self.progress["step"] == "try":
             written = {i for i, task in enumerate(self.lesson.tasks) if task.by_robot}
             self._change(done=sorted(written.union(self.progress["done"])))
+
+    def _move_page(self, page: Page) -> None:
+        """Turn the lesson's knobs to a page that works."""
+        super()._move_page(page)
+        self.values = self.lesson.values_on(page, dict(self.values))
 
     @traitlets.observe("asked")
     def _answer(self, _change: object) -> None:
@@ -261,7 +266,7 @@ class LessonPanel(RobotPanel, PanelPage):
             self.message = picture.says
             self._draw_on_still(picture)
             self.card = self._write_card()
-            self._show_strokes(picture.strokes)
+            self._show_strokes(picture.strokes, picture.page, picture.physics)
             self.drawing += 1
             self.answered += 1
         self._kept.update(self._work())
@@ -269,9 +274,10 @@ class LessonPanel(RobotPanel, PanelPage):
     def _draw_on_still(self, picture: Picture) -> None:
         """Set what an exported notebook shows: our own letter, and never the pupil's bet."""
         # Any: whatever a sheet holds.
-        sheet: dict[str, Any] = picture.sheet or {"box": SHEET_OF_ANY_LETTER}
+        sheet: dict[str, Any] = picture.sheet or {}
         self.title = self.lesson.question
-        self.sheet = [float(side) for side in sheet["box"]]
+        box = None if picture.page else sheet.get("box")
+        self.sheet = [float(side) for side in box or SHEET_OF_ANY_LETTER]
         self._demonstration = [
             Trajectory(np.arange(len(path), dtype=float), path) for path in sheet.get("demo", ())
         ]

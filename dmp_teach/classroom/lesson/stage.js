@@ -146,10 +146,11 @@ export class Stage {
       stroke: 0,
       ...this.handlesOf("sheet"),
       ...sheet,
-      taught: this.rings.map(({ home }) => home),
+      taught: this.rings.map(({ home, at, isFree }) => (isFree ? at[0] : home)),
       goals: this.rings.map(({ at }) => at[0]),
-      names: this.rings.map(({ label, at, knobs }) => ({
-        ...{ label, now: 0, text: spokenPlace(at[0]), isFixed: !knobs.length },
+      names: this.rings.map(({ label, at, knobs, scale, word }) => ({
+        ...{ label, word, now: 0, text: spokenPlace(at[0]), isFixed: !knobs.length },
+        step: knobs.length ? scale * this.spec.knobs[knobs[0]].step : undefined,
       })),
     });
   }

@@ -214,7 +214,7 @@ class Pad(RobotPanel):
         forget(self._key)
         self._take_kept()
         self.motion = None
-        self._on_the_table = b""
+        self._on_the_table = ()
         if self.scene is not None:
             self.scene.show(None)
         self.start_again()

@@ -14,6 +14,8 @@ import { badgePlaces, wordPlace } from "./layout.js";
  */
 
 export const RING = 10;
+// How far an arrow key moves a ring [m].
+const STEP = 0.001;
 const CATCH = 22;
 const CROSS =
   `M${RING} 0A${RING} ${RING} 0 1 1 ${-RING} 0A${RING} ${RING} 0 1 1 ${RING} 0` +
@@ -36,9 +38,10 @@ export function goalLabels(view, goals, { robot, demo }) {
 }
 
 /**
- * One goal: it takes focus, arrow keys move it 1 mm (Shift 1 cm), Home puts it back.
+ * One goal: it takes focus, arrow keys move it one step, 1 mm unless another is given (Shift ten),
+ * Home puts it back.
  * @param {number} i
- * @param {{ goal(): Place, view(): View }} here
+ * @param {{ goal(): Place, view(): View, step(): number | undefined }} here
  * @param {Listeners} listeners
  */
 export function goalRing(i, here, listeners) {
@@ -48,15 +51,15 @@ export function goalRing(i, here, listeners) {
   const place = once(placeBadge);
   /**
    * @param {Place} at [px]
-   * @param {{ label: string, now: number, text: string, isFixed?: boolean }} name
+   * @param {{ label: string, word?: string, now: number, text: string, isFixed?: boolean }} name
    * @param {ReturnType<typeof goalLabels>} labels
    * @param {string} chosen
    */
-  const show = ([x, y], { label, now, text, isFixed }, labels, chosen) => {
+  const show = ([x, y], { label, word, now, text, isFixed }, labels, chosen) => {
     change(node, { transform: `translate(${x.toFixed(2)} ${y.toFixed(2)})`, "aria-label": label });
     change(node, { "aria-valuenow": now, "aria-valuetext": text });
     change(node, { tabindex: isFixed ? -1 : 0, "aria-disabled": isFixed ? "true" : null });
-    place(node, labels, i, chosen);
+    place(node, labels, i, chosen, word ?? t("goal"));
   };
   return { node, show };
 }
@@ -100,10 +103,10 @@ function hearHand(node, i, here, { onGoal, onPick }) {
 /**
  * @param {SVGElement} node
  * @param {number} i
- * @param {{ goal(): Place }} here
+ * @param {{ goal(): Place, step(): number | undefined }} here
  * @param {Listeners} listeners
  */
-function hearKeys(node, i, { goal }, { onGoal, onHome }) {
+function hearKeys(node, i, { goal, step }, { onGoal, onHome }) {
   let isHeld = false;
   node.addEventListener("keydown", (event) => {
     const way = WAYS[event.key];
@@ -115,9 +118,9 @@ function hearKeys(node, i, { goal }, { onGoal, onHome }) {
       return;
     }
     isHeld = true;
-    const step = event.shiftKey ? 0.01 : 0.001;
+    const by = (event.shiftKey ? 10 : 1) * (step() ?? STEP);
     const [x, y] = goal();
-    onGoal(i, [x + step * way[0], y + step * way[1]], false);
+    onGoal(i, [x + by * way[0], y + by * way[1]], false);
   });
   const letGo = () => {
     if (isHeld) onGoal(i, goal(), true);
@@ -150,8 +153,9 @@ function drawRing() {
  * @param {ReturnType<typeof goalLabels>} labels
  * @param {number} i
  * @param {string} chosen
+ * @param {string} name
  */
-function placeBadge(ring, { badges, word }, i, chosen) {
+function placeBadge(ring, { badges, word }, i, chosen, name) {
   const badge = badges[i];
   const part = (/** @type {string} */ name) =>
     /** @type {SVGElement} */ (ring.querySelector(`.dt-${name}`));
@@ -160,7 +164,7 @@ function placeBadge(ring, { badges, word }, i, chosen) {
   for (const node of [stalk, dot, count, reach]) node.style.display = badge ? "" : "none";
   words.style.display = badge ? "none" : "";
   if (!badge) {
-    change(words, word).replaceChildren(t("goal"));
+    change(words, word).replaceChildren(name);
     return;
   }
   const [x, y] = badge;

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from base64 import b64encode
 from collections.abc import Sequence
 from pathlib import Path
@@ -14,24 +13,20 @@ import numpy as np
 import traitlets
 from IPython.display import display, update_display
 
-from dmp_teach.classroom.panels.background_job import Job, Report, StopPressed
+from dmp_teach.classroom.panels.background_job import Job, StopPressed
+from dmp_teach.classroom.panels.planning import Physics, name_steps, plan_motion
 from dmp_teach.classroom.panels.resting import RESTING_SCRIPT
 from dmp_teach.classroom.panels.still import Still
-from dmp_teach.errors import ReachWarning, RecordingError, TeachError
+from dmp_teach.errors import RecordingError, TeachError
 from dmp_teach.formats import known_formats, read_recording
 from dmp_teach.ink import Recording, characters
-from dmp_teach.robot import Motion, Page
+from dmp_teach.robot import Motion, Page, Run
 from dmp_teach.texts import gettext as _
-from dmp_teach.texts import javascript_texts, marked
+from dmp_teach.texts import javascript_texts
 from dmp_teach.trajectory import Trajectory
 from dmp_teach.views import SceneView
 
 MAX_FILE_BYTES = 8_000_000
-PLANNING_STEPS = {
-    "wake": marked("Waking the robot"),
-    "reach": marked("Can the arm reach the letter?"),
-    "joints": marked("Planning every joint"),
-}
 # A picture, since a scene that nobody has asked for would be four fifths of a panel.
 _PICTURE = Path(__file__).with_name("resting_robot.webp").read_bytes()
 _STILL = f"data:image/webp;base64,{b64encode(_PICTURE).decode()}"
@@ -106,13 +101,14 @@ class RobotPanel(anywidget.AnyWidget):
     def __init__(self, page: Page | None = None, **traits: Any):
         self.page = Page.table() if page is None else page
         self.motion: Motion | None = None
+        self._physics: Physics | None = None
         self._job: Job | None = None
         self._strokes: tuple[Trajectory, ...] = ()
         self._size: float | None = None
         self._cure: Page | float | None = None
-        # Packed strokes: those that the robot plans, and those that it has written.
-        self._in_work = b""
-        self._on_the_table = b""
+        # What the robot plans, and what it has written: strokes, packed, page and physics.
+        self._in_work: tuple[object, ...] = ()
+        self._on_the_table: tuple[object, ...] = ()
         super().__init__(**traits)
         self.own_id = self.model_id
         self.on_msg(self._hear)
@@ -169,19 +165,29 @@ class RobotPanel(anywidget.AnyWidget):
         if self.work["state"] == "working":
             return
         self._show_progress("wake", 0.0)
-        self._in_work = self.robot
-        strokes, size = self._strokes, self._size
+        self._in_work = self._wanted
+        strokes, size, page, physics = self._strokes, self._size, self.page, self._physics
         self._job = Job(
-            lambda report: _plan(strokes, self.page, size, report),
+            lambda report: plan_motion(strokes, page, size, physics, report),
             self._show_progress,
             self._show_result,
         )
 
-    def _show_strokes(self, strokes: tuple[Trajectory, ...]) -> None:
-        """Set what the robot would write; what could not be done before is over."""
-        self._strokes = strokes
+    @property
+    def _wanted(self) -> tuple[object, ...]:
+        """What the robot would write now, to be compared."""
+        return self.robot, repr(self.page), repr(self._physics)
+
+    def _show_strokes(
+        self,
+        strokes: tuple[Trajectory, ...],
+        page: Page | None = None,
+        physics: Physics | None = None,
+    ) -> None:
+        """Set what the robot would write, and where if not on the last page; what was is over."""
+        self._strokes, self.page, self._physics = strokes, page or self.page, physics
         self.robot = pack_points(strokes)
-        self.older = self.motion is not None and self.robot != self._on_the_table
+        self.older = self.motion is not None and self._wanted != self._on_the_table
         if self.work["state"] != "working":
             self.work = _IDLE
 
@@ -219,7 +225,8 @@ class RobotPanel(anywidget.AnyWidget):
 
     def _show_progress(self, step: str, fraction: float) -> None:
         """Show the robot's step, and how much of it is done; a bar never runs backwards."""
-        names = list(PLANNING_STEPS)
+        steps = name_steps(self._physics)
+        names = list(steps)
         place = (len(names) - 1, 0.0)
         if step in names:
             place = (names.index(step), round(fraction, 2))
@@ -227,7 +234,7 @@ class RobotPanel(anywidget.AnyWidget):
             place = max(place, (self.work["at"], self.work["fraction"]))
         self.work = {
             "state": "working",
-            "steps": [_(words) for words in PLANNING_STEPS.values()],
+            "steps": list(steps.values()),
             "at": place[0],
             "fraction": place[1],
         }
@@ -238,14 +245,14 @@ class RobotPanel(anywidget.AnyWidget):
             self.work = _IDLE
         elif isinstance(result, Exception):
             self._refuse(str(result) or type(result).__name__, getattr(result, "cure", None))
-        elif isinstance(result, Motion):
-            self.motion = result
+        elif isinstance(result, Motion | Run):
+            self.motion = result.planned if isinstance(result, Run) else result
             if self.scene is None:
                 self.scene = SceneView(result, compact=True)
             else:
                 self.scene.show(result)
             self._on_the_table = self._in_work
-            self.older = self.robot != self._on_the_table
+            self.older = self._wanted != self._on_the_table
             self.work = _IDLE
 
     def _refuse(self, sentence: str, cure: Page | float | None = None) -> None:
@@ -262,21 +269,12 @@ class RobotPanel(anywidget.AnyWidget):
     def _apply_cure(self) -> None:
         """Write again, on the page or in the size that works."""
         if isinstance(self._cure, Page):
-            self.page = self._cure
+            self._move_page(self._cure)
         else:
             self._size = self._cure
         self.work = _IDLE
         self.write()
 
-
-def _plan(
-    strokes: tuple[Trajectory, ...], page: Page, size: float | None, report: Report
-) -> Motion:
-    """Return the robot's motion; its solver is built once, in the thread that uses it."""
-    # PlaCo loads when a robot is wanted.
-    from dmp_teach.robot import Fetch  # noqa: PLC0415
-
-    report("wake", 0.5)
-    # Warnings of this module's call are among the motion's notes, beside the robot.
-    warnings.filterwarnings("ignore", category=ReachWarning, module=__name__)
-    return Fetch().write(strokes, page, size=size, progress=report)
+    def _move_page(self, page: Page) -> None:
+        """Lay the page where it works."""
+        self.page = page
