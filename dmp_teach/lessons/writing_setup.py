@@ -1,0 +1,140 @@
+"""A page, a pen and a speed, and what the robot can do with them."""
+
+from __future__ import annotations
+
+from functools import cached_property, lru_cache
+
+import numpy as np
+
+from dmp_teach.classroom import Answer
+from dmp_teach.dmp import Settings
+from dmp_teach.lessons.drawing import learn_letter, tell_number
+from dmp_teach.lessons.goals import CM
+from dmp_teach.lessons.page_plan import place_on_map
+from dmp_teach.lessons.pen_pressing import (
+    LEAST_FORCE,
+    MOST_FORCE,
+    PRESSED_AS_PLANNED,
+    SPRING_TRAVEL,
+    busiest_joint,
+    force_of,
+)
+from dmp_teach.robot import BREAKING_FORCE, USUAL_PAGES, Page, known_reach
+from dmp_teach.texts import gettext as _
+from dmp_teach.trajectory import Trajectory
+
+MOST_MISSING = 0.1
+"""No corner may be further out of reach [mm]."""
+
+MOST_BUSY = 90
+"""Of its fastest turn a joint does no more [%]."""
+
+
+def kinds() -> dict[str, str]:
+    """Return what a page can be on, in words."""
+    return {"table": _("table"), "desk": _("slanted desk"), "board": _("board")}
+
+
+@lru_cache(maxsize=32)
+def write_letter(letter: str, speed: float) -> tuple[Trajectory, ...]:
+    """Return a letter of our alphabet as the robot learned it, at most so fast [cm/s]."""
+    strokes = learn_letter(letter, Settings.star()).write()
+    ways = (np.linalg.norm(np.diff(each.position, axis=0), axis=1) for each in strokes)
+    fastest = max((way / np.diff(s.t)).max() for way, s in zip(ways, strokes, strict=True))
+    longer = float(fastest) / (CM * speed)
+    return tuple(Trajectory(stroke.t * longer, stroke.position) for stroke in strokes)
+
+
+class WritingSetup:
+    """What is set in the lesson."""
+
+    def __init__(self, values: Answer):
+        self.where, self.pen = str(values["where"]), str(values["pen"])
+        self.ahead, self.right = float(values["ahead"]), float(values["right"])
+        self.press, self.speed = float(values["press"]), float(values["speed"])
+
+    @cached_property
+    def effort(self) -> float:
+        """Of the page, inf where the arm does not write on all of it."""
+        return float(known_reach(self.where).effort[place_on_map(self.right, self.ahead)])
+
+    @cached_property
+    def residual(self) -> float:
+        """How far the page's worst corner is out of reach [mm]."""
+        return float(1000 * known_reach(self.where).residual[place_on_map(self.right, self.ahead)])
+
+    @property
+    def is_reached(self) -> bool:
+        """Whether the arm writes on all of the page."""
+        return bool(np.isfinite(self.effort))
+
+    @property
+    def percent(self) -> float:
+        """How much of its fastest turn the busiest joint needs [%]."""
+        return busiest_joint(self.effort, self.speed)
+
+    @property
+    def force(self) -> float:
+        """With how much the pen presses [N]."""
+        return round(force_of(self.pen, self.press, self.where), 3)
+
+    @property
+    def page(self) -> Page:
+        """The page."""
+        page = USUAL_PAGES[self.where]
+        wanted = CM * np.array([self.ahead, -self.right])
+        return page.moved(np.append(wanted - page.X_world_page[:2, 3], 0.0)).rounded()
+
+    def physics(self, motors: str) -> dict[str, object] | None:
+        """Return what `simulate` is called with; None where physics is off."""
+        if motors == "off":
+            return None
+        error = (self.press - PRESSED_AS_PLANNED[self.pen]) / 1000
+        return {"motors": motors, "pen": self.pen, "page_height_error": error}
+
+    @property
+    def facts(self) -> dict[str, object]:
+        """What sentences speak of."""
+        near = LEAST_FORCE if self.force < 0.5 else MOST_FORCE
+        numbers = {"ahead": f"{self.ahead:g}", "press": f"{self.press:g}", "v": f"{self.speed:g}"}
+        numbers |= {
+            "mm": tell_number(self.residual, MOST_MISSING, int(self.residual < 10)),
+            "n": tell_number(self.force, near),
+        }
+        numbers |= {"percent": tell_number(self.percent, MOST_BUSY, 0) if self.is_reached else ""}
+        limits: Answer = {"low": LEAST_FORCE, "high": MOST_FORCE, "breaks": BREAKING_FORCE}
+        limits |= {"busy": MOST_BUSY, "travel": SPRING_TRAVEL, "off": MOST_MISSING}
+        return {"is_on": kinds()[self.where], "place": self._place, **numbers, **limits}
+
+    @property
+    def _place(self) -> str:
+        """Where the middle of the page is, at the beginning of a sentence."""
+        words = _("{ahead:g} cm ahead")
+        if self.right > 0:
+            words = _("{ahead:g} cm ahead and {cm:g} cm to the right")
+        elif self.right < 0:
+            words = _("{ahead:g} cm ahead and {cm:g} cm to the left")
+        return words.format(ahead=self.ahead, cm=abs(self.right))
+
+    def say(self) -> dict[str, str]:
+        """Return the number, and the sentence."""
+        number, unit = "{percent}", _("% of its fastest turn")
+        text = _("All of the page is in reach, and the busiest joint needs so much. ")
+        if self.residual > MOST_MISSING:
+            number, unit = "{mm}", _("mm out of reach")
+            text, strong = _("That is the worst corner of this page. "), _("The arm is too short.")
+        elif not self.is_reached:
+            number, unit = "", ""
+            text = _("The pen could touch each corner of this page. ")
+            strong = _("But the arm is in its own way.")
+        elif self.percent > MOST_BUSY:
+            strong = _("The robot will write slower.")
+        elif LEAST_FORCE <= self.force <= MOST_FORCE:
+            strong = _("The pen presses with {n} N, as a hand does.")
+        elif self.force == 0:
+            strong = _("But the pen does not touch the paper.")
+        else:
+            strong = _("Now look at the pen: it presses with {n} N.")
+        says = {"number": number, "text": text, "strong": strong}
+        told = {name: words.format(**self.facts) for name, words in says.items()}
+        return told | {"unit": unit, "after": ""}
