@@ -11,7 +11,7 @@ from dmp_teach.ink import recording_of
 from dmp_teach.scoring import size_of
 from dmp_teach.trajectory import Array, Trajectory, path_length
 
-Strokes = tuple[Trajectory, ...]
+PupilStrokes = tuple[Trajectory, ...]
 
 # Between two strokes of a letter whose order was changed [s].
 PAUSE = 0.3
@@ -35,43 +35,43 @@ class ShapeFault:
     none: float
     low: float
     high: float
-    bend: Callable[[Strokes, float], Strokes]
+    bend: Callable[[PupilStrokes, float], PupilStrokes]
 
     def share(self, amount: float, part: float) -> float:
         """Return the amount of which a part is left."""
         return self.none + part * (amount - self.none)
 
 
-def _mapped(strokes: Strokes, matrix: Sequence[Sequence[float]]) -> Strokes:
+def _mapped(strokes: PupilStrokes, matrix: Sequence[Sequence[float]]) -> PupilStrokes:
     """Return strokes mapped by a matrix (2, 2), the writing line y = 0 and the middle staying."""
     middle = np.array([_middle(strokes), 0.0])
     turn = np.array(matrix).T
     return tuple(replace(s, position=(s.position - middle) @ turn + middle) for s in strokes)
 
 
-def _middle(strokes: Strokes) -> float:
+def _middle(strokes: PupilStrokes) -> float:
     """Return the middle between left and right [m]."""
     x = np.concatenate([stroke.position[:, 0] for stroke in strokes])
     return float(x.min() + x.max()) / 2
 
 
-def _lean(strokes: Strokes, degrees: float) -> Strokes:
+def _lean(strokes: PupilStrokes, degrees: float) -> PupilStrokes:
     return _mapped(strokes, [[1, np.tan(np.radians(degrees))], [0, 1]])
 
 
-def _rise(strokes: Strokes, degrees: float) -> Strokes:
+def _rise(strokes: PupilStrokes, degrees: float) -> PupilStrokes:
     return _mapped(strokes, [[1, 0], [np.tan(np.radians(degrees)), 1]])
 
 
-def _size(strokes: Strokes, ratio: float) -> Strokes:
+def _size(strokes: PupilStrokes, ratio: float) -> PupilStrokes:
     return _mapped(strokes, [[ratio, 0], [0, ratio]])
 
 
-def _width(strokes: Strokes, ratio: float) -> Strokes:
+def _width(strokes: PupilStrokes, ratio: float) -> PupilStrokes:
     return _mapped(strokes, [[ratio, 0], [0, 1]])
 
 
-def _open(strokes: Strokes, share: float) -> Strokes:
+def _open(strokes: PupilStrokes, share: float) -> PupilStrokes:
     """Stop the longest stroke before its end."""
     longest = max(range(len(strokes)), key=lambda k: path_length(strokes[k].position))
     way = share_of_way(strokes[longest].position)
@@ -79,7 +79,7 @@ def _open(strokes: Strokes, share: float) -> Strokes:
     return _with(strokes, longest, _at(strokes[longest].position, kept))
 
 
-def _shaky(strokes: Strokes, share: float) -> Strokes:
+def _shaky(strokes: PupilStrokes, share: float) -> PupilStrokes:
     """Let each stroke wave to both sides of its way, its ends staying."""
     size = size_of(strokes)
     waved = []
@@ -105,7 +105,7 @@ SHAPE_FAULTS: Mapping[str, ShapeFault] = {
 """By the names that `score` gives them, in degrees, as ratios and as shares."""
 
 
-def distort(strokes: Strokes, faults: Mapping[str, float], part: float = 1.0) -> Strokes:
+def distort(strokes: PupilStrokes, faults: Mapping[str, float], part: float = 1.0) -> PupilStrokes:
     """Return strokes with a part of each fault of the shape."""
     for name, amount in faults.items():
         if name in SHAPE_FAULTS:
@@ -114,19 +114,19 @@ def distort(strokes: Strokes, faults: Mapping[str, float], part: float = 1.0) ->
     return strokes
 
 
-def _mirrored(strokes: Strokes) -> Strokes:
+def _mirrored(strokes: PupilStrokes) -> PupilStrokes:
     return _mapped(strokes, [[-1, 0], [0, 1]])
 
 
-def _reversed(strokes: Strokes) -> Strokes:
+def _reversed(strokes: PupilStrokes) -> PupilStrokes:
     return tuple(replace(stroke, position=stroke.position[::-1]) for stroke in strokes)
 
 
-def _order(strokes: Strokes) -> Strokes:
-    return lay_out(strokes[::-1])
+def _order(strokes: PupilStrokes) -> PupilStrokes:
+    return put_in_sequence(strokes[::-1])
 
 
-WAY_FAULTS: Mapping[str, Callable[[Strokes], Strokes]] = {
+WAY_FAULTS: Mapping[str, Callable[[PupilStrokes], PupilStrokes]] = {
     "mirrored": _mirrored,
     "order": _order,
     "reversed": _reversed,
@@ -134,12 +134,12 @@ WAY_FAULTS: Mapping[str, Callable[[Strokes], Strokes]] = {
 """What is or is not: left for right, the last stroke first, each stroke from its other end."""
 
 
-def write_other(character: str, faults: Mapping[str, float], part: float) -> Strokes:
+def write_other(character: str, faults: Mapping[str, float], part: float) -> PupilStrokes:
     """Return another letter that is written instead, in a pupil's hand."""
     return distort(recording_of(character).strokes(), faults, part)
 
 
-def lay_out(strokes: Strokes) -> Strokes:
+def put_in_sequence(strokes: PupilStrokes) -> PupilStrokes:
     """Return strokes one after the other on a clock that begins at 0."""
     clock, placed = 0.0, []
     for stroke in strokes:
@@ -170,7 +170,7 @@ def _at(points: Array, places: Array) -> Array:
     return np.column_stack([np.interp(places, rows, axis) for axis in points.T])
 
 
-def _with(strokes: Strokes, number: int, position: Array) -> Strokes:
+def _with(strokes: PupilStrokes, number: int, position: Array) -> PupilStrokes:
     """Return strokes of which one is elsewhere."""
     return tuple(
         replace(stroke, position=position) if k == number else stroke

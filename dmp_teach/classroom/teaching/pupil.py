@@ -12,10 +12,10 @@ import numpy as np
 
 from dmp_teach.classroom.teaching.faults import (
     WAY_FAULTS,
-    Strokes,
+    PupilStrokes,
     distort,
     follow_way,
-    lay_out,
+    put_in_sequence,
     share_of_way,
     write_other,
 )
@@ -30,7 +30,7 @@ from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Array, Trajectory
 
 # So often a second a pupil's strokes are sampled, and never by fewer points.
-RATE, FEWEST_SAMPLES = 100, 40
+RATE, FEWEST_PUPIL_SAMPLES = 100, 40
 # Faults of a score that are of the way of writing, or of another letter altogether.
 WAY_NAMES = (*WAY_FAULTS, "turned", "round", "missing", "extra", "joined", "split", "divided")
 # A letter is good where every row of its score is "close" or "the same".
@@ -86,10 +86,10 @@ class RobotPupil:
         return cls(letter, memory, hand, hand, rhythm, says.format(name=traits.name, letter=letter))
 
     @cached_property
-    def strokes(self) -> Strokes:
+    def strokes(self) -> PupilStrokes:
         """What it writes, with all its faults, on a clock that begins at 0."""
         traits, muddles = self.memory.traits, self.memory.muddles
-        strokes = lay_out(tuple(each.rollout() for each in self.hand))
+        strokes = put_in_sequence(tuple(each.rollout() for each in self.hand))
         for name in reversed(muddles):
             if name in WAY_FAULTS:
                 strokes = WAY_FAULTS[name](strokes)
@@ -180,7 +180,7 @@ def _describe_lesson(letter: str, seen: Score) -> str:
     )
 
 
-def _are_alike(strokes: Strokes, shown: Strokes) -> bool:
+def _are_alike(strokes: PupilStrokes, shown: PupilStrokes) -> bool:
     """Return whether two letters have the same strokes, in one order and direction."""
     found = match_strokes(strokes, shown)
     pairs = [(pair.strokes, pair.others) for pair in found.pairs]
@@ -195,18 +195,18 @@ def _imitate(strokes: Sequence[Trajectory]) -> tuple[DMP, ...]:
 
 def _even(stroke: Trajectory) -> Trajectory:
     """Return a stroke sampled evenly in time."""
-    number = max(FEWEST_SAMPLES, round(stroke.duration * RATE))
+    number = max(FEWEST_PUPIL_SAMPLES, round(stroke.duration * RATE))
     t = np.linspace(stroke.t[0], stroke.t[-1], number)
     return Trajectory(t, np.column_stack([np.interp(t, stroke.t, x) for x in stroke.position.T]))
 
 
-def _rhythm_of(strokes: Strokes) -> tuple[Array, ...]:
+def _rhythm_of(strokes: PupilStrokes) -> tuple[Array, ...]:
     """Return what share of its way each stroke has gone at its even samples."""
     return tuple(share_of_way(_even(stroke).position) for stroke in strokes)
 
 
 def _imitate_like(
-    hand: tuple[DMP, ...], rhythm: tuple[Array, ...], shown: Strokes
+    hand: tuple[DMP, ...], rhythm: tuple[Array, ...], shown: PupilStrokes
 ) -> tuple[DMP, ...]:
     """Return primitives of what was shown, on a hand's clock, in its rhythm, with its kernels."""
     return tuple(

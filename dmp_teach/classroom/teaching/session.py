@@ -16,7 +16,7 @@ from dmp_teach.ink import recording_of
 from dmp_teach.scoring import LetterLike, to_strokes
 from dmp_teach.trajectory import Trajectory
 
-FORMAT, VERSION = "dmp_teach teaching", 1
+FORMAT, SESSION_VERSION = "dmp_teach teaching", 1
 # A log keeps whole milliseconds and hundredths of a millimetre.
 TICK, GRAIN = 1e-3, 1e-5
 MOST_TURNS = 100
@@ -85,7 +85,7 @@ class TeachingSession:
     def as_json(self) -> dict[str, Any]:
         """Return the log: nothing in it says who has taught, or when."""
         turns = [{"strokes": each.strokes, "answer": each.answer} for each in self.turns]
-        about = {"format": FORMAT, "version": VERSION, "letter": self.letter}
+        about = {"format": FORMAT, "version": SESSION_VERSION, "letter": self.letter}
         return {**about, "pupil": self.traits.as_json(), "turns": turns}
 
     # Any: JSON.

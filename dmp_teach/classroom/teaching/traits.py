@@ -19,7 +19,7 @@ from dmp_teach.files import ASSETS, contents, is_number, loaded, must, write_who
 from dmp_teach.scoring import Score
 
 PUPILS_FOLDER = ASSETS / "pupils"
-FORMAT, VERSION = "dmp_teach pupil", 1
+FORMAT, PUPIL_VERSION = "dmp_teach pupil", 1
 FIELDS = ("format", "version", "name", "faults", "mixes_up", "pace", "forgetting", "seed")
 # Of every so many turns there is one after which something is forgotten; never after the first.
 FORGETTING_CYCLE = 3
@@ -79,7 +79,7 @@ class PupilTraits:
             path = PUPILS_FOLDER / f"{path.lower()}.json"
         data, name = contents(path)
         try:
-            return cls.of(loaded(data, FORMAT, (VERSION,), FIELDS))
+            return cls.of(loaded(data, FORMAT, (PUPIL_VERSION,), FIELDS))
         except RecordingError as error:
             raise RecordingError(f"{name}: {error}") from None
 
@@ -95,7 +95,7 @@ class PupilTraits:
         """Return what a file holds."""
         values = {name: getattr(self, name) for name in FIELDS[2:]}
         values |= {"faults": dict(self.faults), "mixes_up": list(self.mixes_up)}
-        return {"format": FORMAT, "version": VERSION, **values}
+        return {"format": FORMAT, "version": PUPIL_VERSION, **values}
 
     def save(self, path: str | PathLike[str]) -> Path:
         """Save the pupil as JSON; a PathError where it cannot be written."""
