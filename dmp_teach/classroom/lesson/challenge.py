@@ -13,7 +13,7 @@ import traitlets
 from IPython.display import display
 
 from dmp_teach.classroom.lesson.check import Condition, Verdict, evaluate, judge
-from dmp_teach.classroom.lesson.panel import HINTS_AFTER_MISSES
+from dmp_teach.classroom.lesson.progress import HINTS_AFTER_MISSES
 from dmp_teach.classroom.panels.kept import kept
 from dmp_teach.classroom.panels.resting import RESTING_SCRIPT
 from dmp_teach.errors import SettingError

@@ -7,8 +7,9 @@ from typing import Any
 import numpy as np
 
 from dmp_teach.classroom.lesson.bets import ChosenBet, LessonState
+from dmp_teach.classroom.lesson.check import Answer
 from dmp_teach.classroom.lesson.content import Affine, LessonContent, Pick
-from dmp_teach.classroom.lesson.progress import begin_progress
+from dmp_teach.classroom.lesson.progress import HINTS_AFTER_MISSES, LessonProgress, begin_progress
 from dmp_teach.texts import gettext as _
 
 
@@ -24,6 +25,21 @@ def describe_lesson(lesson: LessonContent) -> dict[str, Any]:
         "tasks": [task.text for task in lesson.tasks],
         "by_robot": [task.by_robot for task in lesson.tasks],
         "challenge": lesson.challenge,
+    }
+
+
+def describe_card(
+    lesson: LessonContent, progress: LessonProgress, answer: Answer
+) -> dict[str, Any]:
+    """Return the words of the step that a pupil has come to."""
+    conditions = lesson.conditions(answer) if progress["step"] == "challenge" else ()
+    hints = list(lesson.hints[: progress["hints"]])
+    offered = progress["misses"] >= HINTS_AFTER_MISSES and len(hints) < len(lesson.hints)
+    return {
+        "bet": lesson.tell_bet(progress["bet"]) if progress["revealed"] else "",
+        "rows": [[each.name, each.shown, each.rule, each.is_met] for each in conditions],
+        "hints": hints,
+        "offersHint": offered and not progress["passed"],
     }
 
 

@@ -13,7 +13,12 @@ from dmp_teach.classroom.lesson.bets import KeptBet, LessonState
 from dmp_teach.classroom.lesson.check import Answer, Verdict
 from dmp_teach.classroom.lesson.content import LessonContent, Picture
 from dmp_teach.classroom.lesson.knobs import check_answer
-from dmp_teach.classroom.lesson.packing import describe_lesson, describe_page, pack
+from dmp_teach.classroom.lesson.packing import (
+    describe_card,
+    describe_lesson,
+    describe_page,
+    pack,
+)
 from dmp_teach.classroom.lesson.progress import (
     LESSON_STEPS,
     LessonProgress,
@@ -38,7 +43,6 @@ _HERE = Path(__file__).parent
 _PANELS = _HERE.parent / "panels"
 # So many of the pupil's settings are drawn as tried.
 MOST_TRIED = 200
-HINTS_AFTER_MISSES = 2
 
 
 class RefusedValueError(SettingError, traitlets.TraitError):
@@ -265,7 +269,7 @@ class LessonPanel(RobotPanel, PanelPage):
             self.picture = pack({"sheet": picture.sheet, "plots": picture.plots})
             self.message = picture.says
             self._draw_on_still(picture)
-            self.card = self._write_card()
+            self.card = describe_card(self.lesson, progress, self.answer)
             self._show_strokes(picture.strokes, picture.page, picture.physics)
             self.drawing += 1
             self.answered += 1
@@ -290,17 +294,3 @@ class LessonPanel(RobotPanel, PanelPage):
     def _describe_page(self) -> dict[str, Any]:
         """Return the lesson as it begins; what a pupil has done is in no page."""
         return describe_page(self.lesson)
-
-    def _write_card(self) -> dict[str, Any]:
-        """Return the words of the step."""
-        lesson, progress = self.lesson, self.progress
-        conditions = lesson.conditions(self.answer) if progress["step"] == "challenge" else ()
-        hints = list(lesson.hints[: progress["hints"]])
-        bet = lesson.tell_bet(progress["bet"]) if progress["revealed"] else ""
-        offered = progress["misses"] >= HINTS_AFTER_MISSES and len(hints) < len(lesson.hints)
-        return {
-            "bet": bet,
-            "rows": [[each.name, each.shown, each.rule, each.is_met] for each in conditions],
-            "hints": hints,
-            "offersHint": offered and not progress["passed"],
-        }

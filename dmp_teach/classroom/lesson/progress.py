@@ -11,6 +11,7 @@ from dmp_teach.ink import check_pseudonym
 
 LESSON_STEPS = ("bet", "try", "challenge")
 MOST_MISSES = 10_000
+HINTS_AFTER_MISSES = 2
 # Any, here and below: JSON, which is checked field by field.
 LessonProgress = dict[str, Any]
 
