@@ -16,7 +16,7 @@ _NAMES = {
     "trajectory": "Trajectory",
     "ink": "Recording recording_of",
     "formats": "read_recording read_recordings write_recording",
-    "scoring": "score Score letter_distance",
+    "scoring": "score Score judge_stroke StrokeVerdict letter_distance",
     "dmp": "Settings DMP Stepper chain",
     "letters": "Letter Style Shelf Piece make_letter write_word write_lines",
     "robot": "Page Motion Fetch reach_map reach_around known_reach simulate Run",

@@ -52,6 +52,8 @@ from dmp_teach.robot import reach_map as reach_map
 from dmp_teach.robot import simulate as simulate
 from dmp_teach.ros import write_rosbag as write_rosbag
 from dmp_teach.scoring import Score as Score
+from dmp_teach.scoring import StrokeVerdict as StrokeVerdict
+from dmp_teach.scoring import judge_stroke as judge_stroke
 from dmp_teach.scoring import letter_distance as letter_distance
 from dmp_teach.scoring import score as score
 from dmp_teach.studies import change_goals_1d as change_goals_1d

@@ -1,13 +1,13 @@
 from .arguments import LetterLike as LetterLike
+from .arguments import check_hand as check_hand
 from .arguments import list_strokes as list_strokes
 from .arguments import to_strokes as to_strokes
-from .differences import MOVEMENT_FAULTS as MOVEMENT_FAULTS
 from .distances import letter_distance as letter_distance
 from .distances import letter_distances as letter_distances
+from .faults import MOVEMENT_FAULTS as MOVEMENT_FAULTS
 from .kinematics import measure_movement as measure_movement
 from .letter_score import LEVEL_WORDS as LEVEL_WORDS
 from .letter_score import Score as Score
-from .letter_score import check_hand as check_hand
 from .letter_score import leading_fault as leading_fault
 from .letter_score import score as score
 from .matching import match_strokes as match_strokes
@@ -15,3 +15,5 @@ from .phrases import place_in_words as place_in_words
 from .reading import read_letter as read_letter
 from .resampling import resample as resample
 from .resampling import size_of as size_of
+from .strokes import StrokeVerdict as StrokeVerdict
+from .strokes import judge_stroke as judge_stroke

@@ -21,6 +21,7 @@ _ADVICE: dict[str, str | tuple[str, str]] = {
     "extra": marked("Write only as many strokes as {model}."),
     "missing": marked("Write {it} too: it starts {where}."),
     "shape": marked("Keep nearer to {models} line {where}."),
+    "unlike": marked("Write {it}: it starts {where}."),
     "begins": marked("Start {it} {where}."),
     "order": marked("Write the {late} stroke before the {early}."),
     "open": marked("Close {it} {where}."),

@@ -11,9 +11,9 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from dmp_teach.errors import LetterError
-from dmp_teach.scoring.arguments import LetterLike, to_strokes
-from dmp_teach.scoring.differences import MOVEMENT_FAULTS, Fault, find_faults
+from dmp_teach.scoring.arguments import LetterLike, check_hand, to_strokes
+from dmp_teach.scoring.differences import find_faults
+from dmp_teach.scoring.faults import MOVEMENT_FAULTS, Fault
 from dmp_teach.scoring.fit import fit_model
 from dmp_teach.scoring.kinematics import Movement, measure_movement
 from dmp_teach.scoring.matching import Matching, match_strokes
@@ -139,12 +139,6 @@ def score(written: LetterLike, model: LetterLike, hand: str = "right") -> Score:
         written=movement,
         model=model_movement,
     )
-
-
-def check_hand(hand: str) -> None:
-    """Raise a LetterError unless it is the right or the left hand."""
-    if hand not in ("right", "left"):
-        raise LetterError(f"hand is {hand!r}, but must be 'right' or 'left'.")
 
 
 def leading_fault(faults: Sequence[Fault]) -> Fault | None:

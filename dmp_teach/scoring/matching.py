@@ -24,7 +24,7 @@ from dmp_teach.scoring.resampling import (
     resample,
     squared_distances,
 )
-from dmp_teach.trajectory import Array
+from dmp_teach.trajectory import Array, Trajectory
 
 # Every second point is enough to see how a letter leans.
 COARSE_STEP = 2
@@ -118,19 +118,14 @@ class Matching:
         return tuple(pair.others[0] for pair in self.pairs if pair.alignment.backwards)
 
     @property
-    def merged(self) -> tuple[Pair, ...]:
-        """The pairs in which fewer strokes do the work of more."""
-        return tuple(pair for pair in self.pairs if len(pair.strokes) < len(pair.others))
+    def written(self) -> int:
+        """The number of strokes of the one writing."""
+        return len(self.extra) + sum(len(pair.strokes) for pair in self.pairs)
 
-    @property
-    def split(self) -> tuple[Pair, ...]:
-        """The pairs in which more strokes do the work of fewer."""
-        return tuple(pair for pair in self.pairs if len(pair.strokes) > len(pair.others))
-
-    @property
-    def divided(self) -> tuple[Pair, ...]:
-        """The pairs in which as many strokes are divided from each other at other places."""
-        return tuple(pair for pair in self.pairs if len(pair.strokes) == len(pair.others) > 1)
+    def written_before(self, pair: Pair) -> set[int]:
+        """Return the other writing's numbers of the strokes that were written before a pair."""
+        first = min(pair.strokes)
+        return {k for each in self.pairs if min(each.strokes) < first for k in each.others}
 
     @property
     def order(self) -> tuple[int, ...]:
@@ -152,7 +147,17 @@ def match_strokes(strokes: LetterLike, others: LetterLike) -> Matching:
     written, model = to_strokes(strokes, "strokes"), to_strokes(others, "others")
     ink = resample(written, POINTS_TO_MATCH).normalized()
     other = resample(model, POINTS_TO_MATCH).normalized()
-    view, groups = _viewed_groups(ink, other)
+    return pair_up(written, model, other.lengths, *_viewed_groups(ink, other))
+
+
+def pair_up(
+    written: Sequence[Trajectory],
+    model: Sequence[Trajectory],
+    lengths: Array,
+    view: Orientation,
+    groups: Sequence[Group],
+) -> Matching:
+    """Return groups of strokes, aligned point by point; `lengths` are the model's [radii]."""
     back = view.undo()
     pairs = []
     for mine, yours in sorted(
@@ -161,7 +166,7 @@ def match_strokes(strokes: LetterLike, others: LetterLike) -> Matching:
         lines = align(
             [written[k].position @ back.T for k in mine], [model[k].position for k in yours]
         )
-        is_dot = bool(other.lengths[list(yours)].sum() < DOT_LENGTH)
+        is_dot = bool(lengths[list(yours)].sum() < DOT_LENGTH)
         lines = replace(lines, backwards=lines.backwards and not is_dot)
         pairs.append(Pair(mine, yours, lines, is_dot))
     extra = tuple(sorted(k for mine, yours in groups if not yours for k in mine))

@@ -104,6 +104,10 @@ def _extra(_steps: float, count: int) -> Wording:
     return Wording(sentence.format(number=number), reason.format(number=number))
 
 
+def _unlike(_steps: float) -> Wording:
+    return Wording(_("No stroke of {model} looks like that.").format(**_KEPT), _("another stroke"))
+
+
 def _joined(_steps: float, written: int, model: int) -> Wording:
     return Wording(_takes(written, model), _("joined"))
 
@@ -206,7 +210,7 @@ _WORDINGS: dict[str, Callable[..., Wording]] = {
     function.__name__.removeprefix("_"): function
     for function in (
         *(_mirrored, _turned, _turn, _rise, _lean, _size, _width),
-        *(_missing, _extra, _joined, _split, _divided, _reversed, _round, _begins, _order),
+        *(_missing, _extra, _unlike, _joined, _split, _divided, _reversed, _round, _begins, _order),
         *(_shape, _place, _piece, _open, _shaky, _smooth, _tempo),
     )
 }

@@ -12,7 +12,7 @@ from dmp_teach import Letter, recording_of, score
 from dmp_teach.errors import LetterError
 from dmp_teach.formats.read import read_recording
 from dmp_teach.ink.alphabet import alphabets, characters, signs
-from dmp_teach.scoring.differences import DIFFERENCE_STEPS, FAULT_STEPS
+from dmp_teach.scoring.faults import DIFFERENCE_STEPS, FAULT_STEPS
 from dmp_teach.scoring.wording import word_difference
 from dmp_teach.trajectory import Trajectory
 from tests.laws import for_every

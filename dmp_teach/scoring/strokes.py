@@ -1,0 +1,208 @@
+"""Judge one stroke, given what was written before: which it is, and how it was written.
+
+It is the judge at the pen's lift, when only part of a letter is there, and of every stroke of a
+whole letter, when its row "way of writing" is made.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+
+from dmp_teach.scoring.arguments import LetterLike, check_hand, to_strokes
+from dmp_teach.scoring.direction import find_other_way
+from dmp_teach.scoring.faults import (
+    DIFFERENCE_STEPS,
+    FAULT_STEPS,
+    Fault,
+    make_fault,
+    name_start,
+    name_stroke,
+    position_in,
+)
+from dmp_teach.scoring.fit import fit_model
+from dmp_teach.scoring.matching import Matching, Pair
+from dmp_teach.scoring.resampling import POINTS_TO_FIT, resample, size_of
+from dmp_teach.scoring.so_far import match_so_far
+from dmp_teach.texts import gettext as _
+from dmp_teach.trajectory import Array, Trajectory, path_length
+
+REASONS = {
+    "reversed": "start",
+    "begins": "start",
+    "round": "direction",
+    "order": "order",
+    "place": "place",
+    "joined": "lift",
+    "split": "lift",
+    "divided": "lift",
+    "unlike": "unlike",
+}
+"""What each fault of a stroke is a matter of."""
+
+# Another beginning of a loop counts from an eighth of it on.
+LEAST_LOOP_SHIFT = 0.125
+# A line across is straight: so much of its length leads from side to side.
+LEAST_LEVEL_PART = 0.85
+# At the lift a stroke is told to be in a wrong place from so many steps on: the rest of the letter,
+# which would show how large and where it is meant, is not yet written.
+LEAST_PLACE_STEPS = 2.8
+# A stroke that is farther from the model's is another [parts of the letter's size].
+FARTHEST_SHAPE = 0.09
+# Letters are wider or higher by so much though nothing of them is misplaced.
+PART_OF_ANOTHER_WIDTH = 0.15
+
+
+@dataclass(frozen=True)
+class StrokeVerdict:
+    """What is to be said of a stroke when the pen is lifted.
+
+    Args:
+        stroke: Which stroke of the model it is, from 0; None where it is none of them.
+        due: Which stroke of the model was to be written, from 0.
+        reason: "" of a good one, or "start", "direction", "order", "place", "lift" (joined with
+            another, or in pieces) or "unlike" (no stroke of this letter).
+        sentence: The same in plain words.
+        advice: What to do next, in one sentence.
+    """
+
+    stroke: int | None
+    due: int
+    reason: str
+    sentence: str
+    advice: str
+
+    @property
+    def good(self) -> bool:
+        """Whether nothing is to be said against it."""
+        return not self.reason
+
+    def __str__(self) -> str:
+        """Return one line."""
+        return f"{self.sentence} {self.advice}".strip()
+
+
+def judge_stroke(written: LetterLike, model: LetterLike, hand: str = "right") -> StrokeVerdict:
+    """Judge the last of the strokes written so far, on the sheet on which the model stands.
+
+    Args:
+        written: A `Recording`, or strokes: those before, and last the one to be judged.
+        model: What the letter should look like when it is complete.
+        hand: As in `score`.
+
+    Raises:
+        LetterError: As `score`.
+    """
+    check_hand(hand)
+    mine, yours = to_strokes(written, "written"), to_strokes(model, "model")
+    matching = match_so_far(mine, yours)
+    number = len(mine) - 1
+    stray = sum(k < number for k in matching.extra)
+    awaited = set(range(len(yours))) - set(matching.missing[:stray])
+    before = {k for pair in matching.pairs for k in pair.others if min(pair.strokes) < number}
+    due = min(awaited - before, default=len(yours) - 1)
+    at = next((k for k, pair in enumerate(matching.pairs) if number in pair.strokes), None)
+    fit = fit_model(
+        matching, resample(mine, POINTS_TO_FIT), resample(yours, POINTS_TO_FIT), size_of(yours)
+    )
+    if at is None or (fit.shape > FARTHEST_SHAPE and fit.worst[1] == at):
+        return _verdict(None, due, [make_fault("unlike", 1.0, **name_start(due, yours))])
+    place = _place_beside(fit.places, at, matching, yours)
+    found = list(find_pair_faults(matching, matching.pairs[at], place, yours, awaited, hand=hand))
+    return _verdict(matching.pairs[at].others[0], due, found)
+
+
+def _verdict(stroke: int | None, due: int, faults: Sequence[Fault]) -> StrokeVerdict:
+    """Return the verdict of the largest fault."""
+    least = {"place": LEAST_PLACE_STEPS}
+    seen = [fault for fault in faults if fault.steps >= least.get(fault.name, 1.0)]
+    if not seen:
+        return StrokeVerdict(stroke, due, "", _("Well written."), "")
+    worst = max(seen, key=lambda fault: fault.steps)
+    sentence, advice = (
+        text.format(model=_("the model"), models=_("the model's"))
+        for text in (worst.wording, worst.advice)
+    )
+    return StrokeVerdict(stroke, due, REASONS[worst.name], sentence, advice)
+
+
+def _place_beside(
+    places: Array, at: int, matching: Matching, strokes: Sequence[Trajectory]
+) -> Array:
+    """Return how far a pair is from its place beside the others, shape (2,) [parts of the size].
+
+    What another width or height of the letter would explain is left out.
+    """
+    others = np.delete(places, at, axis=0)
+    if not len(others):
+        return np.zeros(2)
+    away = places[at] - others.mean(axis=0)
+    middles = np.array([pair.alignment.others.mean(axis=0) for pair in matching.pairs])
+    beside = middles[at] - np.delete(middles, at, axis=0).mean(axis=0)
+    explained = PART_OF_ANOTHER_WIDTH * np.abs(beside) / size_of(strokes)
+    return np.asarray(np.sign(away) * np.maximum(np.abs(away) - explained, 0.0))
+
+
+def find_pair_faults(
+    matching: Matching,
+    pair: Pair,
+    place: Array,
+    strokes: Sequence[Trajectory],
+    awaited: Collection[int],
+    *,
+    hand: str,
+) -> Iterator[Fault]:
+    """Yield the faults of one stroke, or of the strokes that do the work of one.
+
+    Args:
+        matching: Which strokes belong together.
+        pair: The one that is judged.
+        place: How far it is from its place, shape (2,) [parts of the letter's size].
+        strokes: The model's.
+        awaited: Which of the model's strokes are, or will be, written.
+        hand: "left" draws level lines from either end.
+    """
+    stroke, line = pair.others[0], pair.alignment
+    if len(pair.strokes) > 1 or len(pair.others) > 1:
+        name = {-1: "joined", 0: "divided", 1: "split"}[
+            int(np.sign(len(pair.strokes) - len(pair.others)))
+        ]
+        counts = {"written": matching.written, "model": len(strokes)}
+        yield make_fault(name, FAULT_STEPS["pieces"], **counts)
+    elif line.backwards and not (hand == "left" and _is_level(strokes[stroke])):
+        way = {"is_round": line.goes_round, "left": _turns_left(line.others)}
+        yield make_fault("reversed", FAULT_STEPS["reversed"], **name_start(stroke, strokes), **way)
+    elif not line.backwards:
+        away = min(line.begins, 1 - line.begins)
+        if away > LEAST_LOOP_SHIFT:
+            steps = 2 * FAULT_STEPS["reversed"] * away
+            yield make_fault("begins", steps, **name_start(stroke, strokes))
+        other = None if pair.is_dot else find_other_way(line)
+        if other is not None:
+            yield make_fault(
+                "round",
+                FAULT_STEPS["round"],
+                **name_stroke(stroke, strokes),
+                is_round=other.is_round,
+                left=other.turning > 0,
+                position=position_in(other.point, strokes),
+            )
+    due = min(set(awaited) - matching.written_before(pair))
+    if due < stroke:
+        yield make_fault("order", FAULT_STEPS["order"], early=stroke, late=due)
+    steps = float(np.hypot(*place)) / DIFFERENCE_STEPS["place"]
+    yield make_fault("place", steps, **name_stroke(stroke, strokes), right=place[0], up=place[1])
+
+
+def _is_level(stroke: Trajectory) -> bool:
+    """Return whether a stroke is a line across, such as the bar of a t."""
+    right, up = np.abs(stroke.position[-1] - stroke.position[0])
+    return bool(right > 2 * up and right > LEAST_LEVEL_PART * path_length(stroke.position))
+
+
+def _turns_left(line: Array) -> bool:
+    """Return whether a line (P, 2) goes round against the clock."""
+    x, y = (line - line.mean(axis=0)).T
+    return bool((x[:-1] * y[1:] - y[:-1] * x[1:]).sum() > 0)
