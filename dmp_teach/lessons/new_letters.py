@@ -134,9 +134,11 @@ class NewLetters(Lesson):
         """Each more direct."""
         first = _("Set how much of hand 2 first: when the stem leans, every goal must follow it.")
         second = _("Then put the ring of the bowl on the middle of the stem.")
-        more = _(" Take {name} from the shelf, and drag its ring, too.")
-        last = _("Take {share} % of hand 2. Move the bowl’s end {x:.1f} cm right and {y:.1f} up.")
-        end = _(" Take {name} from the shelf, and move its end {x3:.1f} cm right and {y3:.1f} up.")
+        more = _(" Take “{name}” from the shelf, and see where its ring must go.")
+        last = _(
+            "Take {share} % of hand 2. Move the bowl’s end {x:.1f} cm right and {y:.1f} cm up."
+        )
+        end = _(" Take “{name}” from the shelf: its end {x3:.1f} cm right and {y3:.1f} cm up.")
         if self.third == "none":
             more = end = ""
         sign = {"x": "goal_x", "y": "goal_y", "x3": "third_x", "y3": "third_y"}
@@ -147,9 +149,9 @@ class NewLetters(Lesson):
     def conditions(self, answer: Answer) -> Sequence[Condition]:
         """Return where the bowl meets the stem, how that leans, and where the third ends."""
         made = NewLetter(answer)
-        gap, up = made.meeting
+        up = made.meeting[1]
         asked = [
-            at_most(_("bowl to stem"), 1000 * abs(gap), MOST_GAP, "mm"),
+            at_most(_("bowl to stem"), made.gap, MOST_GAP, "mm"),
             between(_("they meet at"), 100 * up, LOWEST, HIGHEST, "%"),
             between(_("lean"), made.lean, self.lean - 1, self.lean + 1, "°"),
         ]
@@ -168,12 +170,12 @@ class NewLetters(Lesson):
         """Return what is open, too low or high, too many, or leans otherwise."""
         made = NewLetter(answer)
         met, height, leans, *_end = (each.is_met for each in self.conditions(answer))
-        gap, up = made.meeting
+        (aside, above), up = made.meeting
+        is_beyond = abs(above) > abs(aside)
         x, y = (0, 0) if made.third == "none" else 1000 * made.third_miss
         facts = {
-            "mm": tell_number(1000 * abs(gap), MOST_GAP),
+            "mm": tell_number(made.gap, MOST_GAP),
             "up": tell_number(100 * up, HIGHEST if up > 0.5 else LOWEST, 0),
-            "aside": _("right") if gap >= 0 else _("left"),
             "letter": self.letter,
             "strokes": 2 if self.third == "none" else 3,
             "took": self.thirds[made.third],
@@ -188,7 +190,10 @@ class NewLetters(Lesson):
         }
         is_other = made.third != self.third
         made_mistakes = {
-            "open": not met,
+            "under": not met and is_beyond and above < 0,
+            "over": not met and is_beyond,
+            "open": not met and aside > 0,
+            "past": not met,
             "low": not height and up < 0.5,
             "high": not height,
             "many": is_other and self.third == "none",
@@ -204,13 +209,21 @@ class NewLetters(Lesson):
         """Return what is said of each mistake."""
         return {
             "open": _(
-                "The bowl is open: it ends {mm} mm {aside} of the stem, {up} % up. Its ring must "
+                "The bowl is open: it ends {mm} mm right of the stem, {up} % up. Its ring must lie "
+                "on the stem, wherever that leans."
+            ),
+            "past": _(
+                "The bowl goes past the stem: it ends {mm} mm left of it, {up} % up. Its ring must "
                 "lie on the stem, wherever that leans."
             ),
+            "under": _("The bowl ends {mm} mm below the foot of the stem: lead it up to the stem."),
+            "over": _("The bowl ends {mm} mm above the stem: lead it down to the stem."),
             "low": _("The bowl meets the stem only {up} % up: that is still nearly a D."),
             "high": _("The bowl meets the stem {up} % up: a {letter} has a larger one."),
-            "third": _("{letter} has {strokes} strokes; the third is {wanted}. You took {took}."),
-            "many": _("P has {strokes} strokes. Put back what you took from the shelf: {took}."),
+            "third": _(
+                "{letter} has {strokes} strokes; the third is “{wanted}”. You took “{took}”."
+            ),
+            "many": _("P has {strokes} strokes. Put back “{took}”, which you took from the shelf."),
             "lean": _(
                 "With {share} % of hand 2 the stem leans by {lean}°, and {asked}° are asked for."
             ),
@@ -224,12 +237,11 @@ class NewLetters(Lesson):
         """Return what was made, and of whom."""
         made = NewLetter(answer)
         words = _(
-            "A {letter} that nobody showed, {share} % of it by hand 2. The bowl ends {mm} mm from "
-            "the stem, {up:.0f} % up."
+            "Nobody showed this {letter}: {share} % of it is by hand 2, and its bowl ends {mm} mm "
+            "from the stem, {up:.0f} % up."
         )
-        gap, up = made.meeting
-        mm = tell_number(1000 * abs(gap), MOST_GAP)
-        return words.format(letter=self.letter, share=answer["share"], mm=mm, up=100 * up)
+        mm, up = tell_number(made.gap, MOST_GAP), 100 * made.meeting[1]
+        return words.format(letter=self.letter, share=answer["share"], mm=mm, up=up)
 
     @property
     def shown(self) -> NewLetter:
@@ -274,13 +286,12 @@ def _ask(is_seen: bool) -> dict[str, str]:
 
 def _say(made: NewLetter) -> dict[str, str]:
     """Return how far the bowl is from the stem, and whose it is."""
-    gap, up = made.meeting
-    text = _("from the bowl’s end to the stem, {up:.0f} % up. ").format(up=100 * up)
+    text = _("from the bowl’s end to the stem, {up:.0f} % up. ").format(up=100 * made.meeting[1])
     near = made.nearest
     if near["DMP*"] == near["similarity"]:
         strong = _("By its ink, the bowl looks like hand {n}’s.").format(n=near["DMP*"])
     else:
         strong = _("By DMP* it looks like hand {n}’s, by similarity like hand {m}’s.")
         strong = strong.format(n=near["DMP*"], m=near["similarity"])
-    number = tell_number(1000 * abs(gap), MOST_GAP)
+    number = tell_number(made.gap, MOST_GAP)
     return {"number": number, "unit": "mm", "text": text, "strong": strong, "after": ""}

@@ -12,8 +12,8 @@ from dmp_teach.trajectory import Array
 
 BOX = [-0.05, -0.03, 0.14, 0.15]
 # Two letters and a bowl side by side.
-NEXT, BELOW = 0.105, 0.085
-WIDE_BOX = [-0.015, -0.045, 0.3, 0.16]
+NEXT, BELOW = 0.105, 0.078
+WIDE_BOX = [-0.015, -0.055, 0.3, 0.165]
 MOST_DEGREES = 60.0
 
 
@@ -37,7 +37,7 @@ def draw_blind(shown: NewLetter, whose: int | None) -> Drawing:
     lines = [shown.lifted[BOWL] + places[2]]
     if whose is not None:
         lines.append(shown.turned + places[2] - [0, BELOW])
-        words.append(_word(lines[1][-1] - [0.01, 0.035], _("similarity")))
+        words.append(_word(lines[1][-1] - [0.01, 0.025], _("similarity")))
     return {
         "caption": _("On paper"),
         "note": _("dotted: by hand; blue: by the robot"),

@@ -162,16 +162,16 @@ class NewLetter:
         return float(np.degrees(np.arctan2(x, y)))
 
     @cached_property
-    def meeting(self) -> tuple[float, float]:
-        """How far right of the stem the bowl ends [m], and how far up it, from 0 to 1.
+    def meeting(self) -> tuple[Array, float]:
+        """The way from the stem to the bowl's end (2,) [m], and how far up that is, 0 to 1."""
+        stem, end = resample_evenly(self.lifted[STEM], 601)[0], self.lifted[BOWL][-1]
+        nearest = int(np.argmin(np.linalg.norm(stem - end, axis=1)))
+        return end - stem[nearest], 1 - nearest / 600
 
-        Negative is left of it.
-        """
-        stem, end = resample_evenly(self.lifted[STEM], 600)[0], self.lifted[BOWL][-1]
-        away = np.linalg.norm(stem - end, axis=1)
-        nearest = int(np.argmin(away))
-        side = 1 if end[0] >= stem[nearest, 0] else -1
-        return side * float(away[nearest]), 1 - nearest / 599
+    @property
+    def gap(self) -> float:
+        """How far the bowl's end is from the stem [mm]."""
+        return float(1000 * np.linalg.norm(self.meeting[0]))
 
     @property
     def wanted_end(self) -> Array:
@@ -208,18 +208,18 @@ class NewLetter:
 
 
 def find_goals(values: Answer) -> Answer:
-    """Return the same with goals that make a P of it, an R or a B [to 1 mm]."""
+    """Return the same with goals that make a P of it, an R or a B."""
     made = NewLetter(values)
     middle = resample_evenly(made.lifted[STEM], 3)[0][1]
-    values = values | _in_steps("goal", middle - made.lifted[BOWL][-1])
+    values = values | _in_steps("goal", middle - made.lifted[BOWL][-1], 0.1)
     if made.third == "none":
         return values
-    return values | _in_steps("third", -NewLetter(values).third_miss)
+    return values | _in_steps("third", -NewLetter(values).third_miss, 0.5)
 
 
-def _in_steps(knob: str, way: Array) -> Answer:
-    """Return a way (2,) [m] as two knobs have it."""
-    x, y = (round(float(each), 1) for each in way / CM)
+def _in_steps(knob: str, way: Array, step: float) -> Answer:
+    """Return a way (2,) [m] as two knobs have it, in steps [cm]."""
+    x, y = (round(step * round(float(each) / step), 1) + 0.0 for each in way / CM)
     return {f"{knob}_x": x, f"{knob}_y": y}
 
 
