@@ -207,8 +207,8 @@ class BeAScientist(Lesson):
         facts = {"n": len(ratios), "low": tell_ratio(low), "high": tell_ratio(high)}
         facts |= {"least": tell_ratio(ratios.min()), "most": tell_ratio(ratios.max())}
         words = _(
-            "You bet from {low} to {high} times. With {n} writers it is from {least} to {most}. Is "
-            "it the rule that does this? That is not said yet."
+            "You bet from {low} to {high} times. With {n} writers it is from {least} to {most}. "
+            "Whether the rule does this, the counter-test tells."
         )
         return words.format(**facts)
 
@@ -221,7 +221,9 @@ class BeAScientist(Lesson):
         if state.step == "bet" and state.is_revealed:
             number = measured.number
         stroke = self.writers.strokes[last]
-        kinds = _("real writer {k} of {n}") if self.writers.are_real else _("hand {k} of {n}")
+        kinds = (
+            _("real writer {k} of {n}") if self.writers.are_real else _("made writer {k} of {n}")
+        )
         note = kinds.format(k=last + 1, n=self._number(claim))
         sheet = draw_sheet(
             [stroke],
