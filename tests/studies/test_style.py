@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from dmp_teach.errors import LetterError, SettingError
 from dmp_teach.ink.alphabet import recording_of
 from dmp_teach.studies.authorship.answers import Answers, permutation_luck
-from dmp_teach.studies.authorship.made import attribute_made_letters, directions, question
+from dmp_teach.studies.authorship.made import attribute_made_letters, ink_directions, question
 from dmp_teach.studies.authorship.real import (
     BY_MOVEMENT,
     BY_SHAPE,
@@ -198,7 +198,7 @@ def test_place_and_size_do_not_count(scale, x, y):
     moved = [Trajectory(s.t, scale * s.position + [x, y]) for s in strokes]
     np.testing.assert_allclose(shape_features(moved), shape_features(strokes), atol=1e-6)
     np.testing.assert_allclose(
-        directions(moved[1].position), directions(strokes[1].position), atol=1e-6
+        ink_directions(moved[1].position), ink_directions(strokes[1].position), atol=1e-6
     )
     np.testing.assert_allclose(
         movement_features(moved) - movement_features(strokes),
@@ -215,14 +215,14 @@ def test_lean_counts(lean):
     apart = shape_features(leaned) - shape_features(strokes)
     assert apart[-2] == pytest.approx(lean, rel=0.15)  # the points lie elsewhere along longer ink
     assert (
-        np.linalg.norm(directions(leaned[1].position) - directions(strokes[1].position))
+        np.linalg.norm(ink_directions(leaned[1].position) - ink_directions(strokes[1].position))
         > 0.3 * lean
     )
 
 
 def test_a_bowl_drawn_from_its_foot_is_the_same_bowl():
     bowl = recording_of("D").strokes()[1].position
-    np.testing.assert_allclose(directions(bowl[::-1]), directions(bowl), atol=1e-9)
+    np.testing.assert_allclose(ink_directions(bowl[::-1]), ink_directions(bowl), atol=1e-9)
 
 
 def test_every_writer_counts_alike_and_as_one():
