@@ -17,6 +17,8 @@ from dmp_teach.trajectory import Array
 FIRST_AHEAD, LAST_AHEAD, MOST_ASIDE, MAP_STEP = 30, 115, 90, 5
 # What is seen of the floor: left, bottom, right, top [m].
 FLOOR = [-1.0, -0.3, 1.0, 1.32]
+# What carries a page reaches so far beyond it [m].
+_MARGIN = 0.1
 TO_PLAN = np.array([[0.0, -1.0], [1.0, 0.0]])
 """From the world's x and y to right and ahead."""
 
@@ -88,12 +90,16 @@ def draw_robot() -> list[Drawing]:
     return [{"points": np.vstack([each, each[:1]]), "kind": "body"} for each in outlines]
 
 
-def draw_page(where: str) -> Drawing:
-    """Draw the page where two knobs have moved it."""
+def draw_page(where: str) -> list[Drawing]:
+    """Draw the page, and what it lies on, where two knobs have moved them."""
     page = USUAL_PAGES[where]
-    corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1], [-1, -1]]) / 2 * page.size
-    outline = corners @ (TO_PLAN @ page.X_world_page[:2, :2]).T
-    return {"points": follow_page(outline), "kind": "page"}
+    corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1], [-1, -1]]) / 2
+    to_plan = (TO_PLAN @ page.X_world_page[:2, :2]).T
+    sizes = {"under-page": page.size + 2 * _MARGIN, "page": page.size}
+    return [
+        {"points": follow_page(corners * size @ to_plan), "kind": kind}
+        for kind, size in sizes.items()
+    ]
 
 
 def follow_page(points: Array) -> Affine:

@@ -134,12 +134,11 @@ class RobotWrites(Lesson):
     def challenge(self) -> str:
         """What is checked."""
         words = _(
-            "Put the page on a {where}, its middle at least {aside} cm to the {side}, so that no "
-            "corner is more than {off:g} mm out of reach. Press with {low:g} to {high:g} N, and "
-            "write {speed} cm/s or faster with no joint above {busy} % of its fastest turn."
+            "Put the page on a {where}, its middle at least {aside} cm to the {side}. All of it "
+            "must be in reach, the pen well pressed, and no joint in a hurry at {speed} cm/s or "
+            "more."
         )
-        limits = {"off": MOST_MISSING, "low": LEAST_FORCE, "high": MOST_FORCE, "busy": MOST_BUSY}
-        return words.format(**self._wanted, **limits)
+        return words.format(**self._wanted)
 
     @property
     def _wanted(self) -> dict[str, object]:
@@ -173,7 +172,7 @@ class RobotWrites(Lesson):
         side = _("to the left") if self.side < 0 else _("to the right")
         return [
             at_least(side, self.side * setup.right, self.aside, "cm"),
-            at_most(_("corner out of reach"), setup.residual, MOST_MISSING, "mm"),
+            at_most(_("corner too far"), setup.residual, MOST_MISSING, "mm"),
             between(_("force"), setup.force, LEAST_FORCE, MOST_FORCE, "N"),
             at_least(_("pen"), setup.speed, self.speed, "cm/s"),
             reached,
@@ -268,7 +267,7 @@ class RobotWrites(Lesson):
             "caption": _("From above"),
             "note": "" if is_hidden else _("blue: its middle can be here; light: joints hurry"),
             "dots": [{"at": np.zeros((1, 2)), "kind": "child", "label": _("robot")}],
-            "extras": [*known, *draw_robot(), draw_page(setup.where)],
+            "extras": [*known, *draw_robot(), *draw_page(setup.where)],
             "rings": [page_ring(is_fixed=is_bet)],
         }
         if setup.where != "table":

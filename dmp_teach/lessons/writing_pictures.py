@@ -29,7 +29,7 @@ def draw_force(setup: WritingSetup) -> Drawing:
     more, weight = (RIGID, 0.0) if setup.pen == "rigid" else (SPRING, weight_on(setup.where))
     low, high = ((limit - weight) / more for limit in FORCE_BAND)
     x = {"label": "", "low": 0.0, "high": DEEPEST, "ticks": _ticks(range(0, 15, 2), "mm")}
-    dots: list[Drawing] = [{"at": [setup.press, setup.force], "kind": "robot"}]
+    dot: Drawing = {"at": [setup.press, setup.force], "kind": "robot"}
     return {
         "caption": _("How hard the pen presses"),
         "note": _("{n} N; an apple weighs 1 N").format(n=setup.facts["n"]),
@@ -37,27 +37,26 @@ def draw_force(setup: WritingSetup) -> Drawing:
         "y": {"label": "", "low": 0.0, "high": _MOST_FORCE, "ticks": _ticks(range(4), "N")},
         "lines": lines,
         "bands": [{"from": low, "to": high, "label": _("good") if setup.pen == "sprung" else ""}],
-        "dots": dots if setup.force <= _MOST_FORCE else [],
+        "dots": [dot] if setup.force <= _MOST_FORCE else [],
     }
 
 
 def draw_joints(setup: WritingSetup) -> Drawing:
     """Draw how busy the busiest joint is at every speed of the pen."""
+    dot: Drawing = {"at": [setup.speed, setup.percent], "kind": "robot"}
     most = np.array([[0.0, MOST_BUSY], [FASTEST, MOST_BUSY]])
     lines: list[Drawing] = [{"points": most, "kind": "quiet", "label": f"{MOST_BUSY:g} %"}]
-    dots: list[Drawing] = []
     if setup.is_reached:
         speeds = np.linspace(0, FASTEST, 61)
         points = np.column_stack([speeds, busiest_joint(setup.effort, 1.0) * speeds])
         lines.append({"points": points[points[:, 1] <= _MOST_PERCENT], "kind": "robot"})
-        dots = [{"at": [setup.speed, min(setup.percent, _MOST_PERCENT)], "kind": "robot"}]
     return {
         "caption": _("How busy the busiest joint is"),
-        "note": "" if dots else _("this page is not in reach"),
+        "note": "" if setup.is_reached else _("this page is not in reach"),
         "x": {"label": "", "low": 0.0, "high": FASTEST, "ticks": _ticks(range(0, 61, 20), "cm/s")},
         "y": {"label": "", "low": 0.0, "high": _MOST_PERCENT, "ticks": _ticks((0, 100, 200), "%")},
         "lines": lines,
-        "dots": dots,
+        "dots": [dot] if setup.percent <= _MOST_PERCENT else [],
     }
 
 
