@@ -101,9 +101,9 @@ class BeAScientist(Lesson):
     def bet(self) -> DrawnBet:
         """The smallest and the largest ratio."""
         question = _(
-            "One writer wrote this {letter}. The paper says that DMP* is more accurate than the "
-            "first rule. For {n} writers: how many times larger is the first rule’s error? Pull "
-            "the left dot to the smallest number, the right one to the largest."
+            "One writer wrote this {letter}. The paper says that DMP*, the newer rule, is more "
+            "accurate than the first one. For {n} writers: how many times larger is the first "
+            "rule’s error? Pull the left dot to the smallest number, the right one to the largest."
         )
         most = len(self.writers.strokes)
         places = np.array([[1.0, 2.0], [float(most), 2.0]])
@@ -129,7 +129,10 @@ class BeAScientist(Lesson):
             ),
             Task(
                 _("Look at the other claims, each in both ways and with all its writers."),
-                lambda v: v["claim"] != self.start["claim"] and v["how"] == COUNTER_TEST,
+                lambda v: (
+                    (v["claim"] != self.start["claim"] and v["how"] == COUNTER_TEST)
+                    and v["writers"] == len(self.writers.strokes)
+                ),
             ),
         )
 
