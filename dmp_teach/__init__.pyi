@@ -66,6 +66,8 @@ from dmp_teach.studies import sweep_kernel_width as sweep_kernel_width
 from dmp_teach.texts import set_language as set_language
 from dmp_teach.trajectory import Trajectory as Trajectory
 from dmp_teach.views import figures as figures
+from dmp_teach.views import read_stamp as read_stamp
 from dmp_teach.views import view as view
+from dmp_teach.views import write_stamp as write_stamp
 
 __version__: str

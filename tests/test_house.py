@@ -54,6 +54,7 @@ ROOMS = {  # where a library from elsewhere may be imported
     "meshcat": ["views/scene/commands.py"],
     "umsgpack": ["views/"],
     "PIL": ["views/"],
+    "zxingcpp": ["views/"],
     "matplotlib": ["views/"],
     "IPython": ["views/", "classroom/"],
     "traitlets": ["views/", "classroom/"],

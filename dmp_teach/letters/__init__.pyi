@@ -10,6 +10,8 @@ from .compose.roles import strokes_in_role as strokes_in_role
 from .compose.shelf import Shelf as Shelf
 from .letter import Letter as Letter
 from .letter import rms_distance as rms_distance
+from .stamp import letter_from_bytes as letter_from_bytes
+from .stamp import letter_to_bytes as letter_to_bytes
 from .styles import Style as Style
 from .text.lines import write_lines as write_lines
 from .text.words import write_word as write_word
