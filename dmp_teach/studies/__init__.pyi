@@ -38,6 +38,7 @@ from .other_ways.compare import WAYS as WAYS
 from .other_ways.compare import WaysTried as WaysTried
 from .other_ways.compare import WayTried as WayTried
 from .other_ways.compare import compare_ways_to_learn as compare_ways_to_learn
+from .other_ways.compare import lead_way as lead_way
 from .other_ways.compare import share_of_same_way as share_of_same_way
 from .other_ways.takes import draw_takes as draw_takes
 from .other_ways.way import GaussianWay as GaussianWay

@@ -175,9 +175,27 @@ def try_way(piece: tuple[type[Way], tuple[Trajectory, ...], Array, Array]) -> Wa
     kind, takes, meant, shift = piece
     begin = perf_counter()
     way = kind.learn(takes)
-    letter = way.write()
-    seconds = perf_counter() - begin
-    moved = way.write(meant[-1] + shift)
+    way.write()
+    return lead_way(way, takes, meant, shift, perf_counter() - begin)
+
+
+def lead_way(
+    way: Way,
+    takes: tuple[Trajectory, ...],
+    meant: Array,
+    shift: Array,
+    seconds: float = np.nan,
+) -> WayTried:
+    """Write what was learned to its own goal, and to the one that was meant moved by a shift.
+
+    Args:
+        way: As it was learned.
+        takes: The demonstrations.
+        meant: The letter that they are takes of, shape (CUTS + 1, D) [m].
+        shift: How far its goal moves, shape (D,) [m].
+        seconds: How long it took to learn [s].
+    """
+    letter, moved = way.write(), way.write(meant[-1] + shift)
     return WayTried(way, takes, meant, shift, letter, moved, seconds, np.nan)
 
 

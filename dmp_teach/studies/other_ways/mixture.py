@@ -12,7 +12,14 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from dmp_teach.dmp import check_point
-from dmp_teach.studies.other_ways.way import CUTS, Aligned, Way, align_takes, import_library
+from dmp_teach.studies.other_ways.way import (
+    CUTS,
+    Aligned,
+    Way,
+    align_takes,
+    import_library,
+    one_thread,
+)
 from dmp_teach.trajectory import Array, Trajectory
 
 COMPONENT_NUMBER = 10
@@ -49,6 +56,7 @@ class Mixture(Way):
     means: Array
     covariances: Array
     name: ClassVar[str] = "mixture"
+    library: ClassVar[str] = "sklearn"
 
     @classmethod
     def learn(cls, demonstrations: Iterable[Trajectory]) -> Self:
@@ -73,10 +81,8 @@ class Mixture(Way):
             reg_covar=1e-4,
             random_state=0,
         )
-        # Threads cost more than they give on matrices this small.
-        limits = import_library("threadpoolctl", "scikit-learn").threadpool_limits
         # It warns where 100 steps left a little to gain.
-        with limits(1), warnings.catch_warnings(action="ignore"):
+        with one_thread(), warnings.catch_warnings(action="ignore"):
             model.fit(np.concatenate(rows))
         return cls(aligned, model.weights_, model.means_, model.covariances_)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import dataclass
 from functools import cached_property
+from logging import ERROR, getLogger
 from typing import ClassVar, Self
 
 import numpy as np
@@ -18,6 +19,7 @@ from dmp_teach.studies.other_ways.way import (
     GaussianWay,
     align_takes,
     import_library,
+    one_thread,
 )
 from dmp_teach.trajectory import Array, Trajectory
 
@@ -46,6 +48,7 @@ class HiddenMarkov(GaussianWay):
     variances: Array
     lengths: Array
     name: ClassVar[str] = "hidden Markov"
+    library: ClassVar[str] = "hmmlearn"
 
     @classmethod
     def learn(cls, demonstrations: Iterable[Trajectory]) -> Self:
@@ -64,9 +67,12 @@ class HiddenMarkov(GaussianWay):
         model.startprob_, model.transmat_ = np.eye(STATE_NUMBER)[0], passes
         model.means_ = np.array([piece.mean(axis=(0, 1)) for piece in pieces])
         model.covars_ = np.array([piece.var(axis=(0, 1)) + LEAST_VARIANCE for piece in pieces])
+        # It warns where the least variance outweighs the last gain.
+        getLogger("hmmlearn").setLevel(ERROR)
         rows, lengths = seen.reshape(-1, numbers), [samples] * count
-        model.fit(rows, lengths)
-        stays = model.predict_proba(rows, lengths).sum(axis=0) / count
+        with one_thread():
+            model.fit(rows, lengths)
+            stays = model.predict_proba(rows, lengths).sum(axis=0) / count
         variances = np.array([np.diag(each) for each in model.covars_])
         shape = (STATE_NUMBER, 3, numbers // 3)
         return cls(aligned, model.means_.reshape(shape), variances.reshape(shape), stays)

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from abc import ABC, abstractmethod
 from collections.abc import Iterable
+from contextlib import AbstractContextManager
 from dataclasses import dataclass
 from importlib import import_module
+from importlib.util import find_spec
 from types import ModuleType
 from typing import Any, ClassVar, Self
 
@@ -53,6 +55,12 @@ class Way(ABC):
     """A way to learn a movement: `learn` it from demonstrations, `write` it to a goal."""
 
     name: ClassVar[str]
+    library: ClassVar[str] = "numpy"
+
+    @classmethod
+    def can_learn(cls) -> bool:
+        """Return whether the library that learns is installed."""
+        return find_spec(cls.library) is not None
 
     @classmethod
     @abstractmethod
@@ -173,3 +181,8 @@ def import_library(module: str, package: str) -> ModuleType:
             f"This way to learn needs {package}, which is not here ({error}). The others work "
             f"without it; python3 -m pip install {package} brings it."
         ) from None
+
+
+def one_thread() -> AbstractContextManager[object]:
+    """Let libraries that learn take one thread: on small matrices more cost what they give."""
+    return import_library("threadpoolctl", "scikit-learn").threadpool_limits(1)

@@ -1,0 +1,193 @@
+"""Five ways to learn one letter from takes of it, and what becomes of each when its goal moves."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+
+from dmp_teach.classroom import Affine, Drawing
+from dmp_teach.ink import recording_of
+from dmp_teach.lessons.drawing import sheet_box
+from dmp_teach.studies import (
+    WAYS,
+    GaussianWay,
+    Way,
+    WayTried,
+    draw_takes,
+    even_path,
+    lead_way,
+)
+from dmp_teach.texts import gettext as _
+from dmp_teach.trajectory import Array, Trajectory, rms
+
+CM = 0.01
+WAY_KEYS = dict(zip(("dmp", "mixture", "states", "cost", "spread"), WAYS.values(), strict=True))
+MOST_SHOWN = 8
+# The fewest letters that a challenge may need, and how far from enough one fewer is.
+LEAST_NEEDED, GAP = 3, 0.85
+# Where their goals move [cm]: a line that stays where it was must turn round to get there.
+LED_LETTERS = {
+    "S": (6.0, 3.0),
+    "2": (-6.0, 3.0),
+    "3": (6.0, 3.0),
+    "6": (6.0, -3.0),
+    "9": (-6.0, 3.0),
+    "C": (-6.0, -3.0),
+    "e": (-6.0, -3.0),
+}
+
+
+def ways_here() -> dict[str, type[Way]]:
+    """Return the ways whose library is installed, by what a pupil sets."""
+    return {key: way for key, way in WAY_KEYS.items() if way.can_learn()}
+
+
+@lru_cache(maxsize=32)
+def takes_of(character: str, hand: int) -> tuple[Trajectory, ...]:
+    """Return takes of a letter of one stroke, as a hand writes it again and again."""
+    return draw_takes(recording_of(character).strokes()[0], MOST_SHOWN, hand)
+
+
+@lru_cache(maxsize=16)
+def meant_by(character: str) -> Array:
+    """Return the letter that takes are tries of, at equal parts of its duration [m]."""
+    return even_path(recording_of(character).strokes()[0])
+
+
+@lru_cache(maxsize=512)
+def learn_in(key: str, character: str, hand: int, shown: int) -> Way:
+    """Learn a letter in one way from the first takes of a hand."""
+    return WAY_KEYS[key].learn(takes_of(character, hand)[:shown])
+
+
+def find_hand(character: str, random: np.random.Generator) -> tuple[int, int, float]:
+    """Find a hand that needs several takes until a learned cost has what it means.
+
+    Returns:
+        Whose hand; how many takes it needs; and a limit that no fewer of them meet [mm].
+    """
+    while True:
+        hand = int(random.integers(100_000))
+        paths = np.array([even_path(take) for take in takes_of(character, hand)])
+        count = np.arange(1, MOST_SHOWN + 1)
+        means = np.cumsum(paths, axis=0) / count[:, None, None]
+        errors = np.array([rms(mean - meant_by(character)) for mean in means])
+        best = np.minimum.accumulate(errors)
+        enough = np.flatnonzero(errors[1:] < GAP * best[:-1]) + 2
+        for needed in enough[(enough >= LEAST_NEEDED) & (enough < MOST_SHOWN)]:
+            limit = math.floor(1e4 * np.sqrt(errors[needed - 1] * best[needed - 2])) / 10
+            fewer = int(np.argmin(errors[: needed - 1])) + 1
+            less, more = (
+                Led(character, hand, "cost", shown, (0.0, 0.0)).error for shown in (fewer, needed)
+            )
+            if more < 0.97 * limit and less > 1.03 * limit:
+                return hand, int(needed), limit
+
+
+@dataclass(frozen=True)
+class Led:
+    """The letter of a pupil, learned in one way, with a goal that was moved.
+
+    Args:
+        character: The letter.
+        hand: Whose takes.
+        key: The way.
+        shown: How many takes were shown.
+        shift: How far the goal moved [cm].
+    """
+
+    character: str
+    hand: int
+    key: str
+    shown: int
+    shift: tuple[float, float]
+
+    @property
+    def tried(self) -> WayTried:
+        """What was written, with its figures."""
+        return _tried(self)
+
+    @property
+    def line(self) -> Affine | Array:
+        """The robot's line; where a path follows its goal evenly, as the browser draws it [m]."""
+        way = self.tried.way
+        if not isinstance(way, GaussianWay) and self.key != "dmp":
+            return self.tried.moved.position
+        home = meant_by(self.character)[-1]
+        base = way.write(home).position
+        x, y = (way.write(home + CM * axis).position - base for axis in np.eye(2))
+        return Affine(base, {"goal_x": x, "goal_y": y})
+
+    @property
+    def error(self) -> float:
+        """How far the letter to its own goal is from what was meant [mm]."""
+        return 1000 * self.tried.error
+
+    @property
+    def miss(self) -> float:
+        """How far from its new goal the pen ends [mm]."""
+        return 1000 * self.tried.miss
+
+    @property
+    def share(self) -> float:
+        """How much of the moved letter goes the way of the one that did not move [%]."""
+        return 100 * self.tried.same_way
+
+
+@lru_cache(maxsize=1024)
+def _tried(led: Led) -> WayTried:
+    """Return what a way writes, with its figures."""
+    way, shift = learn_in(led.key, led.character, led.hand, led.shown), CM * np.array(led.shift)
+    takes = takes_of(led.character, led.hand)[: led.shown]
+    return lead_way(way, takes, meant_by(led.character), shift)
+
+
+def draw_side_by_side(letters: list[Led | None], box: list[float], marked: str) -> Drawing:
+    """Draw what each way writes to the goal that moved, beside one another [cm].
+
+    Args:
+        letters: One for each way; None where it is not known yet.
+        box: Of one letter: left, bottom, right, top [m].
+        marked: The way that is set.
+    """
+    left, low, right, high = (side / CM for side in box)
+    width = right - left
+    names, lines, dots = way_names(), [], []
+    for number, (key, led) in enumerate(zip(ways_here(), letters, strict=True)):
+        if led is None:
+            continue
+        home = np.array([number * width - left, 0.0])
+        # Lines that leave their place would cross a neighbour's.
+        path = led.tried.moved.position / CM
+        inside = (path[:, 0] > left) & (path[:, 0] < right)
+        points = np.where(inside[:, None], path + home, np.nan)
+        lines.append({"points": points, "kind": "robot" if key == marked else "quiet"})
+        dots.append({"at": (led.tried.goal / CM + home).tolist(), "kind": "bet"})
+    ticks = [[(n + 0.5) * width, names[key]] for n, key in enumerate(ways_here())]
+    return {
+        "x": {"label": "", "low": 0.0, "high": width * len(ticks), "ticks": ticks},
+        "y": {"label": "", "low": low, "high": high, "ticks": []},
+        "lines": lines,
+        "dots": dots,
+    }
+
+
+def way_names() -> dict[str, str]:
+    """Return the ways as a pupil reads them."""
+    return {
+        "dmp": "DMP*",
+        "mixture": _("mixture"),
+        "states": _("states"),
+        "cost": _("cost"),
+        "spread": _("spread"),
+    }
+
+
+def box_around(character: str, hand: int, reach: float) -> list[float]:
+    """Return a sheet for all takes and for a goal that moves so far [cm]."""
+    goal = meant_by(character)[-1]
+    corners = goal + CM * reach * np.array([[-1, -1], [1, 1]])
+    return sheet_box([*(take.position for take in takes_of(character, hand)), corners])

@@ -1,0 +1,312 @@
+"""Lesson 12: the other ways to learn that the paper names, beside DMP*."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from dmp_teach.classroom import (
+    Answer,
+    ChosenBet,
+    Condition,
+    Drawing,
+    KeptBet,
+    Knobs,
+    Lesson,
+    LessonState,
+    OneOf,
+    Picture,
+    Slider,
+    Task,
+    at_most,
+)
+from dmp_teach.lessons.drawing import draw_sheet, goal_ring, tell_number
+from dmp_teach.lessons.five_ways import (
+    LED_LETTERS,
+    MOST_SHOWN,
+    Led,
+    box_around,
+    draw_side_by_side,
+    find_hand,
+    meant_by,
+    takes_of,
+    way_names,
+    ways_here,
+)
+from dmp_teach.texts import gettext as _
+
+REACH = 7.0
+MOST_MISS, MOST_NUMBERS = 1.0, 100
+# What the bet is on: this many takes of the letter are several.
+SEVERAL = 5
+
+
+class OtherWays(Lesson):
+    """One demonstration or many, a moved goal, and how much must be stored: no way wins all."""
+
+    key = "12"
+    slug = "other_ways"
+
+    def vary(self, random: np.random.Generator | None) -> None:
+        """Choose the letter, whose hand, and how near is near enough."""
+        random = random or np.random.default_rng(2)
+        self.letter = str(random.choice(list(LED_LETTERS)))
+        self.hand, self.needed, self.limit = find_hand(self.letter, random)
+        self.shift = LED_LETTERS[self.letter]
+        goal = {"goal_x": self.shift[0], "goal_y": self.shift[1]}
+        self.start = {"way": "dmp", "shown": 1, **goal}
+        self.solution = {"way": "cost", "shown": self.needed, **goal}
+
+    @property
+    def question(self) -> str:
+        """The title."""
+        return _("Are there other ways to learn?")
+
+    @property
+    def knobs(self) -> Knobs:
+        """What a pupil can set; where the goal is, is no part of the answer."""
+        names = way_names()
+        options = {key: names[key] for key in ways_here()}
+        x, y = (
+            Slider(label, "g", -REACH, REACH, 0.1, "cm", 1, is_drawn_here=True, is_view=True)
+            for label in (_("Goal to the right"), _("Goal upwards"))
+        )
+        return {
+            "way": OneOf(_("Way to learn"), options),
+            "shown": Slider(_("Letters shown"), "n", 1, MOST_SHOWN, icons=("one", "many")),
+            "goal_x": x,
+            "goal_y": y,
+        }
+
+    @property
+    def bet(self) -> ChosenBet:
+        """Which way needs one letter, and which needs several."""
+        question = _(
+            "Five ways to learn have seen one {letter}. Now its goal moves to the ring. One way "
+            "still writes the whole {letter}, and ends there. One cannot go there at all until it "
+            "has seen several. Which ones?"
+        )
+        names = way_names()
+        words = _("{one} needs one {letter}, {many} needs several")
+        pairs = [("spread", "dmp"), ("dmp", "spread"), ("cost", "mixture"), ("mixture", "states")]
+        options = {
+            f"{one}-{many}": words.format(one=names[one], many=names[many], letter=self.letter)
+            for one, many in pairs
+        }
+        return ChosenBet(question.format(letter=self.letter), options)
+
+    @property
+    def tasks(self) -> Sequence[Task]:
+        """What to try."""
+        return (
+            Task(
+                _("Go through the five ways. Which keep the letter, which only its end follows?"),
+                lambda v: v["way"] in ("states", "cost"),
+            ),
+            Task(
+                _("Take spread. How many letters must it see until it reaches the ring?"),
+                lambda v: v["way"] == "spread" and v["shown"] >= 3,
+            ),
+            Task(
+                _("Show more letters to DMP*, then to cost. Which of them gets nearer?"),
+                lambda v: v["way"] == "cost" and v["shown"] >= SEVERAL,
+            ),
+        )
+
+    @property
+    def challenge(self) -> str:
+        """What is checked."""
+        words = _(
+            "A hand slips a little in each {letter}. Let the robot find the {letter} that was "
+            "meant, within {limit} mm, with as few letters shown as will do. It must end at the "
+            "ring when its goal is there, and store at most {numbers} numbers."
+        )
+        return words.format(letter=self.letter, limit=self.limit, numbers=MOST_NUMBERS)
+
+    @property
+    def hints(self) -> tuple[str, str, str]:
+        """Each more direct."""
+        return (
+            _("One letter has its slips. Which ways take the mean of several, and which does not?"),
+            _("Of those that do, only one stores few numbers. Then go down with the letters."),
+            _("Take cost, and show {n} letters.").format(n=self.needed),
+        )
+
+    def _led(self, answer: Answer, **other: object) -> Led:
+        """Return what an answer writes, with the goal of the challenge or another one."""
+        values = answer | other
+        shift = (
+            float(values.get("goal_x", self.shift[0])),
+            float(values.get("goal_y", self.shift[1])),
+        )
+        return Led(self.letter, self.hand, str(values["way"]), int(values["shown"]), shift)
+
+    def _judged(self, answer: Answer, **other: object) -> Led:
+        """Return what an answer writes to the goal of the challenge."""
+        return self._led({name: answer[name] for name in ("way", "shown")}, **other)
+
+    def conditions(self, answer: Answer) -> Sequence[Condition]:
+        """Return how near it is, where it ends, and how much it stores."""
+        led = self._judged(answer)
+        return [
+            at_most(self.letter, led.error, self.limit, "mm"),
+            at_most(_("from the ring"), led.miss, MOST_MISS, "mm"),
+            at_most(_("numbers stored"), led.tried.way.numbers_stored, MOST_NUMBERS),
+        ]
+
+    def mistakes(self, answer: Answer) -> Sequence[tuple[bool, str]]:
+        """Return what is wrong with the way, or with the number of letters."""
+        led = self._judged(answer)
+        is_near, arrives, is_small = (each.is_met for each in self.conditions(answer))
+        facts = self._facts(led)
+        stays = _(
+            "Shown {shown}, spread knows {shown} ways to write {letter}, and in none of them does "
+            "it end at the ring: it is {miss} mm away."
+        )
+        alone = _(
+            "Shown one {letter}, spread knows no other way to write it. The ring is {miss} mm away."
+        )
+        astray = _("The mixture stops {miss} mm from the ring: it was never shown that place.")
+        large = _(
+            "With {shown} shown, {way} is {error} mm off, but it stores {numbers} numbers; {most} "
+            "are allowed."
+        )
+        slips = _(
+            "DMP* was shown {shown}, and learned the first alone, with its slips: {error} mm off; "
+            "the limit is {limit}."
+        )
+        few = _(
+            "The mean of {shown} still has some of their slips: {error} mm off; the limit is "
+            "{limit}."
+        )
+        many = _("With {shown} shown it is {error} mm off. That will do, but fewer will do, too.")
+        found = [
+            (led.key == "spread" and not arrives, alone if led.shown == 1 else stays),
+            (not is_small, large),
+            (led.key == "mixture" and not arrives, astray),
+            (not is_near, slips if led.key == "dmp" else few),
+            (led.shown > self.needed, many),
+        ]
+        return [(is_made, words.format(**facts)) for is_made, words in found]
+
+    def _facts(self, led: Led) -> dict[str, object]:
+        """Return what sentences name."""
+        return {
+            **{"letter": self.letter, "way": way_names()[led.key], "shown": led.shown},
+            **{"limit": self.limit, "most": MOST_NUMBERS, "numbers": led.tried.way.numbers_stored},
+            "error": tell_number(led.error, self.limit),
+            "miss": tell_number(led.miss, MOST_MISS, 0 if led.miss > 9.5 else 1),
+            "share": f"{led.share:.0f}",
+        }
+
+    def praise(self, answer: Answer) -> str:
+        """Return what was found, and what it costs."""
+        led = self._judged(answer)
+        words = _(
+            "From {shown} letters the cost found the one that was meant, within {error} mm, and "
+            "keeps it in {numbers} numbers. DMP* keeps its one letter in {others}, {off} mm off."
+        )
+        star = self._judged(answer, way="dmp")
+        more = {"others": star.tried.way.numbers_stored, "off": tell_number(star.error, self.limit)}
+        return words.format(**self._facts(led), **more)
+
+    def tell_bet(self, bet: KeptBet) -> str:
+        """Return what each way wrote after one letter, and spread after several."""
+        words = _(
+            "From one {letter}, {dmp} % of the line by DMP* goes as it went before, and it ends at "
+            "the ring. By cost it is {cost} %: only its end follows. Spread stays {miss} mm away; "
+            "shown {n}, it gets there, and bends the {letter}. "
+        )
+        said = (
+            _("Just as you said.")
+            if bet == "dmp-spread"
+            else _("The other two ways: turn the page and see.")
+        )
+        one = {key: self._judged(self.start, way=key) for key in ("dmp", "cost", "spread")}
+        shares = {key: f"{one[key].share:.0f}" for key in ("dmp", "cost")}
+        miss = f"{one['spread'].miss:.0f}"
+        return words.format(letter=self.letter, n=SEVERAL, miss=miss, **shares) + said
+
+    def draw(self, state: LessonState) -> Picture:
+        """Draw takes and the line to the ring; all ways side by side; and the error."""
+        is_hidden = state.step == "bet" and not state.is_revealed
+        led = self._led(state.values)
+        takes = takes_of(self.letter, self.hand)[: led.shown]
+        home = meant_by(self.letter)[-1]
+        note = _("{n} shown, dotted").format(n=led.shown)
+        sheet = draw_sheet(
+            takes,
+            [] if is_hidden else [led.line],
+            box=box_around(self.letter, self.hand, REACH),
+            rings=[goal_ring(home, state.step == "bet")],
+            caption=_("On paper"),
+            note=note,
+        )
+        strokes = () if is_hidden else (led.tried.moved,)
+        plots = {"ways": self._draw_ways(state, led, is_hidden)}
+        if state.step != "bet":
+            plots["error"] = self._draw_errors(state, led)
+        return Picture(self._ask() if is_hidden else self._say(led), sheet, plots, strokes)
+
+    def _draw_ways(self, state: LessonState, led: Led, is_hidden: bool) -> Drawing:
+        """Draw what all ways write that were tried with so many letters; after the bet, all."""
+        tried = {str(each["way"]) for each in state.tried if each["shown"] == led.shown}
+        if state.step == "bet":
+            tried = set() if is_hidden else set(ways_here())
+        tried |= set() if is_hidden else {led.key}
+        letters = [self._led(state.values, way=k) if k in tried else None for k in ways_here()]
+        plot = draw_side_by_side(letters, box_around(self.letter, self.hand, REACH), led.key)
+        note = _("{n} shown") if led.shown > 1 else _("one shown")
+        return plot | {"caption": _("Each way, to the ring"), "note": note.format(n=led.shown)}
+
+    def _draw_errors(self, state: LessonState, led: Led) -> Drawing:
+        """Draw how far from what was meant the way was with each number that was tried."""
+        places = {(str(each["way"]), int(each["shown"])) for each in state.tried}
+        lines: list[Drawing] = []
+        dots: list[Drawing] = []
+        for key in ways_here():
+            shown = sorted(n for way, n in places | {(led.key, led.shown)} if way == key)
+            points = [[n, self._judged({"way": key, "shown": n}).error] for n in shown]
+            kind = "robot" if key == led.key else "quiet"
+            if len(points) > 1:
+                lines.append({"points": np.array(points), "kind": kind, "label": way_names()[key]})
+            dots += [{"at": each, "kind": kind} for each in points]
+        if state.step == "challenge":
+            limit = np.array([[1.0, self.limit], [float(MOST_SHOWN), self.limit]])
+            lines.append({"points": limit, "kind": "child", "label": _("limit")})
+        return {
+            "caption": _("From what was meant [mm]"),
+            "x": {"label": _("letters shown"), "low": 1, "high": MOST_SHOWN},
+            "y": {"label": "", "low": 0.0, "high": 12.0},
+            "lines": lines,
+            "dots": dots,
+        }
+
+    def _ask(self) -> dict[str, str]:
+        """Return what is said before the truth is seen."""
+        x, y = self.shift
+        number = f"{np.hypot(x, y):.1f}"
+        text = _("is how far the goal has moved. ")
+        return {
+            **{"number": number, "unit": "cm", "text": text},
+            **{"strong": _("What will five learners write?"), "after": ""},
+        }
+
+    def _say(self, led: Led) -> dict[str, str]:
+        """Return the number and the sentence."""
+        does = {
+            "dmp": _("It learns the first letter alone, and pushes alike to any goal. "),
+            "mixture": _("At each place it knows which way to go, if it was shown that place. "),
+            "states": _("It goes through 16 states: each a place, a speed, and how sure. "),
+            "cost": _("It pays for jerks and for missed places, and writes what costs least. "),
+            "spread": _("It knows the mean letter, and how the others differed from it. "),
+        }
+        strong = _("{share} % goes as before the goal moved; the pen ends {miss} mm from the ring.")
+        facts = self._facts(led)
+        number = {"number": f"{led.error:.1f}", "unit": _("mm from what was meant")}
+        after = _(" {numbers} numbers stored.").format(**facts)
+        return {
+            **number,
+            **{"text": does[led.key], "strong": strong.format(**facts), "after": after},
+        }
