@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
@@ -145,45 +145,50 @@ def _tried(led: Led) -> WayTried:
     return lead_way(way, takes, meant_by(led.character), shift)
 
 
-def draw_side_by_side(letters: list[Led | None], box: list[float], marked: str) -> Drawing:
-    """Draw what each way writes to the goal that moved, beside one another [cm].
+def draw_side_by_side(letters: dict[str, Led], marked: Led) -> Drawing:
+    """Draw what ways write to the goal that moved, beside one another [cm].
 
     Args:
-        letters: One for each way; None where it is not known yet.
-        box: Of one letter: left, bottom, right, top [m].
-        marked: The way that is set.
+        letters: By way; those that are not known yet have an empty place.
+        marked: The one that is set.
     """
-    left, low, right, high = (side / CM for side in box)
-    width = right - left
-    names, lines, dots = way_names(), [], []
-    for number, (key, led) in enumerate(zip(ways_here(), letters, strict=True)):
-        if led is None:
+    low, high = _cell(replace(marked, key="dmp", shown=1))
+    width = float(high[0] - low[0])
+    lines: list[Drawing] = []
+    dots: list[Drawing] = []
+    ticks = []
+    for number, key in enumerate(ways_here()):
+        ticks.append([(number + 0.5) * width, way_names()[key]])
+        if key not in letters:
             continue
-        home = np.array([number * width - left, 0.0])
-        # Lines that leave their place would cross a neighbour's.
-        path = led.tried.moved.position / CM
-        inside = (path[:, 0] > left) & (path[:, 0] < right)
+        home = np.array([number * width, 0.0]) - low
+        tried = letters[key].tried
+        path = tried.moved.position / CM
+        # A line that leaves its place would cross a neighbour's.
+        inside = (path[:, 0] > low[0]) & (path[:, 0] < high[0])
         points = np.where(inside[:, None], path + home, np.nan)
-        lines.append({"points": points, "kind": "robot" if key == marked else "quiet"})
-        dots.append({"at": (led.tried.goal / CM + home).tolist(), "kind": "bet"})
-    ticks = [[(n + 0.5) * width, names[key]] for n, key in enumerate(ways_here())]
-    return {
-        "x": {"label": "", "low": 0.0, "high": width * len(ticks), "ticks": ticks},
-        "y": {"label": "", "low": low, "high": high, "ticks": []},
-        "lines": lines,
-        "dots": dots,
-    }
+        lines.append({"points": points, "kind": "robot" if key == marked.key else "quiet"})
+        dots.append({"at": (tried.goal / CM + home).tolist(), "kind": "bet"})
+    x = {"label": "", "low": 0.0, "high": width * len(ticks), "ticks": ticks}
+    y = {"label": "", "low": 0.0, "high": float(high[1] - low[1]), "ticks": []}
+    return {"x": x, "y": y, "lines": lines, "dots": dots}
+
+
+def _cell(star: Led) -> tuple[Array, Array]:
+    """Return the low and the high corner of the place of one letter, shape (2,) [cm]."""
+    seen = [star.tried.moved.position, star.tried.letter.position, star.tried.goal[None]]
+    points = np.concatenate(seen) / CM
+    low, high = points.min(axis=0) - 1.5, points.max(axis=0) + 1.5
+    # So high that letters keep their shape where the plot is half as high as wide.
+    more = max(0.5 * len(ways_here()) * (high[0] - low[0]) - (high[1] - low[1]), 0.0) / 2
+    room = np.array([0.0, more])
+    return low - room, high + room
 
 
 def way_names() -> dict[str, str]:
     """Return the ways as a pupil reads them."""
-    return {
-        "dmp": "DMP*",
-        "mixture": _("mixture"),
-        "states": _("states"),
-        "cost": _("cost"),
-        "spread": _("spread"),
-    }
+    plain = {"mixture": _("mixture"), "states": _("states"), "cost": _("cost")}
+    return {"dmp": "DMP*", **plain, "spread": _("spread")}
 
 
 def box_around(character: str, hand: int, reach: float) -> list[float]:

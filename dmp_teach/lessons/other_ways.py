@@ -50,8 +50,8 @@ class OtherWays(Lesson):
 
     def vary(self, random: np.random.Generator | None) -> None:
         """Choose the letter, whose hand, and how near is near enough."""
+        self.letter = "S" if random is None else str(random.choice(list(LED_LETTERS)))
         random = random or np.random.default_rng(2)
-        self.letter = str(random.choice(list(LED_LETTERS)))
         self.hand, self.needed, self.limit = find_hand(self.letter, random)
         self.shift = LED_LETTERS[self.letter]
         goal = {"goal_x": self.shift[0], "goal_y": self.shift[1]}
@@ -74,7 +74,7 @@ class OtherWays(Lesson):
         )
         return {
             "way": OneOf(_("Way to learn"), options),
-            "shown": Slider(_("Letters shown"), "n", 1, MOST_SHOWN, icons=("one", "many")),
+            "shown": Slider(_("Letters shown"), "n", 1, MOST_SHOWN),
             "goal_x": x,
             "goal_y": y,
         }
@@ -83,16 +83,15 @@ class OtherWays(Lesson):
     def bet(self) -> ChosenBet:
         """Which way needs one letter, and which needs several."""
         question = _(
-            "Five ways to learn have seen one {letter}. Now its goal moves to the ring. One way "
-            "still writes the whole {letter}, and ends there. One cannot go there at all until it "
-            "has seen several. Which ones?"
+            "Five ways to learn have seen one {letter}. Now its goal moves to the ring. Which way "
+            "can still write the whole {letter} and end there? And which cannot go there until "
+            "it has seen several?"
         )
-        names = way_names()
-        words = _("{one} needs one {letter}, {many} needs several")
-        pairs = [("spread", "dmp"), ("dmp", "spread"), ("cost", "mixture"), ("mixture", "states")]
         options = {
-            f"{one}-{many}": words.format(one=names[one], many=names[many], letter=self.letter)
-            for one, many in pairs
+            "spread-dmp": _("spread (the mean of letters) can; DMP* must see several"),
+            "dmp-spread": _("DMP* (a spring and pushes) can; spread must see several"),
+            "cost-mixture": _("cost (what a hand avoids) can; mixture must see several"),
+            "mixture-states": _("mixture (where to go from here) can; states must see several"),
         }
         return ChosenBet(question.format(letter=self.letter), options)
 
@@ -214,15 +213,12 @@ class OtherWays(Lesson):
     def tell_bet(self, bet: KeptBet) -> str:
         """Return what each way wrote after one letter, and spread after several."""
         words = _(
-            "From one {letter}, {dmp} % of the line by DMP* goes as it went before, and it ends at "
-            "the ring. By cost it is {cost} %: only its end follows. Spread stays {miss} mm away; "
-            "shown {n}, it gets there, and bends the {letter}. "
+            "DMP* took the whole {letter} along: {dmp} % of the line goes the same way. With cost "
+            "only the end follows: {cost} %. Spread stays {miss} mm away; shown {n}, it gets "
+            "there, and bends the {letter}. "
         )
-        said = (
-            _("Just as you said.")
-            if bet == "dmp-spread"
-            else _("The other two ways: turn the page and see.")
-        )
+        said = _("You said: {bet}.").format(bet=self.bet.options[bet])
+        said = _("Just as you said.") if bet == "dmp-spread" else said
         one = {key: self._judged(self.start, way=key) for key in ("dmp", "cost", "spread")}
         shares = {key: f"{one[key].share:.0f}" for key in ("dmp", "cost")}
         miss = f"{one['spread'].miss:.0f}"
@@ -234,19 +230,24 @@ class OtherWays(Lesson):
         led = self._led(state.values)
         takes = takes_of(self.letter, self.hand)[: led.shown]
         home = meant_by(self.letter)[-1]
-        note = _("{n} shown, dotted").format(n=led.shown)
+        lines = [] if is_hidden else [led.line]
+        extras: list[Drawing] = [{"points": each.position, "kind": "hand"} for each in takes[1:]]
+        if state.step == "challenge":
+            extras.append({"points": led.line, "kind": "quiet"})
+            lines = [led.tried.letter.position]
         sheet = draw_sheet(
-            takes,
-            [] if is_hidden else [led.line],
+            takes[:1],
+            lines,
             box=box_around(self.letter, self.hand, REACH),
             rings=[goal_ring(home, state.step == "bet")],
             caption=_("On paper"),
-            note=note,
+            note=_("{n} shown, dotted").format(n=led.shown),
+            extras=extras,
         )
         strokes = () if is_hidden else (led.tried.moved,)
         plots = {"ways": self._draw_ways(state, led, is_hidden)}
-        if state.step != "bet":
-            plots["error"] = self._draw_errors(state, led)
+        if state.step == "challenge":
+            plots = {"error": self._draw_errors(state, led)}
         return Picture(self._ask() if is_hidden else self._say(led), sheet, plots, strokes)
 
     def _draw_ways(self, state: LessonState, led: Led, is_hidden: bool) -> Drawing:
@@ -255,10 +256,10 @@ class OtherWays(Lesson):
         if state.step == "bet":
             tried = set() if is_hidden else set(ways_here())
         tried |= set() if is_hidden else {led.key}
-        letters = [self._led(state.values, way=k) if k in tried else None for k in ways_here()]
-        plot = draw_side_by_side(letters, box_around(self.letter, self.hand, REACH), led.key)
+        letters = {key: self._led(state.values, way=key) for key in tried}
         note = _("{n} shown") if led.shown > 1 else _("one shown")
-        return plot | {"caption": _("Each way, to the ring"), "note": note.format(n=led.shown)}
+        words = {"caption": _("Each way, to the ring"), "note": note.format(n=led.shown)}
+        return draw_side_by_side(letters, led) | words
 
     def _draw_errors(self, state: LessonState, led: Led) -> Drawing:
         """Draw how far from what was meant the way was with each number that was tried."""
@@ -270,7 +271,8 @@ class OtherWays(Lesson):
             points = [[n, self._judged({"way": key, "shown": n}).error] for n in shown]
             kind = "robot" if key == led.key else "quiet"
             if len(points) > 1:
-                lines.append({"points": np.array(points), "kind": kind, "label": way_names()[key]})
+                lines.append({"points": np.array(points), "kind": kind})
+                lines[-1] |= {"label": way_names()[key]} if key == led.key else {}
             dots += [{"at": each, "kind": kind} for each in points]
         if state.step == "challenge":
             limit = np.array([[1.0, self.limit], [float(MOST_SHOWN), self.limit]])
@@ -302,7 +304,7 @@ class OtherWays(Lesson):
             "cost": _("It pays for jerks and for missed places, and writes what costs least. "),
             "spread": _("It knows the mean letter, and how the others differed from it. "),
         }
-        strong = _("{share} % goes as before the goal moved; the pen ends {miss} mm from the ring.")
+        strong = _("{share} % of the line goes the same way; it ends {miss} mm from the ring.")
         facts = self._facts(led)
         number = {"number": f"{led.error:.1f}", "unit": _("mm from what was meant")}
         after = _(" {numbers} numbers stored.").format(**facts)

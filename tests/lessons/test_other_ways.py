@@ -1,0 +1,76 @@
+"""Lesson 12: what its sentences say of five ways to learn is so, for every hand and letter."""
+
+import numpy as np
+import pytest
+
+import dmp_teach as teach
+from dmp_teach.classroom import LessonState
+from dmp_teach.lessons.five_ways import CM, WAY_KEYS, Led, meant_by
+
+pytest.importorskip("sklearn")
+pytest.importorskip("hmmlearn", reason="it has no wheel for this computer")
+
+VARIANTS = [teach.lesson("12", pupil=f"w{n:02d}") for n in range(12)]
+
+
+def led(lesson, way, shown, shift=None):
+    return Led(lesson.letter, lesson.hand, way, shown, shift or lesson.shift)
+
+
+def test_one_letter_is_enough_for_dmp_star_and_not_for_spread():
+    for lesson in VARIANTS:
+        star = led(lesson, "dmp", 1)
+        assert star.share > 95
+        assert star.miss < 1
+        assert max(led(lesson, way, 1).share for way in ("states", "cost")) < 92
+        assert led(lesson, "spread", 1).miss > 40
+        assert led(lesson, "spread", 5).miss < 0.1
+        assert led(lesson, "spread", 5).share < 90
+
+
+def test_the_fewest_letters_are_the_fewest_and_no_other_way_will_do():
+    for lesson in VARIANTS:
+        errors = [led(lesson, "cost", n).error for n in range(1, lesson.needed + 1)]
+        assert errors[-1] <= lesson.limit < min(errors[:-1])
+        assert led(lesson, "dmp", lesson.needed).error > lesson.limit
+    for way in ("mixture", "states", "spread"):
+        assert not VARIANTS[0].check({"way": way, "shown": VARIANTS[0].needed}).done
+
+
+@pytest.mark.parametrize("way", ["dmp", "states", "cost", "spread"])
+def test_the_line_that_follows_the_ring_is_what_is_written(way):
+    lesson = VARIANTS[0]
+    line = led(lesson, way, 4).line
+    drawn = line.base + 2.5 * line.terms["goal_x"] - 4 * line.terms["goal_y"]
+    goal = meant_by(lesson.letter)[-1] + CM * np.array([2.5, -4.0])
+    assert np.abs(drawn - led(lesson, way, 4).tried.way.write(goal).position).max() < 1e-9
+
+
+@pytest.mark.parametrize(
+    ("answer", "words"),
+    [
+        ({"way": "dmp", "shown": 7}, "shown 7, and learned the first alone, with its slips: 8.1"),
+        ({"way": "spread", "shown": 1}, "no other way to write it. The ring is 68 mm away"),
+        ({"way": "spread", "shown": 2}, "Shown 2, spread knows 2 ways to write S"),
+        ({"way": "states", "shown": 6}, "it stores 209 numbers; 100 are allowed"),
+        ({"way": "cost", "shown": 2}, "The mean of 2 still has some of their slips"),
+        ({"way": "cost", "shown": 8}, "fewer will do, too"),
+    ],
+)
+def test_each_mistake_is_told_with_the_numbers_of_the_answer(answer, words):
+    assert words in teach.check("12", answer).reason
+
+
+def test_all_ways_are_seen_side_by_side_after_the_bet_and_none_before():
+    lesson = teach.lesson("12")
+    hidden, seen = (lesson.draw(LessonState(lesson.start, "bet", None, is_r)) for is_r in (0, 1))
+    assert (len(hidden.plots["ways"]["lines"]), hidden.sheet["robot"]) == (0, [])
+    assert len(seen.plots["ways"]["lines"]) == len(WAY_KEYS)
+
+
+def test_without_its_library_a_way_is_not_offered(monkeypatch):
+    monkeypatch.setattr(WAY_KEYS["states"], "library", "no_such_library")
+    lesson = teach.lesson("12")
+    assert lesson.settable["way"] == ("dmp", "mixture", "cost", "spread")
+    assert lesson.check({"way": "cost", "shown": lesson.needed}).done
+    assert lesson.draw(LessonState(lesson.start, "bet", None, True)).strokes
