@@ -174,6 +174,34 @@ def draw_side_by_side(letters: dict[str, Led], marked: Led) -> Drawing:
     return {"x": x, "y": y, "lines": lines, "dots": dots}
 
 
+def draw_errors(letters: list[Led], limit: float) -> Drawing:
+    """Draw how far letters are from what was meant, over how many were shown; the last is marked.
+
+    Args:
+        letters: In any order, by any way.
+        limit: How near is near enough [mm].
+    """
+    by_way = {key: [led for led in letters if led.key == key] for key in ways_here()}
+    lines: list[Drawing] = []
+    dots: list[Drawing] = []
+    for key, each in by_way.items():
+        kind = "robot" if key == letters[-1].key else "quiet"
+        points = sorted({(float(led.shown), led.error) for led in each})
+        dots += [{"at": list(place), "kind": kind} for place in points]
+        if len(points) > 1:
+            label = {"label": way_names()[key]} if kind == "robot" else {}
+            lines.append({"points": np.array(points), "kind": kind, **label})
+    near_enough = np.array([[1.0, limit], [float(MOST_SHOWN), limit]])
+    lines.append({"points": near_enough, "kind": "child", "label": _("limit")})
+    return {
+        "caption": _("From what was meant [mm]"),
+        "x": {"label": _("letters shown"), "low": 1, "high": MOST_SHOWN},
+        "y": {"label": "", "low": 0.0, "high": 12.0},
+        "lines": lines,
+        "dots": dots,
+    }
+
+
 def _cell(star: Led) -> tuple[Array, Array]:
     """Return the low and the high corner of the place of one letter, shape (2,) [cm]."""
     seen = [star.tried.moved.position, star.tried.letter.position, star.tried.goal[None]]

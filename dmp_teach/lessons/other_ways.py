@@ -27,6 +27,7 @@ from dmp_teach.lessons.five_ways import (
     MOST_SHOWN,
     Led,
     box_around,
+    draw_errors,
     draw_side_by_side,
     find_hand,
     meant_by,
@@ -262,28 +263,10 @@ class OtherWays(Lesson):
         return draw_side_by_side(letters, led) | words
 
     def _draw_errors(self, state: LessonState, led: Led) -> Drawing:
-        """Draw how far from what was meant the way was with each number that was tried."""
-        places = {(str(each["way"]), int(each["shown"])) for each in state.tried}
-        lines: list[Drawing] = []
-        dots: list[Drawing] = []
-        for key in ways_here():
-            shown = sorted(n for way, n in places | {(led.key, led.shown)} if way == key)
-            points = [[n, self._judged({"way": key, "shown": n}).error] for n in shown]
-            kind = "robot" if key == led.key else "quiet"
-            if len(points) > 1:
-                lines.append({"points": np.array(points), "kind": kind})
-                lines[-1] |= {"label": way_names()[key]} if key == led.key else {}
-            dots += [{"at": each, "kind": kind} for each in points]
-        if state.step == "challenge":
-            limit = np.array([[1.0, self.limit], [float(MOST_SHOWN), self.limit]])
-            lines.append({"points": limit, "kind": "child", "label": _("limit")})
-        return {
-            "caption": _("From what was meant [mm]"),
-            "x": {"label": _("letters shown"), "low": 1, "high": MOST_SHOWN},
-            "y": {"label": "", "low": 0.0, "high": 12.0},
-            "lines": lines,
-            "dots": dots,
-        }
+        """Draw how far from what was meant each way was with each number that was tried."""
+        tried = {(str(each["way"]), int(each["shown"])) for each in state.tried}
+        letters = [self._judged({"way": way, "shown": n}) for way, n in tried]
+        return draw_errors([*letters, led], self.limit)
 
     def _ask(self) -> dict[str, str]:
         """Return what is said before the truth is seen."""
