@@ -11,6 +11,7 @@ import numpy as np
 from dmp_teach.classroom import Affine, Drawing
 from dmp_teach.ink import recording_of
 from dmp_teach.lessons.drawing import sheet_box
+from dmp_teach.lessons.goals import CM
 from dmp_teach.studies import (
     WAYS,
     GaussianWay,
@@ -23,9 +24,8 @@ from dmp_teach.studies import (
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Array, Trajectory, rms
 
-CM = 0.01
 WAY_KEYS = dict(zip(("dmp", "mixture", "states", "cost", "spread"), WAYS.values(), strict=True))
-MOST_SHOWN = 8
+TAKES_AT_HAND = 8
 # The fewest letters that a challenge may need, and how far from enough one fewer is.
 LEAST_NEEDED, GAP = 3, 0.85
 # Where their goals move [cm]: a line that stays where it was must turn round to get there.
@@ -48,7 +48,7 @@ def ways_here() -> dict[str, type[Way]]:
 @lru_cache(maxsize=32)
 def takes_of(character: str, hand: int) -> tuple[Trajectory, ...]:
     """Return takes of a letter of one stroke, as a hand writes it again and again."""
-    return draw_takes(recording_of(character).strokes()[0], MOST_SHOWN, hand)
+    return draw_takes(recording_of(character).strokes()[0], TAKES_AT_HAND, hand)
 
 
 @lru_cache(maxsize=16)
@@ -72,12 +72,12 @@ def find_hand(character: str, random: np.random.Generator) -> tuple[int, int, fl
     while True:
         hand = int(random.integers(100_000))
         paths = np.array([even_path(take) for take in takes_of(character, hand)])
-        count = np.arange(1, MOST_SHOWN + 1)
+        count = np.arange(1, TAKES_AT_HAND + 1)
         means = np.cumsum(paths, axis=0) / count[:, None, None]
         errors = np.array([rms(mean - meant_by(character)) for mean in means])
         best = np.minimum.accumulate(errors)
         enough = np.flatnonzero(errors[1:] < GAP * best[:-1]) + 2
-        for needed in enough[(enough >= LEAST_NEEDED) & (enough < MOST_SHOWN)]:
+        for needed in enough[(enough >= LEAST_NEEDED) & (enough < TAKES_AT_HAND)]:
             limit = math.floor(1e4 * np.sqrt(errors[needed - 1] * best[needed - 2])) / 10
             fewer = int(np.argmin(errors[: needed - 1])) + 1
             less, more = (
@@ -191,11 +191,11 @@ def draw_errors(letters: list[Led], limit: float) -> Drawing:
         if len(points) > 1:
             label = {"label": way_names()[key]} if kind == "robot" else {}
             lines.append({"points": np.array(points), "kind": kind, **label})
-    near_enough = np.array([[1.0, limit], [float(MOST_SHOWN), limit]])
+    near_enough = np.array([[1.0, limit], [float(TAKES_AT_HAND), limit]])
     lines.append({"points": near_enough, "kind": "child", "label": _("limit")})
     return {
         "caption": _("From what was meant [mm]"),
-        "x": {"label": _("letters shown"), "low": 1, "high": MOST_SHOWN},
+        "x": {"label": _("letters shown"), "low": 1, "high": TAKES_AT_HAND},
         "y": {"label": "", "low": 0.0, "high": 12.0},
         "lines": lines,
         "dots": dots,

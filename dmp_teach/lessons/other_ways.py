@@ -24,7 +24,7 @@ from dmp_teach.classroom import (
 from dmp_teach.lessons.drawing import draw_sheet, goal_ring, tell_number
 from dmp_teach.lessons.five_ways import (
     LED_LETTERS,
-    MOST_SHOWN,
+    TAKES_AT_HAND,
     Led,
     box_around,
     draw_errors,
@@ -38,7 +38,7 @@ from dmp_teach.lessons.five_ways import (
 from dmp_teach.texts import gettext as _
 
 REACH = 7.0
-MOST_MISS, MOST_NUMBERS = 1.0, 100
+NEAR_RING, NUMBERS_ALLOWED = 1.0, 100
 # What the bet is on: this many takes of the letter are several.
 SEVERAL = 5
 
@@ -75,7 +75,7 @@ class OtherWays(Lesson):
         )
         return {
             "way": OneOf(_("Way to learn"), options),
-            "shown": Slider(_("Letters shown"), "n", 1, MOST_SHOWN),
+            "shown": Slider(_("Letters shown"), "n", 1, TAKES_AT_HAND),
             "goal_x": x,
             "goal_y": y,
         }
@@ -122,7 +122,7 @@ class OtherWays(Lesson):
             "meant, within {limit} mm, with as few letters shown as will do. It must end at the "
             "ring when its goal is there, and store at most {numbers} numbers."
         )
-        return words.format(letter=self.letter, limit=self.limit, numbers=MOST_NUMBERS)
+        return words.format(letter=self.letter, limit=self.limit, numbers=NUMBERS_ALLOWED)
 
     @property
     def hints(self) -> tuple[str, str, str]:
@@ -151,8 +151,8 @@ class OtherWays(Lesson):
         led = self._judged(answer)
         return [
             at_most(self.letter, led.error, self.limit, "mm"),
-            at_most(_("from the ring"), led.miss, MOST_MISS, "mm"),
-            at_most(_("numbers stored"), led.tried.way.numbers_stored, MOST_NUMBERS),
+            at_most(_("from the ring"), led.miss, NEAR_RING, "mm"),
+            at_most(_("numbers stored"), led.tried.way.numbers_stored, NUMBERS_ALLOWED),
         ]
 
     def mistakes(self, answer: Answer) -> Sequence[tuple[bool, str]]:
@@ -194,9 +194,13 @@ class OtherWays(Lesson):
         """Return what sentences name."""
         return {
             **{"letter": self.letter, "way": way_names()[led.key], "shown": led.shown},
-            **{"limit": self.limit, "most": MOST_NUMBERS, "numbers": led.tried.way.numbers_stored},
+            **{
+                "limit": self.limit,
+                "most": NUMBERS_ALLOWED,
+                "numbers": led.tried.way.numbers_stored,
+            },
             "error": tell_number(led.error, self.limit),
-            "miss": tell_number(led.miss, MOST_MISS, 0 if led.miss > 9.5 else 1),
+            "miss": tell_number(led.miss, NEAR_RING, 0 if led.miss > 9.5 else 1),
             "share": f"{led.share:.0f}",
         }
 

@@ -5,7 +5,8 @@ import pytest
 
 import dmp_teach as teach
 from dmp_teach.classroom import LessonState
-from dmp_teach.lessons.five_ways import CM, WAY_KEYS, Led, meant_by
+from dmp_teach.lessons.five_ways import WAY_KEYS, Led, meant_by
+from dmp_teach.lessons.goals import CM
 
 pytest.importorskip("sklearn")
 pytest.importorskip("hmmlearn", reason="it has no wheel for this computer")
