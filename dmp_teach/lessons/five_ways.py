@@ -10,7 +10,7 @@ import numpy as np
 
 from dmp_teach.classroom import Affine, Drawing
 from dmp_teach.ink import recording_of
-from dmp_teach.lessons.drawing import sheet_box
+from dmp_teach.lessons.drawing import sheet_box, tell_number
 from dmp_teach.lessons.goals import CM
 from dmp_teach.studies import (
     WAYS,
@@ -28,6 +28,8 @@ WAY_KEYS = dict(zip(("dmp", "mixture", "states", "cost", "spread"), WAYS.values(
 TAKES_AT_HAND = 8
 # The fewest letters that a challenge may need, and how far from enough one fewer is.
 LEAST_NEEDED, GAP = 3, 0.85
+# So near to the ring a pen has arrived [mm].
+NEAR_RING = 1.0
 # Where their goals move [cm]: a line that stays where it was must turn round to get there.
 LED_LETTERS = {
     "S": (6.0, 3.0),
@@ -136,6 +138,15 @@ class Led:
         """How much of the moved letter goes the way of the one that did not move [%]."""
         return 100 * self.tried.same_way
 
+    @property
+    def facts(self) -> dict[str, object]:
+        """What sentences name."""
+        miss = tell_number(self.miss, NEAR_RING, 0 if self.miss > 9.5 else 1)
+        return {
+            **{"way": way_names()[self.key], "shown": self.shown, "share": f"{self.share:.0f}"},
+            **{"miss": miss, "numbers": self.tried.way.numbers_stored},
+        }
+
 
 @lru_cache(maxsize=1024)
 def _tried(led: Led) -> WayTried:
@@ -211,6 +222,22 @@ def _cell(star: Led) -> tuple[Array, Array]:
     more = max(0.5 * len(ways_here()) * (high[0] - low[0]) - (high[1] - low[1]), 0.0) / 2
     room = np.array([0.0, more])
     return low - room, high + room
+
+
+def say_way(led: Led) -> dict[str, str]:
+    """Return the number and the sentence of what a way has written."""
+    does = {
+        "dmp": _("It learns the first letter alone, and pushes alike to any goal. "),
+        "mixture": _("At each place it knows which way to go, if it was shown that place. "),
+        "states": _("It goes through 16 states: each a place, a speed, and how sure. "),
+        "cost": _("It pays for jerks and for missed places, and writes what costs least. "),
+        "spread": _("It knows the mean letter, and how the others differed from it. "),
+    }
+    strong = _("{share} % of the line goes the same way; it ends {miss} mm from the ring.")
+    after = _(" {numbers} numbers stored.")
+    number = {"number": f"{led.error:.1f}", "unit": _("mm from what was meant")}
+    words = {"text": does[led.key], "strong": strong, "after": after}
+    return number | {name: each.format(**led.facts) for name, each in words.items()}
 
 
 def way_names() -> dict[str, str]:

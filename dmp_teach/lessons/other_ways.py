@@ -24,6 +24,7 @@ from dmp_teach.classroom import (
 from dmp_teach.lessons.drawing import draw_sheet, goal_ring, tell_number
 from dmp_teach.lessons.five_ways import (
     LED_LETTERS,
+    NEAR_RING,
     TAKES_AT_HAND,
     Led,
     box_around,
@@ -31,6 +32,7 @@ from dmp_teach.lessons.five_ways import (
     draw_side_by_side,
     find_hand,
     meant_by,
+    say_way,
     takes_of,
     way_names,
     ways_here,
@@ -38,7 +40,7 @@ from dmp_teach.lessons.five_ways import (
 from dmp_teach.texts import gettext as _
 
 REACH = 7.0
-NEAR_RING, NUMBERS_ALLOWED = 1.0, 100
+NUMBERS_ALLOWED = 100
 # What the bet is on: this many takes of the letter are several.
 SEVERAL = 5
 
@@ -192,17 +194,8 @@ class OtherWays(Lesson):
 
     def _facts(self, led: Led) -> dict[str, object]:
         """Return what sentences name."""
-        return {
-            **{"letter": self.letter, "way": way_names()[led.key], "shown": led.shown},
-            **{
-                "limit": self.limit,
-                "most": NUMBERS_ALLOWED,
-                "numbers": led.tried.way.numbers_stored,
-            },
-            "error": tell_number(led.error, self.limit),
-            "miss": tell_number(led.miss, NEAR_RING, 0 if led.miss > 9.5 else 1),
-            "share": f"{led.share:.0f}",
-        }
+        facts = {"letter": self.letter, "limit": self.limit, "most": NUMBERS_ALLOWED}
+        return facts | led.facts | {"error": tell_number(led.error, self.limit)}
 
     def praise(self, answer: Answer) -> str:
         """Return what was found, and what it costs."""
@@ -253,7 +246,7 @@ class OtherWays(Lesson):
         plots = {"ways": self._draw_ways(state, led, is_hidden)}
         if state.step == "challenge":
             plots = {"error": self._draw_errors(state, led)}
-        return Picture(self._ask() if is_hidden else self._say(led), sheet, plots, strokes)
+        return Picture(self._ask() if is_hidden else say_way(led), sheet, plots, strokes)
 
     def _draw_ways(self, state: LessonState, led: Led, is_hidden: bool) -> Drawing:
         """Draw what all ways write that were tried with so many letters; after the bet, all."""
@@ -280,22 +273,4 @@ class OtherWays(Lesson):
         return {
             **{"number": number, "unit": "cm", "text": text},
             **{"strong": _("What will five learners write?"), "after": ""},
-        }
-
-    def _say(self, led: Led) -> dict[str, str]:
-        """Return the number and the sentence."""
-        does = {
-            "dmp": _("It learns the first letter alone, and pushes alike to any goal. "),
-            "mixture": _("At each place it knows which way to go, if it was shown that place. "),
-            "states": _("It goes through 16 states: each a place, a speed, and how sure. "),
-            "cost": _("It pays for jerks and for missed places, and writes what costs least. "),
-            "spread": _("It knows the mean letter, and how the others differed from it. "),
-        }
-        strong = _("{share} % of the line goes the same way; it ends {miss} mm from the ring.")
-        facts = self._facts(led)
-        number = {"number": f"{led.error:.1f}", "unit": _("mm from what was meant")}
-        after = _(" {numbers} numbers stored.").format(**facts)
-        return {
-            **number,
-            **{"text": does[led.key], "strong": strong.format(**facts), "after": after},
         }
