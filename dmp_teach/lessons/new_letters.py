@@ -170,11 +170,11 @@ class NewLetters(Lesson):
         """Return what is open, too low or high, too many, or leans otherwise."""
         made = NewLetter(answer)
         met, height, leans, *_end = (each.is_met for each in self.conditions(answer))
-        (aside, above), up = made.meeting
-        is_beyond = abs(above) > abs(aside)
+        up = made.meeting[1]
         x, y = (0, 0) if made.third == "none" else 1000 * made.third_miss
         facts = {
             "mm": tell_number(made.gap, MOST_GAP),
+            "where": _where(*made.meeting[0]),
             "up": tell_number(100 * up, HIGHEST if up > 0.5 else LOWEST, 0),
             "letter": self.letter,
             "strokes": 2 if self.third == "none" else 3,
@@ -190,10 +190,7 @@ class NewLetters(Lesson):
         }
         is_other = made.third != self.third
         made_mistakes = {
-            "under": not met and is_beyond and above < 0,
-            "over": not met and is_beyond,
-            "open": not met and aside > 0,
-            "past": not met,
+            "beside": not met,
             "low": not height and up < 0.5,
             "high": not height,
             "many": is_other and self.third == "none",
@@ -208,16 +205,10 @@ class NewLetters(Lesson):
     def _causes() -> dict[str, str]:
         """Return what is said of each mistake."""
         return {
-            "open": _(
-                "The bowl is open: it ends {mm} mm right of the stem, {up} % up. Its ring must lie "
+            "beside": _(
+                "The bowl ends {mm} mm {where} the stem, {up} % of the way up. Its ring must lie "
                 "on the stem, wherever that leans."
             ),
-            "past": _(
-                "The bowl goes past the stem: it ends {mm} mm left of it, {up} % up. Its ring must "
-                "lie on the stem, wherever that leans."
-            ),
-            "under": _("The bowl ends {mm} mm below the foot of the stem: lead it up to the stem."),
-            "over": _("The bowl ends {mm} mm above the stem: lead it down to the stem."),
             "low": _("The bowl meets the stem only {up} % up: that is still nearly a D."),
             "high": _("The bowl meets the stem {up} % up: a {letter} has a larger one."),
             "third": _(
@@ -275,6 +266,13 @@ class NewLetters(Lesson):
         is_joined = state.values["way"] == "joined"
         plots = {"speed": draw_speed(made)} if is_joined else {"whose": draw_whose(made)}
         return Picture(_say(made), draw_letter(made), plots, made.strokes)
+
+
+def _where(aside: float, above: float) -> str:
+    """Return where a way from the stem leads, in words."""
+    if abs(above) > abs(aside):
+        return _("above") if above > 0 else _("below")
+    return _("right of") if aside > 0 else _("left of")
 
 
 def _ask(is_seen: bool) -> dict[str, str]:

@@ -84,9 +84,9 @@ def test_the_stem_leans_more_with_more_of_hand_2():
 @pytest.mark.parametrize(
     ("changes", "cause"),
     [
-        ({"goal_x": 3.0}, "it ends 19.6 mm right of the stem"),
-        ({"goal_x": -1.0}, "goes past the stem"),
-        ({"goal_x": 0.0, "goal_y": -1.5}, "below the foot"),
+        ({"goal_x": 3.0}, "19.6 mm right of the stem"),
+        ({"goal_x": -1.0}, "left of the stem"),
+        ({"goal_x": 0.0, "goal_y": -1.5}, "below the stem"),
         ({"goal_x": 1.7, "goal_y": 10.0}, "has a larger one"),
         ({"goal_x": 0.1, "goal_y": 1.0}, "nearly a D"),
         ({"third": "ring"}, "P has 2 strokes"),
