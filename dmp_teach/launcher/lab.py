@@ -137,11 +137,20 @@ def lab_environment(state, token):
     Jupyter's question about news is switched off, and panels stay in a saved notebook: as a
     sentence that says how to wake them, without their ink (`notebook_privacy.py`).
     """
-    off = {"@jupyterlab/apputils-extension:announcements": True}
     settle(
         state,
         "page_config.json",
-        {"disabledExtensions": off, "buildCheck": False, "buildAvailable": False},
+        {
+            "disabledExtensions": {
+                "@jupyterlab/apputils-extension:announcements": True,
+                # With the progress in the toolbar, they are drawn anew twice in every step of a
+                # slider: half of all the processor time that the step takes.
+                "@jupyterlab/application-extension:faviconbusy": True,
+                "@jupyterlab/notebook-extension:kernel-status": True,
+            },
+            "buildCheck": False,
+            "buildAvailable": False,
+        },
     )
     settle(
         state,
@@ -150,6 +159,9 @@ def lab_environment(state, token):
             "@jupyter-widgets/jupyterlab-manager:plugin": {"saveState": True},
             # With subshells, panels are deaf after a restart that another window asked for.
             "@jupyterlab/apputils-extension:kernels-settings": {"commsOverSubshells": "disabled"},
+            "@jupyterlab/notebook-extension:panel": {
+                "toolbar": [{"name": "executionProgress", "disabled": True}]
+            },
             "@jupyterlab/docmanager-extension:plugin": {"autosaveInterval": 20},
             "@jupyterlab/notebook-extension:tracker": {"scrollPastEnd": False},
         },
@@ -158,6 +170,8 @@ def lab_environment(state, token):
         JUPYTER_CONFIG_DIR=str(state),
         JUPYTER_TOKEN=token,
         IPYTHONDIR=str(Path(str(state)) / "ipython"),
+        # What a browser sets need not be told back to it.
+        JUPYTER_WIDGETS_ECHO="0",
     )
 
 

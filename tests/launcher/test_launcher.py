@@ -298,9 +298,8 @@ def test_jupyters_settings_are_our_own_and_those_that_somebody_has_changed_stay(
         tmp_path / "labconfig" / f"{name}.json"
         for name in ("page_config", "default_setting_overrides")
     )
-    assert json.loads(page.read_text())["disabledExtensions"] == {
-        "@jupyterlab/apputils-extension:announcements": True
-    }
+    off = json.loads(page.read_text())["disabledExtensions"]
+    assert off["@jupyterlab/apputils-extension:announcements"]
     settings = json.loads(widgets.read_text())
     assert settings["@jupyter-widgets/jupyterlab-manager:plugin"] == {"saveState": True}
     command = lab.lab_command("python", tmp_path, 1)
