@@ -1,13 +1,52 @@
-"""The low-pass filter that demonstrations and recordings are smoothed with."""
+"""Recursive filters: that of a spring, and the low-pass that demonstrations are smoothed with.
+
+Written here since `scipy.signal` takes longer to import than everything else that a letter needs.
+"""
 
 from __future__ import annotations
 
 import math
+from functools import lru_cache
 
 import numpy as np
-from scipy.signal import lfilter
 
 from dmp_teach.trajectory import Array
+
+# Samples that are filtered by one product of matrices.
+BLOCK = 64
+
+
+def filter_recursively(recursion: tuple[float, ...], x: Array) -> Array:
+    """Filter `x` along its last axis, from rest: y[k] = x[k] - a[1] y[k-1] - a[2] y[k-2] - ...
+
+    Args:
+        recursion: The coefficients a[1], a[2] ..., at most `BLOCK`.
+        x: Samples, shape (..., T).
+
+    Returns:
+        The filtered samples, of the same shape.
+    """
+    forced, free = _block_responses(recursion)
+    length, order = x.shape[-1], len(recursion)
+    blocks = -(-length // BLOCK)
+    filled = np.zeros((*x.shape[:-1], blocks * BLOCK))
+    filled[..., :length] = x
+    y = filled.reshape(-1, blocks, BLOCK) @ forced
+    # Each block goes on with what the one before it has left.
+    for block in range(1, blocks):
+        y[:, block] += y[:, block - 1, -order:] @ free
+    return y.reshape(filled.shape)[..., :length]
+
+
+@lru_cache(maxsize=64)
+def _block_responses(recursion: tuple[float, ...]) -> tuple[Array, Array]:
+    """Return the responses (BLOCK, BLOCK) to a 1 at each sample, and to each earlier output."""
+    order = len(recursion)
+    # Of a run that begins `order` samples before the block, each column with a 1 at its own sample.
+    y = np.eye(order + BLOCK)
+    for k in range(order, order + BLOCK):
+        y[k] -= np.dot(recursion, y[k - order : k][::-1])
+    return y[order:, order:].T.copy(), y[order:, :order].T.copy()
 
 
 def lowpass(values: Array, cutoff: float, padding: int) -> Array:
@@ -28,14 +67,16 @@ def lowpass(values: Array, cutoff: float, padding: int) -> Array:
     """
     k = math.tan(math.pi * cutoff)
     q = 1 / (1 + math.sqrt(2) * k + k * k)
-    b = np.array([k * k * q, 2 * k * k * q, k * k * q])
-    a = np.array([1.0, 2 * (k * k - 1) * q, (1 - math.sqrt(2) * k + k * k) * q])
-    # The filter starts as if the first value had stood there for ever.
-    settled = np.array([1 - b[0], b[2] - a[2]])
+    recursion = (2 * (k * k - 1) * q, (1 - math.sqrt(2) * k + k * k) * q)
     x = extend_oddly(values, padding).T
     for _ in range(2):
-        x, _ = lfilter(b, a, x, zi=x[..., :1] * settled)
-        x = x[..., ::-1]
+        # The filter starts as if the first value had stood there for ever.
+        first = x[..., :1]
+        x = x - first
+        drive = x.copy()
+        drive[..., 1:] += 2 * x[..., :-1]
+        drive[..., 2:] += x[..., :-2]
+        x = (first + filter_recursively(recursion, k * k * q * drive))[..., ::-1]
     return x[..., padding : x.shape[-1] - padding].T
 
 

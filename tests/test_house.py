@@ -178,6 +178,23 @@ def test_importing_loads_nothing_heavy(module):
     assert answer.split() == []
 
 
+SLOW = "scipy.signal scipy.stats scipy.interpolate scipy.optimize scipy.spatial matplotlib"
+
+
+@pytest.mark.parametrize(
+    ("work", "slow"),
+    [
+        ("teach.Letter.learn(teach.recording_of('a')).write()", f"{SLOW} ipywidgets"),
+        ("teach.check('03', teach.lesson('03').solution)", f"{SLOW} ipywidgets"),
+        ("teach.explore()", SLOW),
+    ],
+)
+def test_what_one_waits_for_first_imports_nothing_slow(work, slow):
+    question = f"import sys, dmp_teach as teach; {work}; print(*sys.modules)"
+    answer = subprocess.check_output([sys.executable, "-c", question], cwd=ROOT, text=True)
+    assert not set(slow.split()) & set(answer.split())
+
+
 def test_every_public_name_is_at_home_and_typed():
     stub = ast.parse((PACKAGE / "__init__.pyi").read_text(encoding="utf-8"))
     typed = {

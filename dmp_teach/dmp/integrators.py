@@ -14,9 +14,9 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
-from scipy.signal import lfilter
 
 from dmp_teach.dmp.registry import NamedChoice, Registry
+from dmp_teach.filtering import filter_recursively
 from dmp_teach.trajectory import Array
 
 FEWEST_SPRING_STEPS = 50
@@ -73,10 +73,10 @@ class Integrator(NamedChoice):
             and the start velocity (D,).
         """
 
-    def recursion(self, K: float, D: float, h: float) -> tuple[list[float], Row, float]:
+    def recursion(self, K: float, D: float, h: float) -> tuple[tuple[float, ...], Row, float]:
         """Return the recursion: of the positions, of the last two inputs, of the start velocity."""
         ((a, b), (c, d)), (e, f) = self.system(K, D, h)
-        return [1.0, -(a + d), a * d - b * c], (e, b * f - d * e), b
+        return (-(a + d), a * d - b * c), (e, b * f - d * e), b
 
     def step(self, K: float, D: float, h: float, u: Array, states: Array) -> Array:
         """Take one step of length h under the input u (D,).
@@ -171,9 +171,9 @@ class Lagged(Integrator):
         """Return how z'' drives the state: the rest comes from a step earlier."""
         return ((1, h), (0, 1)), (0, h)
 
-    def recursion(self, K: float, D: float, h: float) -> tuple[list[float], Row, float]:
+    def recursion(self, K: float, D: float, h: float) -> tuple[tuple[float, ...], Row, float]:
         """Return the recursion, which goes back three steps."""
-        return [1.0, -2.0, 1 + h * D, h * h * K - h * D], (0.0, h * h), h
+        return (-2.0, 1 + h * D, h * h * K - h * D), (0.0, h * h), h
 
     def step(self, K: float, D: float, h: float, u: Array, states: Array) -> Array:
         """Take one step; the first has no input."""
@@ -225,7 +225,7 @@ class Spring:
         if now:
             forced[1:] += now * u
         drive[1] += kick * start_velocity
-        return lfilter([1.0], recursion, drive.T).T
+        return filter_recursively(recursion, drive.T).T
 
     def needed(self, z: Array, derivatives: str = "inverse") -> tuple[Array, Array]:
         """Return the input (M, D) by which `follow` draws z (M + 1, D), and its start velocity."""

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import numpy as np
-from scipy.interpolate import Akima1DInterpolator, CubicSpline, PPoly
+import scipy
 
 from dmp_teach.filtering import extend_oddly, lowpass
 from dmp_teach.trajectory import Array, Trajectory
@@ -33,7 +34,8 @@ def prepare_demonstration(
     if not has_even_times(trajectory.t):
         # Akima's curve does not swing out beside a crooked sample, as a spline does.
         times = trajectory.t - trajectory.t[0]
-        path = _sample(Akima1DInterpolator(times, path, method="makima"), path, steps)
+        curve = scipy.interpolate.Akima1DInterpolator(times, path, method="makima")
+        path = _sample(curve, times, path, steps)
         least_steps = max(least_steps, 4 * steps)
         notes += (f"Times were uneven: resampled at {rate:.4g} samples a second.",)
     if cutoff is not None:
@@ -48,7 +50,8 @@ def prepare_demonstration(
             path = smooth(path, cutoff / rate)
     if steps < least_steps:
         finer = steps * math.ceil(least_steps / steps)
-        path = _sample(CubicSpline(np.linspace(0, 1, steps + 1), path), path, finer)
+        times = np.linspace(0, 1, steps + 1)
+        path = _sample(scipy.interpolate.CubicSpline(times, path), times, path, finer)
     return path, notes
 
 
@@ -85,8 +88,8 @@ def smooth(path: Array, cutoff: float) -> Array:
     return smoothed
 
 
-def _sample(curve: PPoly, path: Array, steps: int) -> Array:
+def _sample(curve: Callable[[Array], Array], times: Array, path: Array, steps: int) -> Array:
     """Return a curve through `path` at `steps` + 1 even times; the ends to the last bit."""
-    even = curve(np.linspace(curve.x[0], curve.x[-1], steps + 1))
+    even = curve(np.linspace(times[0], times[-1], steps + 1))
     even[0], even[-1] = path[0], path[-1]
     return even

@@ -9,7 +9,7 @@ stays where it is: only when the pen is there is made.
 from __future__ import annotations
 
 import numpy as np
-from scipy.ndimage import gaussian_filter1d
+import scipy
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.trajectory import Array, arc_lengths, path_length
@@ -77,7 +77,9 @@ def _written(points: Array, size: float) -> tuple[Array, Array]:
 def _speed(even: Array, ds: float, size: float) -> Array:
     """Return how fast the pen is at points (K, 2) that are `ds` apart [m/s]."""
     blur = BEND_WINDOW * size / ds
-    heading = gaussian_filter1d(np.gradient(even, ds, axis=0), blur, axis=0, mode="nearest")
+    heading = scipy.ndimage.gaussian_filter1d(
+        np.gradient(even, ds, axis=0), blur, axis=0, mode="nearest"
+    )
     turning = np.gradient(heading, ds, axis=0)
     norm = np.maximum(np.hypot(*heading.T), 0.05)
     bend = np.abs(heading[:, 0] * turning[:, 1] - heading[:, 1] * turning[:, 0]) / norm**3
@@ -99,7 +101,7 @@ def _smooth(moments: Array, s: Array) -> tuple[Array, Array]:
     """Return an even clock (T,) and the smoothed arc length (T,), at rest at both ends."""
     count = max(int(np.ceil((moments[-1] + 6 * SPEED_WINDOW) * HAND_RATE)), 8)
     t = np.arange(count + 1) / HAND_RATE
-    along = gaussian_filter1d(
+    along = scipy.ndimage.gaussian_filter1d(
         np.interp(t - 3 * SPEED_WINDOW, moments, s), SPEED_WINDOW * HAND_RATE, mode="nearest"
     )
     along = (along - along[0]) * s[-1] / (along[-1] - along[0])

@@ -13,8 +13,8 @@ from dataclasses import dataclass
 from typing import Unpack
 
 import numpy as np
+import scipy
 from numpy.typing import ArrayLike
-from scipy.interpolate import PchipInterpolator
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.ink.pen_lifts import add_lifts
@@ -115,7 +115,7 @@ def pad_stroke(points: ArrayLike, pressed: bool = False) -> PadStroke:
         )
     t, rows = _hold(t, rows)
     even = np.linspace(t[0], t[-1], round((t[-1] - t[0]) * PAD_SAMPLE_RATE) + 1)
-    drawn = PchipInterpolator(t, rows)(even)
+    drawn = scipy.interpolate.PchipInterpolator(t, rows)(even)
     pressure = np.clip(drawn[:, 2], 0.0, 1.0) if pressed else None
     return PadStroke(Trajectory(even, drawn[:, :2]), pressure, caught, unseen)
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
-from scipy.interpolate import PchipInterpolator
+import scipy
 
 from dmp_teach.dmp import DMP, TRANSFORMATIONS, Settings, as_settings
 from dmp_teach.errors import LetterError, SettingError
@@ -148,4 +148,4 @@ def _superposed(
 def _resampled(stroke: Trajectory, samples: int) -> Trajectory:
     """Return a stroke at `samples` even times."""
     t = np.linspace(stroke.t[0], stroke.t[-1], samples)
-    return Trajectory(t, PchipInterpolator(stroke.t, stroke.position)(t))
+    return Trajectory(t, scipy.interpolate.PchipInterpolator(stroke.t, stroke.position)(t))

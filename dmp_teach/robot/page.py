@@ -7,7 +7,6 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike
-from scipy.spatial.transform import Rotation
 
 from dmp_teach.errors import PageError
 from dmp_teach.trajectory import Array, locked
@@ -206,11 +205,20 @@ def _pose(kind: str, centre: Sequence[float], tilt: float, turn: float, yaw: flo
         check_finite(name, value, "a place in metres, such as 0.7")
         for name, value in zip("xyz", centre, strict=True)
     ]
-    angles = _angle("tilt", tilt), _angle("turn", turn)
-    about_the_vertical = Rotation.from_euler("Z", _angle("yaw", yaw)).as_matrix()
-    on_the_desk = Rotation.from_euler("XZ", angles).as_matrix()
-    X[:3, :3] = about_the_vertical @ (_TABLE if kind == "table" else _BOARD) @ on_the_desk
+    on_the_desk = _turn_about(0, _angle("tilt", tilt)) @ _turn_about(2, _angle("turn", turn))
+    flat = _TABLE if kind == "table" else _BOARD
+    X[:3, :3] = _turn_about(2, _angle("yaw", yaw)) @ flat @ on_the_desk
     return X
+
+
+def _turn_about(axis: int, angle: float) -> Array:
+    """Return the rotation (3, 3) by an angle [rad] about x (0), y (1) or z (2)."""
+    i, j = (axis + 1) % 3, (axis + 2) % 3
+    R = np.eye(3)
+    R[[i, j], [i, j]] = np.cos(angle)
+    R[j, i] = np.sin(angle)
+    R[i, j] = -R[j, i]
+    return R
 
 
 def _angle(name: str, value: float) -> float:

@@ -12,8 +12,8 @@ from dataclasses import dataclass
 from itertools import pairwise
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.interpolate import CubicSpline, PchipInterpolator
 
 from dmp_teach.trajectory import Array, Trajectory, lock_fields
 
@@ -129,7 +129,7 @@ def interpolate(stroke: Trajectory) -> Callable[[Array], Array]:
     A cubic spline; Fritsch and Carlson's where times are so uneven that the cubic would swing out
     between two samples by half a step or more.
     """
-    cubic = CubicSpline(stroke.t, stroke.position)
+    cubic = scipy.interpolate.CubicSpline(stroke.t, stroke.position)
     swing = np.linalg.norm(
         cubic((stroke.t[:-1] + stroke.t[1:]) / 2)
         - (stroke.position[:-1] + stroke.position[1:]) / 2,
@@ -138,7 +138,7 @@ def interpolate(stroke: Trajectory) -> Callable[[Array], Array]:
     step = np.linalg.norm(np.diff(stroke.position, axis=0), axis=1)
     near = np.maximum(step, np.maximum(np.append(step[1:], 0), np.append(0, step[:-1])))
     if (swing > near / 2 + 1e-6).any():
-        return PchipInterpolator(stroke.t, stroke.position)
+        return scipy.interpolate.PchipInterpolator(stroke.t, stroke.position)
     return cubic
 
 

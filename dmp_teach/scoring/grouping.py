@@ -13,7 +13,7 @@ from collections.abc import Sequence
 from itertools import combinations
 
 import numpy as np
-from scipy.optimize import linear_sum_assignment
+import scipy
 
 from dmp_teach.scoring.resampling import Resampled, squared_distances
 
@@ -66,7 +66,7 @@ class _Costs:
         """Assign strokes one to one as far as they go."""
         mine = np.add.reduceat(self.near[0], self.first[0], axis=0)
         cost = mine + np.add.reduceat(self.near[1], self.first[1], axis=1)
-        rows, columns = linear_sum_assignment(cost)
+        rows, columns = scipy.optimize.linear_sum_assignment(cost)
         groups: list[Group] = [((int(i),), (int(j),)) for i, j in zip(rows, columns, strict=True)]
         groups += [((i,), ()) for i in range(cost.shape[0]) if i not in rows]
         return groups + [((), (j,)) for j in range(cost.shape[1]) if j not in columns]

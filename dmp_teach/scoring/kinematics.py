@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
-from scipy.signal import butter, find_peaks, savgol_filter, sosfiltfilt
+import scipy
 
 from dmp_teach.scoring.resampling import POINTS_FOR_SLANT, resample_path
 from dmp_teach.trajectory import Array, Trajectory, path_length
@@ -100,7 +100,7 @@ def count_velocity_peaks(velocity: Array) -> int:
     counts if it stands a tenth of the highest speed above the valleys beside it.
     """
     speed = np.concatenate([[0.0], np.linalg.norm(velocity, axis=1), [0.0]])
-    return len(find_peaks(speed, prominence=PEAK_PROMINENCE * speed.max())[0])
+    return len(scipy.signal.find_peaks(speed, prominence=PEAK_PROMINENCE * speed.max())[0])
 
 
 def shake(lines: Sequence[Array]) -> float:
@@ -115,7 +115,7 @@ def shake(lines: Sequence[Array]) -> float:
     for line in lines:
         points = resample_path(line, int(path_length(line) / (SHAKE_SPACING * size)) + 1)[0]
         if len(points) >= SWEEP_POINTS:
-            sweep = savgol_filter(points, SWEEP_POINTS, 3, axis=0)
+            sweep = scipy.signal.savgol_filter(points, SWEEP_POINTS, 3, axis=0)
             off.append(np.linalg.norm(points - sweep, axis=1))
     return float(np.median(np.concatenate(off))) / size if off else 0.0
 
@@ -144,7 +144,7 @@ def _velocity(stroke: Trajectory) -> tuple[Array, float]:
     samples = max(FEWEST_MOVEMENT_SAMPLES, samples)
     clock = stroke.t[0] + stroke.duration / (samples - 1) * np.arange(samples)
     path = np.column_stack([np.interp(clock, stroke.t, axis) for axis in stroke.position.T])
-    path = sosfiltfilt(_low_pass(), path, axis=0, padlen=min(30, samples - 1))
+    path = scipy.signal.sosfiltfilt(_low_pass(), path, axis=0, padlen=min(30, samples - 1))
     dt = float(clock[1] - clock[0])
     return np.gradient(path, dt, axis=0), dt
 
@@ -152,4 +152,4 @@ def _velocity(stroke: Trajectory) -> tuple[Array, float]:
 @cache
 def _low_pass() -> Array:
     """Return a Butterworth filter of fourth order for a clock of 100 Hz."""
-    return butter(4, 2 * MOVEMENT_CUTOFF / MOVEMENT_RATE, output="sos")
+    return scipy.signal.butter(4, 2 * MOVEMENT_CUTOFF / MOVEMENT_RATE, output="sos")

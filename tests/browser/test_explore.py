@@ -66,10 +66,10 @@ def changed(page, get, before):
 
 
 def settled(page, get):
-    """What `get` gives once it has stayed the same for half a second."""
+    """What `get` gives once it has stayed the same for a second."""
     before, now = None, get()
     while now != before:
-        page.wait_for_timeout(500)
+        page.wait_for_timeout(1000)
         before, now = now, get()
     return now
 

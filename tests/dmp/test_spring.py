@@ -4,8 +4,10 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from scipy.signal import butter, filtfilt, lfilter
 
 from dmp_teach.dmp.integrators import INTEGRATORS, Spring
+from dmp_teach.filtering import filter_recursively, lowpass
 
 springs = st.builds(
     lambda alpha, finer, integrator: Spring(
@@ -50,3 +52,21 @@ def test_a_kick_fades():
     kicked = Spring(60.0, 300, INTEGRATORS["explicit"]()).kick()
     assert kicked.max() == pytest.approx(2 / 60 / np.e, rel=0.1)
     assert abs(kicked[-1, 0]) < 1e-9
+
+
+@pytest.mark.parametrize("samples", [1, 64, 65, 700])
+@pytest.mark.parametrize("poles", [(0.9, 0.9), (0.95 + 0.1j, 0.95 - 0.1j), (0.9, 0.5, -0.3)])
+def test_our_recursive_filter_is_that_of_scipy(samples, poles):
+    x = np.random.default_rng(samples).normal(size=(2, samples))
+    recursion = np.poly(poles).real
+    known = lfilter([1.0], recursion, x)
+    assert np.abs(filter_recursively(tuple(recursion[1:]), x) - known).max() < (
+        1e-12 * np.abs(known).max()
+    )
+
+
+@pytest.mark.parametrize("cutoff", [0.01, 0.05, 0.2])
+def test_our_low_pass_is_a_butterworth_filter_forwards_and_backwards(cutoff):
+    path = np.cumsum(np.random.default_rng(0).normal(size=(300, 2)), axis=0)
+    known = filtfilt(*butter(2, 2 * cutoff), path, axis=0, padlen=60)
+    assert np.abs(lowpass(path, cutoff, 60) - known).max() < 1e-12 * np.ptp(path)

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from functools import lru_cache
 
 import numpy as np
-from scipy.ndimage import maximum_filter1d
+import scipy
 
 from dmp_teach.letters.compose.geometry import resample_evenly
 from dmp_teach.letters.text.connection_points import find_meeting, leaving_sample, missing_run
@@ -141,7 +141,8 @@ def _overlap(right_edge: Array, left_edge: Array, view: float) -> float:
     """Return how far ink reaches over ink within a view up and down [x-heights]; -inf if none."""
     bands = 2 * round(view * BANDS_PER_X_HEIGHT) + 1
     right, left = (
-        maximum_filter1d(edge, bands, mode="nearest") for edge in (right_edge, left_edge)
+        scipy.ndimage.maximum_filter1d(edge, bands, mode="nearest")
+        for edge in (right_edge, left_edge)
     )
     return float((right + left).max())
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from xml.etree import ElementTree as ET
 
 import numpy as np
-from scipy.spatial.transform import Rotation
+import scipy
 
 from dmp_teach.trajectory import Array, lock_fields
 
@@ -51,7 +51,7 @@ class Joint:
         if self.type == "prismatic":
             X[:, :3, 3] += q[:, None] * (self.X_parent_joint[:3, :3] @ self.axis)
         elif self.type in ("revolute", "continuous"):
-            turn = Rotation.from_rotvec(q[:, None] * self.axis).as_matrix()
+            turn = scipy.spatial.transform.Rotation.from_rotvec(q[:, None] * self.axis).as_matrix()
             X[:, :3, :3] = self.X_parent_joint[:3, :3] @ turn
         return X
 
@@ -110,7 +110,9 @@ def read_origin(element: ET.Element) -> Array:
     """Read the pose in an <origin>: a place, and turns about the fixed x, y and z, in order."""
     found = element.find("origin")
     X = np.eye(4)
-    X[:3, :3] = Rotation.from_euler("xyz", _numbers(found, "rpy", "0 0 0")).as_matrix()
+    X[:3, :3] = scipy.spatial.transform.Rotation.from_euler(
+        "xyz", _numbers(found, "rpy", "0 0 0")
+    ).as_matrix()
     X[:3, 3] = _numbers(found, "xyz", "0 0 0")
     return X
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from scipy.spatial import cKDTree
+import scipy
 
 from dmp_teach.robot.motion import BoolArray, Motion
 from dmp_teach.robot.page import Page
@@ -118,7 +118,7 @@ class Run:
         places = self.letter[: int(self.motion.pen_down.sum())]
         if not self.writing.any():
             return np.ones(len(places), bool)
-        return cKDTree(self.nib[self.writing, :2]).query(places)[0] > INK_COVER
+        return scipy.spatial.cKDTree(self.nib[self.writing, :2]).query(places)[0] > INK_COVER
 
     @cached_property
     def ink_in_the_air(self) -> float:
@@ -168,9 +168,10 @@ def measure_distances(points: Array, planned: Motion) -> Array:
     if not len(points) or not down.any():
         return np.full(len(points), np.nan)
     if not len(starts):
-        return cKDTree(letter[down]).query(points)[0]
+        return scipy.spatial.cKDTree(letter[down]).query(points)[0]
     a, b = letter[starts], letter[starts + 1]
-    nearest = cKDTree((a + b) / 2).query(points, k=min(8, len(starts)))[1].reshape(len(points), -1)
+    middles = scipy.spatial.cKDTree((a + b) / 2)
+    nearest = middles.query(points, k=min(8, len(starts)))[1].reshape(len(points), -1)
     a, along = a[nearest], (b - a)[nearest]
     offset = points[:, None] - a
     part = np.clip((offset * along).sum(-1) / np.maximum((along**2).sum(-1), 1e-18), 0, 1)

@@ -7,7 +7,7 @@ from types import ModuleType
 from typing import Any, NamedTuple
 
 import numpy as np
-from scipy.spatial.transform import Rotation
+import scipy
 
 from dmp_teach.files import ASSETS
 from dmp_teach.robot.model.kinematics import REST
@@ -144,7 +144,7 @@ class World:
         """Lay the sheet on its table or board: a box whose upper face is the paper."""
         halves = [page.width / 2 + _TABLE_MARGIN, page.height / 2 + _TABLE_MARGIN, _TABLE_DEPTH / 2]
         box = self.call("createCollisionShape", self.bullet.GEOM_BOX, halfExtents=halves)
-        turn = Rotation.from_matrix(page.X_world_page[:3, :3]).as_quat()
+        turn = scipy.spatial.transform.Rotation.from_matrix(page.X_world_page[:3, :3]).as_quat()
         middle = page.to_world((0.0, 0.0, -_TABLE_DEPTH / 2))
         body = self.call("createMultiBody", 0, box, -1, middle.tolist(), turn.tolist())
         self.call("changeDynamics", body, -1, lateralFriction=_FRICTION)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import lru_cache
 
 import numpy as np
-from scipy.spatial.transform import Rotation
+import scipy
 
 from dmp_teach.robot import Joint
 from dmp_teach.trajectory import Array
@@ -29,7 +29,7 @@ def build_joint_track(joint: Joint, times: Array, positions: Array) -> KeyframeT
     poses = joint.pose(positions)
     if joint.type == "prismatic":
         return KeyframeTrack("position", "vector3", times, poses[:, :3, 3])
-    turns = Rotation.from_matrix(poses[:, :3, :3]).as_quat()
+    turns = scipy.spatial.transform.Rotation.from_matrix(poses[:, :3, :3]).as_quat()
     # Steps of 1/65536 are 0.03 mm at the end of the arm, and compress well.
     return KeyframeTrack("quaternion", "quaternion", times, np.rint(turns * 65536) / 65536)
 
