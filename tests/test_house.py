@@ -178,6 +178,7 @@ def test_importing_loads_nothing_heavy(module):
     assert answer.split() == []
 
 
+# `import scipy` and then `scipy.signal.butter(...)` loads a room of SciPy where it is first used.
 SLOW = "scipy.signal scipy.stats scipy.interpolate scipy.optimize scipy.spatial matplotlib"
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
-from scipy.spatial.distance import cdist
+import scipy
 
 from dmp_teach.classroom import Affine, Drawing
 from dmp_teach.lessons.goals import CM
@@ -32,7 +32,7 @@ def nearest_at_ease(reach: ReachMap, right: float, ahead: float) -> tuple[int, i
     """Return right and ahead [cm] of the place at ease that is nearest to one [m]."""
     rows, columns = np.nonzero(reach.at_ease)
     places = np.column_stack([-reach.across[rows], reach.x[columns]])
-    best = places[cdist([[right, ahead]], places).argmin()]
+    best = places[scipy.spatial.distance.cdist([[right, ahead]], places).argmin()]
     x, y = np.round(best / CM).astype(int).tolist()
     return x, y
 
@@ -57,7 +57,7 @@ def compare_borders(drawn: Array, border: Array) -> tuple[float, float, float]:
         for line in (drawn, border)
     ]
     said, true = (float(line[np.abs(line[:, 0]).argmin(), 1]) for line in lines)
-    return said / CM, true / CM, float(cdist(*lines).min(axis=1).mean()) / CM
+    return said / CM, true / CM, float(scipy.spatial.distance.cdist(*lines).min(axis=1).mean()) / CM
 
 
 def draw_reached(where: str) -> list[Drawing]:

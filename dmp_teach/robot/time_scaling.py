@@ -11,8 +11,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 import numpy as np
-from scipy.interpolate import CubicHermiteSpline
-from scipy.ndimage import convolve1d, find_objects, label, minimum_filter1d
+import scipy
 
 from dmp_teach.robot.pen_path import MOTION_RATE, PenPath
 from dmp_teach.texts import gettext as _
@@ -82,11 +81,11 @@ def compute_lateness(needed: Array) -> Array:
     """
     reach = round(EASING * MOTION_RATE)
     window = np.hanning(2 * reach + 3)[1:-1]
-    rate = minimum_filter1d(1 / needed, 2 * reach + 1, mode="nearest")
-    rate = convolve1d(rate, window / window.sum(), mode="nearest")
+    rate = scipy.ndimage.minimum_filter1d(1 / needed, 2 * reach + 1, mode="nearest")
+    rate = scipy.ndimage.convolve1d(rate, window / window.sum(), mode="nearest")
     late = np.where(rate > 1 - 1e-9, 0.0, 1 / rate - 1)
     weights = np.r_[0.5, np.ones(len(late) - 2), 0.5]
-    for (run,) in find_objects(label(late > 0)[0]):
+    for (run,) in scipy.ndimage.find_objects(scipy.ndimage.label(late > 0)[0]):
         lost = (weights * late)[run].sum()
         late[run] *= np.ceil(lost) / lost
     return late
@@ -95,7 +94,7 @@ def compute_lateness(needed: Array) -> Array:
 def find_due_samples(late: Array) -> Array:
     """Return which sample is due at each whole time when sample i lasts 1 + late[i], shape (m,)."""
     times = np.append(0, np.cumsum(1 + (late[1:] + late[:-1]) / 2))
-    samples = CubicHermiteSpline(times, np.arange(len(late)), 1 / (1 + late))(
+    samples = scipy.interpolate.CubicHermiteSpline(times, np.arange(len(late)), 1 / (1 + late))(
         np.arange(round(times[-1]) + 1)
     )
     whole = np.round(samples)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.interpolate import BPoly
+import scipy
 
 from dmp_teach.letters.text.connection_points import (
     Meeting,
@@ -77,7 +77,7 @@ def _curve(leave: tuple[Array, Array], meet: tuple[Array, Array], x_height: floa
         start, u = loop[-1], _unit_vector(LOOP_EXIT_HEADING)
     chord = float(np.linalg.norm(goal - start))
     one, two = start + CUBIC_HANDLES[0] * chord * u, goal - CUBIC_HANDLES[1] * chord * w
-    cubic = BPoly(np.array([start, one, two, goal])[:, None], [0, 1])
+    cubic = scipy.interpolate.BPoly(np.array([start, one, two, goal])[:, None], [0, 1])
     return np.concatenate([loop[:-1], cubic(np.linspace(0, 1, CONNECTION_POINTS))])
 
 
@@ -103,7 +103,7 @@ def _timed(
     duration = q[-1] / max(pace * (USUAL_CURVATURE / x_height) ** (1 / 3), (v + w) / 2)
     s = np.linspace(0, 1, max(4, int(np.ceil(duration / step))) + 1)
     v, w = v * duration / q[-1], w * duration / q[-1]
-    at = BPoly.from_derivatives([0, 1], [[0, v, 0], [1, w, 0]])(s)
+    at = scipy.interpolate.BPoly.from_derivatives([0, 1], [[0, v, 0], [1, w, 0]])(s)
     position = np.column_stack([np.interp(at * q[-1], q, axis) for axis in path.T])
     return Trajectory(s * duration, position)
 

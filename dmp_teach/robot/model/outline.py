@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 import numpy as np
-from scipy.spatial import ConvexHull
+import scipy
 
 from dmp_teach.robot.model.kinematics import Model
 from dmp_teach.trajectory import Array, locked
@@ -29,4 +29,4 @@ def outline_from_above(links: tuple[str, ...]) -> Array:
             X = poses[piece.link][0] @ piece.X_link_visual
             shells.append(piece.vertices @ X[:3, :3].T + X[:3, 3])
     points = np.concatenate(shells)[:, :2]
-    return locked(points[ConvexHull(points).vertices])
+    return locked(points[scipy.spatial.ConvexHull(points).vertices])

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.spatial.transform import Rotation
+import scipy
 
 from dmp_teach.robot.arm import Solver
 from dmp_teach.robot.page import A4, Page
@@ -115,7 +115,9 @@ def _turned(page: Page) -> Iterator[Page]:
 def _best_place(page: Page, area: Area) -> Page:
     """Return the page moved to where the middle of an area is as easy to reach as can be."""
     lean = np.arccos(np.clip(page.normal[2], 0, 1)) / (np.pi / 2)
-    spot = Rotation.from_euler("Z", page.angles[2]).apply(_FLAT + lean * (_UPRIGHT - _FLAT))
+    spot = scipy.spatial.transform.Rotation.from_euler("Z", page.angles[2]).apply(
+        _FLAT + lean * (_UPRIGHT - _FLAT)
+    )
     centre = page.X_world_page[:3, 3]
     shift = spot - page.to_world((area[0] + area[1]) / 2)
     return page.moved(np.round(centre + shift, 2) - centre)

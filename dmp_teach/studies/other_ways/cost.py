@@ -8,8 +8,7 @@ from functools import cache, cached_property
 from typing import ClassVar, Self
 
 import numpy as np
-from scipy.linalg import cho_solve_banded, cholesky_banded, solveh_banded
-from scipy.optimize import minimize
+import scipy
 
 from dmp_teach.studies.other_ways.way import CUTS, Aligned, GaussianWay, align_takes
 from dmp_teach.trajectory import Array, Trajectory
@@ -59,8 +58,10 @@ class LearnedCost(GaussianWay):
         def misfit(logarithms: Array) -> tuple[float, Array]:
             """Return -2 log likelihood of the weights for one coordinate, and its gradient."""
             w = np.exp(logarithms)
-            root = cholesky_banded(_bands(w), lower=True)
-            at_places = cho_solve_banded((root, True), np.eye(CUTS + 1)[:, SAMPLES_OF_PLACES])
+            root = scipy.linalg.cholesky_banded(_bands(w), lower=True)
+            at_places = scipy.linalg.cho_solve_banded(
+                (root, True), np.eye(CUTS + 1)[:, SAMPLES_OF_PLACES]
+            )
             variance = at_places[SAMPLES_OF_PLACES, np.arange(PLACE_NUMBER)]
             expected_jerk = (CUTS + 1 - w[1:] @ variance) / w[0]
             value = w[0] * jerk + w[1:] @ spread - 2 * np.log(root[0]).sum()
@@ -70,7 +71,7 @@ class LearnedCost(GaussianWay):
         bounds = [JERK_RANGE] + [PLACE_RANGE] * PLACE_NUMBER
         # It calls no LAPACK, whose threads cost a hundred times what they give on 21 numbers.
         how = {"method": "TNC", "options": {"maxfun": 100}}
-        found = minimize(misfit, begin, jac=True, bounds=bounds, **how)
+        found = scipy.optimize.minimize(misfit, begin, jac=True, bounds=bounds, **how)
         return cls(aligned, aligned.mean[SAMPLES_OF_PLACES], np.exp(found.x))
 
     @cached_property
@@ -78,12 +79,14 @@ class LearnedCost(GaussianWay):
         """The minimum of the cost."""
         pull = np.zeros((CUTS + 1, self.places.shape[1]))
         pull[SAMPLES_OF_PLACES] = self.weights[1:, None] * self.places
-        return solveh_banded(_bands(self.weights), pull, lower=True)
+        return scipy.linalg.solveh_banded(_bands(self.weights), pull, lower=True)
 
     @cached_property
     def end_gain(self) -> Array:
         """The minimum where the end is given: a column of the inverse of the cost's matrix."""
-        response = solveh_banded(_bands(self.weights), np.eye(CUTS + 1)[-1], lower=True)
+        response = scipy.linalg.solveh_banded(
+            _bands(self.weights), np.eye(CUTS + 1)[-1], lower=True
+        )
         return np.multiply.outer(response / response[-1], np.eye(self.places.shape[1]))
 
     @property

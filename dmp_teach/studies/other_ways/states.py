@@ -9,9 +9,8 @@ from logging import ERROR, getLogger
 from typing import ClassVar, Self
 
 import numpy as np
+import scipy
 from numpy.typing import NDArray
-from scipy.sparse import csc_array, csr_array, diags_array, eye_array
-from scipy.sparse.linalg import splu
 
 from dmp_teach.studies.other_ways.way import (
     CUTS,
@@ -99,17 +98,18 @@ class HiddenMarkov(GaussianWay):
     @cached_property
     def _axes(self) -> list[tuple[Array, Array]]:
         """The likeliest path of each coordinate, and how it answers to a pull at its end."""
-        slope = csr_array(np.gradient(np.eye(CUTS + 1), 10 / CUTS, axis=0))
-        operators = eye_array(CUTS + 1), slope, slope @ slope
+        slope = scipy.sparse.csr_array(np.gradient(np.eye(CUTS + 1), 10 / CUTS, axis=0))
+        operators = scipy.sparse.eye_array(CUTS + 1), slope, slope @ slope
         last = np.eye(CUTS + 1)[-1]
         found = []
         for axis in range(self.means.shape[2]):
             certain = 1 / self.variances[self.states, :, axis]
             wanted = certain * self.means[self.states, :, axis]
             pairs = zip(operators, certain.T, strict=True)
-            matrix = sum(each.T @ diags_array(sure) @ each for each, sure in pairs)
+            matrix = sum(each.T @ scipy.sparse.diags_array(sure) @ each for each, sure in pairs)
             pull = sum(each.T @ want for each, want in zip(operators, wanted.T, strict=True))
-            path, response = splu(csc_array(matrix)).solve(np.column_stack([pull, last])).T
+            factors = scipy.sparse.linalg.splu(scipy.sparse.csc_array(matrix))
+            path, response = factors.solve(np.column_stack([pull, last])).T
             found.append((path, response))
         return found
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import numpy as np
-from scipy.ndimage import gaussian_filter1d
+import scipy
 
 from dmp_teach.trajectory import Array, Trajectory
 
@@ -48,5 +48,5 @@ def _wobble(shape: tuple[int, ...], width: float, rng: np.random.Generator) -> A
     samples = width * shape[0]
     margin = int(4 * samples) + 1
     noise = rng.normal(size=(shape[0] + 2 * margin, shape[1]))
-    smooth = gaussian_filter1d(noise, samples, axis=0)[margin:-margin]
+    smooth = scipy.ndimage.gaussian_filter1d(noise, samples, axis=0)[margin:-margin]
     return smooth * np.sqrt(2 * np.sqrt(np.pi) * samples)
