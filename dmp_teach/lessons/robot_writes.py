@@ -164,18 +164,18 @@ class RobotWrites(Lesson):
     def conditions(self, answer: Answer) -> Sequence[Condition]:
         """Return where the page is, whether it is reached, and what joints and pen do."""
         setup = WritingSetup(answer)
-        reached = (
-            at_most(_("busiest joint"), setup.percent, MOST_BUSY, "%")
+        joint = (
+            at_most(_("joint"), setup.percent, MOST_BUSY, "%")
             if setup.is_reached
             else exactly(_("pages in reach"), 0, 1)
         )
-        side = _("to the left") if self.side < 0 else _("to the right")
+        side = _("left") if self.side < 0 else _("right")
         return [
             at_least(side, self.side * setup.right, self.aside, "cm"),
-            at_most(_("corner too far"), setup.residual, MOST_MISSING, "mm"),
             between(_("force"), setup.force, LEAST_FORCE, MOST_FORCE, "N"),
+            joint,
             at_least(_("pen"), setup.speed, self.speed, "cm/s"),
-            reached,
+            at_most(_("corner off by"), setup.residual, MOST_MISSING, "mm"),
         ]
 
     def mistakes(self, answer: Answer) -> Sequence[tuple[bool, str]]:
