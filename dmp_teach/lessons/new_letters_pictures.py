@@ -13,7 +13,7 @@ from dmp_teach.trajectory import Array
 BOX = [-0.05, -0.03, 0.14, 0.15]
 # Two letters and a bowl side by side.
 NEXT, BELOW = 0.105, 0.078
-WIDE_BOX = [-0.015, -0.055, 0.3, 0.165]
+WIDE_BOX = [-0.015, -0.055, 0.33, 0.165]
 MOST_DEGREES = 60.0
 
 
@@ -90,7 +90,7 @@ def _ring(goal: Affine, label: str, knob: str) -> Drawing:
 def draw_whose(made: NewLetter | None) -> Drawing:
     """Draw how far the bowl is from that of each hand, by each rule; None hides it."""
     ticks = [[n, f"{n}°"] for n in range(0, int(MOST_DEGREES) + 1, 20)]
-    x: Drawing = {"label": _("how differently it points"), "ticks": ticks}
+    x: Drawing = {"label": _("difference"), "ticks": ticks}
     x |= {"low": -6.0, "high": MOST_DEGREES}
     plot: Drawing = {
         "caption": _("Whose bowl is it?"),
