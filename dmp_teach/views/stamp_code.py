@@ -33,12 +33,16 @@ def write_stamp(letter: Letter, path: str | os.PathLike[str]) -> Path:
         LetterError: As `letter_to_bytes`; or more than a QR code holds.
         PathError: A name with another end, or a place that cannot be written.
     """
-    zxing = _zxing()
-    try:
-        code = zxing.create_barcode(stamp_text(letter), zxing.BarcodeFormat.QRCode, ec_level="M")
-    except ValueError as error:
-        raise LetterError(f"This letter is too long for a QR code: {error}.") from None
-    return write_whole(path, code.to_svg(scale=4).encode(), ".svg")
+    return write_whole(path, _code(letter).to_svg(scale=4).encode(), ".svg")
+
+
+def stamp_squares(letter: Letter) -> Array:
+    """Return the squares of the QR code of a letter, shape (N, N): 0 is black, 255 white.
+
+    Raises:
+        LetterError: As `write_stamp`.
+    """
+    return np.array(_code(letter).to_image())
 
 
 def stamp_text(letter: Letter) -> str:
@@ -94,6 +98,15 @@ def _zxing() -> Any:
         words = "QR codes need zxing-cpp: pip install zxing-cpp. The text of a stamp needs nothing."
         raise MissingPartError(words) from None
     return zxingcpp
+
+
+def _code(letter: Letter) -> Any:
+    """Return the QR code of a letter."""
+    zxing = _zxing()
+    try:
+        return zxing.create_barcode(stamp_text(letter), zxing.BarcodeFormat.QRCode, ec_level="M")
+    except ValueError as error:
+        raise LetterError(f"This letter is too long for a QR code: {error}.") from None
 
 
 def _picture(path: str | os.PathLike[str]) -> Array:

@@ -1,6 +1,8 @@
 from .alphabet import draw_contact_sheet as draw_contact_sheet
 from .attribution import draw_attribution_bars as draw_attribution_bars
 from .attribution import draw_confusion as draw_confusion
+from .handouts import draw_certificate as draw_certificate
+from .handouts import draw_worksheet as draw_worksheet
 from .ink import draw_d_to_p as draw_d_to_p
 from .ink import draw_four_widths as draw_four_widths
 from .ink import draw_goal_paths as draw_goal_paths
