@@ -5,6 +5,7 @@ from .arguments import to_strokes as to_strokes
 from .distances import letter_distance as letter_distance
 from .distances import letter_distances as letter_distances
 from .faults import MOVEMENT_FAULTS as MOVEMENT_FAULTS
+from .faults import Fault as Fault
 from .kinematics import measure_movement as measure_movement
 from .letter_score import LEVEL_WORDS as LEVEL_WORDS
 from .letter_score import Score as Score
@@ -15,5 +16,7 @@ from .phrases import place_in_words as place_in_words
 from .reading import read_letter as read_letter
 from .resampling import resample as resample
 from .resampling import size_of as size_of
+from .strokes import MATTERS as MATTERS
 from .strokes import StrokeVerdict as StrokeVerdict
+from .strokes import check_strict as check_strict
 from .strokes import judge_stroke as judge_stroke

@@ -6,7 +6,7 @@ make handwriting better.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -19,6 +19,7 @@ from dmp_teach.scoring.kinematics import Movement, measure_movement
 from dmp_teach.scoring.matching import Matching, match_strokes
 from dmp_teach.scoring.overlay import lay_on, rms_apart
 from dmp_teach.scoring.resampling import POINTS_TO_FIT, Resampled, resample, size_of
+from dmp_teach.scoring.strokes import MATTERS, REASONS, check_strict
 from dmp_teach.texts import gettext as _
 from dmp_teach.texts import marked
 from dmp_teach.trajectory import Array
@@ -99,7 +100,12 @@ class Score:
         return f"Score({self.sentence!r}, {rows}, {1000 * self.distance:.1f} mm apart)"
 
 
-def score(written: LetterLike, model: LetterLike, hand: str = "right") -> Score:
+def score(
+    written: LetterLike,
+    model: LetterLike,
+    hand: str = "right",
+    strict: Collection[str] = MATTERS,
+) -> Score:
     """Compare a writing with its model.
 
     Strokes are matched by shape first: their order, direction and number are faults of their own
@@ -109,17 +115,22 @@ def score(written: LetterLike, model: LetterLike, hand: str = "right") -> Score:
         written: A `Recording`, a `Letter` (what it writes) or strokes.
         model: The same: what it should look like.
         hand: "left" of somebody who pulls level lines, as the bar of a t, from right to left.
+        strict: What counts as a fault, of "start", "direction", "order", "place" and "size".
 
     Raises:
-        LetterError: One of them is nothing, something else, or all in one place; or no such hand.
+        LetterError: One of them is nothing, something else, or all in one place; or no such hand,
+            or another word in `strict`.
     """
     check_hand(hand)
+    check_strict(strict)
     mine, yours = to_strokes(written, "written"), to_strokes(model, "model")
     matching = match_strokes(mine, yours)
     ink, model_ink = resample(mine, POINTS_TO_FIT), resample(yours, POINTS_TO_FIT)
     fit = fit_model(matching, ink, model_ink, size_of(yours))
     movement, model_movement = measure_movement(mine), measure_movement(yours)
-    faults = find_faults(matching, fit, movement, model_movement, yours, hand=hand)
+    found = find_faults(matching, fit, movement, model_movement, yours, hand=hand)
+    allowed = set(MATTERS) - set(strict)
+    faults = tuple(fault for fault in found if REASONS.get(fault.name) not in allowed)
     leading = leading_fault(faults)
     distance, shift = _lay_together(matching, ink, model_ink)
     return Score(

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from dmp_teach.errors import LetterError
 from dmp_teach.scoring.arguments import LetterLike, check_hand, to_strokes
 from dmp_teach.scoring.direction import find_other_way
 from dmp_teach.scoring.faults import (
@@ -35,6 +36,7 @@ REASONS = {
     "round": "direction",
     "order": "order",
     "place": "place",
+    "size": "size",
     "joined": "lift",
     "split": "lift",
     "divided": "lift",
@@ -42,13 +44,18 @@ REASONS = {
 }
 """What each fault of a stroke is a matter of."""
 
+MATTERS = ("start", "direction", "order", "place", "size")
+"""What a teacher may be strict about."""
+# On a sheet of unknown size.
+USUAL_MATTERS = MATTERS[:4]
+
 # Another beginning of a loop counts from an eighth of it on.
 LEAST_LOOP_SHIFT = 0.125
 # A line across is straight: so much of its length leads from side to side.
 LEAST_LEVEL_PART = 0.85
-# At the lift a stroke is told to be in a wrong place from so many steps on: the rest of the letter,
-# which would show how large and where it is meant, is not yet written.
-LEAST_PLACE_STEPS = 2.8
+# At the lift a stroke is in a wrong place, or of another size, from so many steps on: the
+# rest of the letter, which would show how large and where it is meant, is not yet written.
+LEAST_STEPS = {"place": 2.8, "size": 4.0}
 # A stroke that is farther from the model's is another [parts of the letter's size].
 FARTHEST_SHAPE = 0.09
 # Letters are wider or higher by so much though nothing of them is misplaced.
@@ -62,40 +69,60 @@ class StrokeVerdict:
     Args:
         stroke: Which stroke of the model it is, from 0; None where it is none of them.
         due: Which stroke of the model was to be written, from 0.
-        reason: "" of a good one, or "start", "direction", "order", "place", "lift" (joined with
-            another, or in pieces) or "unlike" (no stroke of this letter).
-        sentence: The same in plain words.
-        advice: What to do next, in one sentence.
+        fault: The largest fault; None of a good one.
     """
 
     stroke: int | None
     due: int
-    reason: str
-    sentence: str
-    advice: str
+    fault: Fault | None
 
     @property
     def good(self) -> bool:
         """Whether nothing is to be said against it."""
-        return not self.reason
+        return self.fault is None
+
+    @property
+    def reason(self) -> str:
+        """One of `MATTERS`, "lift" (joined, or in pieces), "unlike" (no stroke of it) or ""."""
+        return "" if self.fault is None else REASONS[self.fault.name]
+
+    @property
+    def sentence(self) -> str:
+        """What is to be said, in plain words."""
+        return _("Well written.") if self.fault is None else self.fault.sentence
 
     def __str__(self) -> str:
         """Return one line."""
-        return f"{self.sentence} {self.advice}".strip()
+        if self.fault is None:
+            return self.sentence
+        return f"{self.sentence} {self.fault.advice}".format(model=_("the model"))
 
 
-def judge_stroke(written: LetterLike, model: LetterLike, hand: str = "right") -> StrokeVerdict:
+def check_strict(strict: object) -> None:
+    """Raise a LetterError unless these are some of `MATTERS`."""
+    if not isinstance(strict, Collection) or isinstance(strict, str) or set(strict) - set(MATTERS):
+        raise LetterError(f"strict is {strict!r}, but must be some of {MATTERS}.")
+
+
+def judge_stroke(
+    written: LetterLike,
+    model: LetterLike,
+    hand: str = "right",
+    strict: Collection[str] = USUAL_MATTERS,
+) -> StrokeVerdict:
     """Judge the last of the strokes written so far, on the sheet on which the model stands.
 
     Args:
         written: A `Recording`, or strokes: those before, and last the one to be judged.
         model: What the letter should look like when it is complete.
         hand: As in `score`.
+        strict: What is judged, of "start", "direction", "order", "place" and "size".
 
     Raises:
-        LetterError: As `score`.
+        LetterError: As `score`, or another word in `strict`.
     """
     check_hand(hand)
+    check_strict(strict)
     mine, yours = to_strokes(written, "written"), to_strokes(model, "model")
     matching = match_so_far(mine, yours)
     number = len(mine) - 1
@@ -108,24 +135,19 @@ def judge_stroke(written: LetterLike, model: LetterLike, hand: str = "right") ->
         matching, resample(mine, POINTS_TO_FIT), resample(yours, POINTS_TO_FIT), size_of(yours)
     )
     if at is None or (fit.shape > FARTHEST_SHAPE and fit.worst[1] == at):
-        return _verdict(None, due, [make_fault("unlike", 1.0, **name_start(due, yours))])
+        return StrokeVerdict(None, due, make_fault("unlike", 1.0, **name_start(due, yours)))
     place = _place_beside(fit.places, at, matching, yours)
     found = list(find_pair_faults(matching, matching.pairs[at], place, yours, awaited, hand=hand))
-    return _verdict(matching.pairs[at].others[0], due, found)
-
-
-def _verdict(stroke: int | None, due: int, faults: Sequence[Fault]) -> StrokeVerdict:
-    """Return the verdict of the largest fault."""
-    least = {"place": LEAST_PLACE_STEPS}
-    seen = [fault for fault in faults if fault.steps >= least.get(fault.name, 1.0)]
-    if not seen:
-        return StrokeVerdict(stroke, due, "", _("Well written."), "")
-    worst = max(seen, key=lambda fault: fault.steps)
-    sentence, advice = (
-        text.format(model=_("the model"), models=_("the model's"))
-        for text in (worst.wording, worst.advice)
-    )
-    return StrokeVerdict(stroke, due, REASONS[worst.name], sentence, advice)
+    steps = abs(float(np.log(fit.size))) / DIFFERENCE_STEPS["size"]
+    found.append(make_fault("size", steps, ratio=fit.size))
+    seen = [
+        fault
+        for fault in found
+        if REASONS[fault.name] in {*strict, "lift"}
+        and fault.steps >= LEAST_STEPS.get(fault.name, 1.0)
+    ]
+    worst = max(seen, key=lambda fault: fault.steps, default=None)
+    return StrokeVerdict(matching.pairs[at].others[0], due, worst)
 
 
 def _place_beside(

@@ -10,7 +10,7 @@ from dmp_teach.classroom.panels.messages import rate_attempt, show_millimetres
 from dmp_teach.errors import LetterError, RecordingError
 from dmp_teach.ink import PadStroke, Recording, characters, pad_recording
 from dmp_teach.letters import Letter
-from dmp_teach.scoring import Score, read_letter, score, size_of
+from dmp_teach.scoring import MATTERS, Score, read_letter, score, size_of
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Trajectory
 
@@ -24,12 +24,14 @@ class Attempt:
         strokes: As the pad caught them; none where the recording came from a file.
         model: The robot's letter that was to be written, or None.
         hand: As in `score`.
+        strict: As in `score`.
     """
 
     recording: Recording
     strokes: tuple[PadStroke, ...] = ()
     model: Recording | None = None
     hand: str = "right"
+    strict: tuple[str, ...] = MATTERS
 
     @classmethod
     def of(
@@ -38,11 +40,12 @@ class Attempt:
         model: Recording | None,
         writer: str | None,
         hand: str = "right",
+        strict: tuple[str, ...] = MATTERS,
     ) -> Self:
         """Make an attempt at the model's letter, on the writing line y = 0."""
         character = None if model is None else model.character
         recording = pad_recording(strokes, character=character, writer=writer, baseline=0.0)
-        return cls(recording, strokes, model, hand)
+        return cls(recording, strokes, model, hand, strict)
 
     @cached_property
     def ink(self) -> tuple[Trajectory, ...]:
@@ -65,7 +68,7 @@ class Attempt:
         if self.model is None or self.is_dot:
             return None
         try:
-            return score(self.recording, self.model, self.hand)
+            return score(self.recording, self.model, self.hand, self.strict)
         except LetterError:
             return None
 
@@ -182,6 +185,37 @@ class Attempts:
             and each.score is not None
             and (with_sheet or each is not self._now)
         ]
+
+
+class Results:
+    """What the next cells have of a pad."""
+
+    _attempts: Attempts
+
+    @property
+    def recordings(self) -> tuple[Recording, ...]:
+        """Every try, in order."""
+        return self._attempts.recordings
+
+    @property
+    def recording(self) -> Recording:
+        """The newest try; a RecordingError while there is none."""
+        return self._attempts.newest.recording
+
+    @property
+    def letter(self) -> Letter:
+        """What the robot learned from the newest try."""
+        return self._attempts.newest.letter
+
+    @property
+    def score(self) -> Score | None:
+        """How near the newest try is to the robot's letter; None where no letter was chosen."""
+        return self._attempts.newest.score
+
+    @property
+    def error(self) -> float | None:
+        """How far the newest try is from the robot's letter [m]; None without a `score`."""
+        return None if self.score is None else self.score.distance
 
 
 def list_rows(attempts: list[Attempt], first: int) -> list[dict[str, object]]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from dmp_teach.ink import PadStroke
-from dmp_teach.scoring import LEVEL_WORDS, MOVEMENT_FAULTS, Score, leading_fault
+from dmp_teach.scoring import LEVEL_WORDS, MOVEMENT_FAULTS, Fault, Score, leading_fault
 from dmp_teach.texts import gettext as _
 from dmp_teach.texts import marked, ngettext
 from dmp_teach.trajectory import Trajectory
@@ -122,8 +122,13 @@ def describe_largest_gap(demo: tuple[Trajectory, ...], robot: tuple[Trajectory, 
     return alone if len(demo) == 1 else one.format(n=stroke + 1)
 
 
-def describe_stroke(number: int, stroke: PadStroke, outside: int = 0) -> str:
-    """Return what the pad saw of a stroke, some of whose points were beyond the sheet."""
+def describe_stroke(number: int, stroke: PadStroke | None, outside: int = 0) -> str:
+    """Return what the pad saw of a stroke, some of whose points were beyond the sheet.
+
+    None is one that the robot wrote in the place of a person's.
+    """
+    if stroke is None:
+        return _("Stroke {n}: the robot wrote it for you.").format(n=number)
     if outside > 0:
         return _("Your pen left the sheet: write a little smaller.")
     if stroke.is_dot:
@@ -156,6 +161,26 @@ def ask_for_next_stroke(done: int, of: int, character: str) -> Message:
     return _build_message(text.format(letter=character, n=of, done=done))
 
 
+def describe_help(stroke: int) -> Message:
+    """Return the message on a complete letter of which the robot wrote a stroke, from 0."""
+    text = _("The robot wrote stroke {n} for you. **Start again, and write all of it yourself.**")
+    return _build_message(text.format(n=stroke + 1))
+
+
+def describe_missed_stroke(fault: Fault) -> Message:
+    """Return the message on a stroke that is to be written again."""
+    return _build_message(" ".join(_name_the_robots(fault)))
+
+
+def _name_the_robots(fault: Fault) -> tuple[str, str]:
+    """Return a fault beside the robot's letter, and what to do next, which is strong."""
+    texts = fault.wording, f"**{fault.advice}**"
+    wording, advice = (
+        text.format(model=_("the robot’s"), models=_("the robot’s")) for text in texts
+    )
+    return wording, advice
+
+
 def describe_learned_ink(error: float) -> Message:
     """Return the message for ink that is compared with nothing: how well it was learned."""
     text = _(
@@ -180,11 +205,8 @@ def describe_attempt(now: Score, before: Score | None, is_coarse: bool = False) 
     is_seen = fault is not None and fault.name not in MOVEMENT_FAULTS
     said = "" if is_seen else f" **{_('Well written: it looks the same as the robot’s.')}**"
     if fault is not None and (is_seen or not is_coarse):
-        words, advice = (
-            text.format(model=_("the robot’s"), models=_("the robot’s"))
-            for text in (fault.wording, fault.advice)
-        )
-        said += f" {words} " + (f"**{advice}**" if is_seen else advice)
+        words, advice = _name_the_robots(fault)
+        said += f" {words} " + (advice if is_seen else advice.strip("*"))
     if before is not None and is_seen:
         said += f" {compare_attempts(now.distance, before.distance)}"
     return _build_message(f"{_(_APART)} {said.strip()}", now.distance)

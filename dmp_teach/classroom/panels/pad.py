@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from pathlib import Path
 from typing import Any
 
@@ -10,18 +10,18 @@ import traitlets
 from numpy.typing import ArrayLike
 
 from dmp_teach.classroom.panels import messages, sheets
-from dmp_teach.classroom.panels.attempts import Attempt, Attempts
+from dmp_teach.classroom.panels.attempts import Attempt, Attempts, Results
 from dmp_teach.classroom.panels.kept import forget, kept
 from dmp_teach.classroom.panels.pad_view import describe_empty_pad, describe_pad, unpack_stroke
+from dmp_teach.classroom.panels.pen_lift import PenLift
 from dmp_teach.classroom.panels.robot_panel import RobotPanel, list_letter_choices, pack_points
 from dmp_teach.classroom.panels.saved_attempts import SavedAttempts, list_files
 from dmp_teach.classroom.panels.still import Still
 from dmp_teach.errors import RecordingError
 from dmp_teach.files import join_modules, join_styles
 from dmp_teach.ink import Recording, characters, check_pseudonym, pad_stroke, recording_of
-from dmp_teach.letters import Letter
 from dmp_teach.robot import Page
-from dmp_teach.scoring import Score, check_hand
+from dmp_teach.scoring import MATTERS, check_hand, check_strict
 from dmp_teach.texts import gettext as _
 from dmp_teach.views import STYLE_TOKENS
 
@@ -35,6 +35,7 @@ def pad(
     page: Page | None = None,
     writer: str | None = None,
     hand: str = "right",
+    strict: Collection[str] = MATTERS,
 ) -> Pad:
     """Show a writing pad for mouse, finger and stylus.
 
@@ -47,15 +48,17 @@ def pad(
         page: Where the robot writes; None for a sheet of A4 on the table.
         writer: A pseudonym such as "w01" for what is saved; None takes the first that is free.
         hand: "left" where bars, as that of a t, may be drawn from right to left.
+        strict: What is judged at each lift of the pen, of "start", "direction", "order", "place"
+            and "size".
 
     Raises:
         RecordingError: No such letter, a word, or a writer that is no pseudonym.
-        LetterError: No such hand.
+        LetterError: No such hand, or another word in `strict`.
     """
-    return Pad(character, page, writer, hand)
+    return Pad(character, page, writer, hand, strict)
 
 
-class Pad(RobotPanel):
+class Pad(Results, RobotPanel):
     """The writing pad; the letter to be written is the trait `character`, "" for any."""
 
     _esm = join_modules(_HERE / "pad.js")
@@ -79,11 +82,22 @@ class Pad(RobotPanel):
     shift = traitlets.List([0.0, 0.0]).tag(sync=True)
     unfinished = traitlets.Bool(False).tag(sync=True)
     kept = traitlets.Unicode().tag(sync=True)
+    lift = traitlets.Dict().tag(sync=True)
 
-    def __init__(self, character: str | None, page: Page | None, writer: str | None, hand: str):
+    def __init__(
+        self,
+        character: str | None,
+        page: Page | None,
+        writer: str | None,
+        hand: str,
+        strict: Collection[str] = MATTERS,
+    ):
         check_pseudonym(writer)
         check_hand(hand)
+        check_strict(strict)
         self.hand = hand
+        self.strict = tuple(strict)
+        self._pen_lift = PenLift(hand, self.strict)
         self._key = f"pad {writer or ''}".strip()
         self.writer = writer or kept(self._key).get("writer")
         self._take_kept()
@@ -99,31 +113,6 @@ class Pad(RobotPanel):
     def draw_still(self) -> Still:
         """Return an empty sheet with the robot's own letter: what a pupil wrote is kept nowhere."""
         return describe_empty_pad(self._model, self.character)
-
-    @property
-    def recordings(self) -> tuple[Recording, ...]:
-        """Every try, in order."""
-        return self._attempts.recordings
-
-    @property
-    def recording(self) -> Recording:
-        """The newest try; a RecordingError while there is none."""
-        return self._attempts.newest.recording
-
-    @property
-    def letter(self) -> Letter:
-        """What the robot learned from the newest try."""
-        return self._attempts.newest.letter
-
-    @property
-    def score(self) -> Score | None:
-        """How near the newest try is to the robot's letter; None where no letter was chosen."""
-        return self._attempts.newest.score
-
-    @property
-    def error(self) -> float | None:
-        """How far the newest try is from the robot's letter [m]; None without a `score`."""
-        return None if self.score is None else self.score.distance
 
     def add_stroke(self, points: ArrayLike, pressed: bool = False, outside: int = 0) -> None:
         """Put a stroke on the sheet.
@@ -143,11 +132,13 @@ class Pad(RobotPanel):
             # A recording from a file is an attempt of its own.
             self.start_again()
             now = None
-        strokes = (*(now.strokes if now else ()), stroke)
-        if len(strokes) > MAX_STROKES:
+        before = now.strokes if now else ()
+        if len(before) >= MAX_STROKES:
             raise RecordingError(f"One letter has at most {MAX_STROKES} strokes: start again.")
-        self._put(Attempt.of(strokes, self._model, self.writer, self.hand))
-        self.caught = messages.describe_stroke(len(strokes), stroke, outside)
+        strokes = self._pen_lift.take(before, stroke)
+        self._put(Attempt.of(strokes, self._model, self.writer, self.hand, self.strict))
+        written = strokes[-1] is stroke
+        self.caught = messages.describe_stroke(len(strokes), stroke if written else None, outside)
 
     def undo(self) -> None:
         """Take the last stroke off the sheet, or bring the try before onto an empty one."""
@@ -158,9 +149,10 @@ class Pad(RobotPanel):
             said = _("The try before is on your sheet again.") if found else _("Nothing to undo.")
         else:
             left = now.strokes[:-1]
+            self._pen_lift.verdict = None
             said = messages.describe_undone(len(now.ink), not left, self._attempts.is_back)
             self._attempts.now = (
-                Attempt.of(left, now.model, self.writer, self.hand) if left else None
+                Attempt.of(left, now.model, self.writer, self.hand, self.strict) if left else None
             )
         self.caught = said
         self._redraw()
@@ -168,6 +160,7 @@ class Pad(RobotPanel):
     def start_again(self) -> None:
         """Take an empty sheet; what was on the old one stays among the tries."""
         self._attempts.take_a_new_sheet()
+        self._pen_lift.verdict = None
         self._is_done = False
         self.caught = ""
         self._redraw()
@@ -177,7 +170,9 @@ class Pad(RobotPanel):
         self.start_again()
         if own.character in characters():
             self.character = own.character
-        attempt = Attempt(sheets.place_on_sheet(own, self.sheet), (), self._model, self.hand)
+        attempt = Attempt(
+            sheets.place_on_sheet(own, self.sheet), (), self._model, self.hand, self.strict
+        )
         self._is_done = True
         self._put(attempt)
         self.sheet = sheets.extend_sheet(self.sheet, attempt.ink)
@@ -274,6 +269,7 @@ class Pad(RobotPanel):
         """Take an empty sheet in the size of another letter."""
         self._model = recording_of(self.character) if self.character else None
         strokes = self._model.strokes() if self._model else ()
+        self._pen_lift.begin(self._model)
         with self.hold_sync():
             self.wanted = messages.add_article(self.character)
             self.sheet = sheets.fit_pad_sheet(strokes)
@@ -288,7 +284,7 @@ class Pad(RobotPanel):
         strokes = self._model.strokes() if self._model else ()
         if now is not None:
             strokes = now.written
-        shown = describe_pad(self._attempts, self.character, self._is_done)
+        shown = describe_pad(self._attempts, self.character, self._is_done, self._pen_lift)
         with self.hold_sync():
             for name, value in shown.items():
                 self.set_trait(name, value)

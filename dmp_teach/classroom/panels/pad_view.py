@@ -8,6 +8,7 @@ import numpy as np
 
 from dmp_teach.classroom.panels import messages
 from dmp_teach.classroom.panels.attempts import Attempt, Attempts, list_rows
+from dmp_teach.classroom.panels.pen_lift import PenLift
 from dmp_teach.classroom.panels.robot_panel import pack_points
 from dmp_teach.classroom.panels.sheets import fit_pad_sheet
 from dmp_teach.classroom.panels.still import Still
@@ -20,7 +21,9 @@ from dmp_teach.trajectory import Array
 MAX_SHOWN_ATTEMPTS = 6
 
 
-def describe_pad(attempts: Attempts, character: str, is_done: bool) -> dict[str, object]:
+def describe_pad(
+    attempts: Attempts, character: str, is_done: bool, lift: PenLift
+) -> dict[str, object]:
     """Return the traits of a pad that follow from what is on its sheet.
 
     `is_done` says that a letter with fewer strokes than the robot's is complete.
@@ -31,6 +34,11 @@ def describe_pad(attempts: Attempts, character: str, is_done: bool) -> dict[str,
     scored = attempts.scored(character, with_sheet=not unfinished)
     before = [attempt for attempt in scored if attempt is not now]
     message, parts = _describe_attempt_now(now, before, character, unfinished)
+    robots = lift.find_robots(now.strokes if now else ())
+    if unfinished and lift.verdict is not None and lift.verdict.fault is not None:
+        message = messages.describe_missed_stroke(lift.verdict.fault)
+    elif robots and not unfinished:
+        message = messages.describe_help(robots[0])
     said = message["text"] + message["strong"] if now else ""
     shown = scored[-MAX_SHOWN_ATTEMPTS:]
     shift = [0.0, 0.0]
@@ -46,6 +54,7 @@ def describe_pad(attempts: Attempts, character: str, is_done: bool) -> dict[str,
         "tries": list_rows(shown, len(scored) - len(shown) + 1),
         "tried": pack_points([stroke for attempt in shown for stroke in attempt.aligned]),
         "shift": shift,
+        "lift": lift.describe(now.strokes if now else ()),
     }
 
 

@@ -1,0 +1,106 @@
+"""What the pad says and does when the pen is lifted."""
+
+import numpy as np
+import pytest
+
+from dmp_teach import LetterError, pad, recording_of
+from dmp_teach.classroom.panels.kept import forget
+from dmp_teach.trajectory import Trajectory
+
+
+@pytest.fixture(autouse=True)
+def nothing_kept():
+    forget("pad")
+
+
+def write(panel, stroke, backwards=False):
+    """Write a stroke as the browser would send it."""
+    position = stroke.position[::-1] if backwards else stroke.position
+    even = np.column_stack([stroke.t - stroke.t[0], position, np.ones(len(stroke))])
+    panel.add_stroke(even[::2])
+
+
+def said(panel):
+    return "".join(panel.message[part] for part in ("text", "strong", "after"))
+
+
+def test_a_missed_stroke_is_told_at_the_lift_and_written_again_in_its_place():
+    panel, (stem, bar) = pad("t"), recording_of("t").strokes()
+    write(panel, stem, backwards=True)
+    assert said(panel).startswith("The first stroke starts at the wrong end. Start the first")
+    assert panel.lift["missed"]["expected"] == 0
+    assert panel.lift["ghost"] == []
+    write(panel, stem)
+    assert len(panel.recording.strokes()) == 1
+    assert panel.lift["missed"] is None
+    write(panel, bar)
+    assert "looks the same" in said(panel)
+    assert panel.lift == {"ghost": [], "robots": [], "missed": None}
+
+
+def test_after_two_misses_the_stroke_is_shown_and_after_four_the_robot_writes_it():
+    panel, (stem, bar) = pad("t"), recording_of("t").strokes()
+    write(panel, stem)
+    for miss in (1, 2, 3):
+        write(panel, bar, backwards=True)
+        assert len(panel.recording.strokes()) == 2
+        assert (panel.lift["ghost"] != []) == (miss >= 2)
+    assert np.allclose(panel.lift["ghost"], bar.position, atol=2e-3)
+    write(panel, bar, backwards=True)
+    assert panel.lift["robots"] == [1]
+    assert panel.caught == "Stroke 2: the robot wrote it for you."
+    assert (
+        said(panel)
+        == "The robot wrote stroke 2 for you. Start again, and write all of it yourself."
+    )
+    assert np.allclose(panel.recording.strokes()[1].position[0], bar.position[0], atol=2e-3)
+    panel.start_again()
+    assert panel.lift["ghost"] == []
+    write(panel, stem)
+    write(panel, bar)
+    assert panel.lift["robots"] == []
+
+
+def test_misses_are_counted_over_sheets_and_another_letter_has_none():
+    panel, stroke = pad("o"), recording_of("o").strokes()[0]
+    for _ in range(2):
+        panel.start_again()
+        write(panel, stroke, backwards=True)
+    assert panel.lift["ghost"] != []
+    panel.start_again()
+    assert panel.lift["ghost"] != []
+    panel.character = "c"
+    assert panel.lift["ghost"] == []
+
+
+def test_a_teacher_says_what_is_judged():
+    stem, bar = recording_of("t").strokes()
+    shifted = Trajectory(bar.t, bar.position + np.array([0.04, 0]))
+    for strict, reasons in (
+        (("start", "order"), (True, False)),
+        (("place",), (False, True)),
+        ((), (False, False)),
+    ):
+        panel = pad("t", strict=strict)
+        for stroke, is_back, reason in ((bar, True, reasons[0]), (shifted, False, reasons[1])):
+            panel.start_again()
+            write(panel, stem)
+            write(panel, stroke, is_back)
+            assert (panel.lift["missed"] is not None) == reason, (strict, panel.message)
+            assert ("wrong end" in said(panel)) == (reason and is_back)
+    panel = pad("t", strict=("size",))
+    write(panel, Trajectory(stem.t, stem.position * 0.5))
+    assert said(panel).startswith("It is half as large as the robot’s.")
+    for strict in ("start", ("beauty",), None):
+        with pytest.raises(LetterError, match="strict is"):
+            pad("t", strict=strict)
+
+
+def test_a_left_hand_is_not_told_of_its_bars_and_a_dot_alone_is_judged_by_nobody():
+    panel, (stem, bar) = pad("t", hand="left"), recording_of("t").strokes()
+    write(panel, stem)
+    write(panel, bar, backwards=True)
+    assert panel.lift["missed"] is None
+    panel.start_again()
+    panel.add_stroke([[0, 0.01, 0.05, 1]])
+    assert panel.lift["missed"] is None
