@@ -106,9 +106,9 @@ class RobotWrites(Lesson):
     def bet(self) -> DrawnBet:
         """The border of reach."""
         question = _(
-            "The robot, seen from above, stands at a wide table. The page is too far away: the "
-            "pen does not get to all of it. Draw the border: how far out can the middle of the "
-            "page be?"
+            "This is the robot, seen from above, and its page on a table. The page is too far "
+            "away: the pen does not get to all of it. Draw the border: how far out can the middle "
+            "of the page be?"
         )
         angles = np.radians(np.linspace(170, 10, _BET_POINTS))
         places = 0.5 * np.column_stack([np.cos(angles), np.sin(angles)])
@@ -156,8 +156,8 @@ class RobotWrites(Lesson):
         )
         solved = {name: self.solution[name] for name in ("ahead", "press")}
         return (
-            _("Find the dark part of the map first. Then look at the two curves."),
-            _("In the middle of the dark part joints have time. And only a spring gives way."),
+            _("Find the blue part of the map that is not pale. Then look at the two curves."),
+            _("In the middle of the blue, joints have time. And only a spring gives way."),
             last.format(**self._wanted, **solved),
         )
 
@@ -265,7 +265,7 @@ class RobotWrites(Lesson):
             "box": FLOOR,
             "title": _("The robot and its page, seen from above."),
             "caption": _("From above"),
-            "note": "" if is_hidden else _("blue: its middle can be here; light: joints hurry"),
+            "note": "" if is_hidden else _("blue: its middle can be here; pale: joints hurry"),
             "dots": [{"at": np.zeros((1, 2)), "kind": "child", "label": _("robot")}],
             "extras": [*known, *draw_robot(), *draw_page(setup.where)],
             "rings": [page_ring(is_fixed=is_bet)],

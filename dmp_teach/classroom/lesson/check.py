@@ -54,7 +54,8 @@ class Condition:
     @property
     def shown(self) -> str:
         """The number with its unit, with so many digits that it does not hide the verdict."""
-        value = self.number
+        # A sum with 0.0 has no minus before a zero.
+        value = self.number + 0.0
         limits = [limit for limit in (self.low, self.high) if math.isfinite(limit)]
         is_count = not self.unit and value % 1 == 0
         words = f"{value:.0f}" if is_count or abs(value) >= 10 else f"{value:.1f}"
