@@ -28,6 +28,8 @@ WAY_KEYS = dict(zip(("dmp", "mixture", "states", "cost", "spread"), WAYS.values(
 TAKES_AT_HAND = 8
 # The fewest letters that a challenge may need, and how far from enough one fewer is.
 LEAST_NEEDED, GAP = 3, 0.85
+# Of places for ways beside one another.
+COLUMNS = 3
 # So near to the ring a pen has arrived [mm].
 NEAR_RING = 1.0
 # Where their goals move [cm]: a line that stays where it was must turn round to get there.
@@ -157,32 +159,45 @@ def _tried(led: Led) -> WayTried:
 
 
 def draw_side_by_side(letters: dict[str, Led], marked: Led) -> Drawing:
-    """Draw what ways write to the goal that moved, beside one another [cm].
+    """Draw what ways write to the goal that moved over what was shown, beside one another [cm].
 
     Args:
-        letters: By way; those that are not known yet have an empty place.
+        letters: By way; of those that are not known yet only the goal is seen.
         marked: The one that is set.
     """
-    low, high = _cell(replace(marked, key="dmp", shown=1))
-    width = float(high[0] - low[0])
+    star = replace(marked, key="dmp", shown=1).tried
+    shown = star.takes[0].position / CM
+    seen = np.concatenate([shown, star.moved.position / CM])
+    low, size = seen.min(axis=0) - 1, np.ptp(seen, axis=0) + 2
+    # The name of the way stands below.
+    below = 0.3 * size[1]
+    place = np.array([max(size[0], size[1]), size[1] + below])
+    left, right = low[0] + 0.5 * (size[0] - place[0]), low[0] + 0.5 * (size[0] + place[0])
     lines: list[Drawing] = []
     dots: list[Drawing] = []
-    ticks = []
     for number, key in enumerate(ways_here()):
-        ticks.append([(number + 0.5) * width, way_names()[key]])
-        if key not in letters:
-            continue
-        home = np.array([number * width, 0.0]) - low
-        tried = letters[key].tried
-        path = tried.moved.position / CM
-        # A line that leaves its place would cross a neighbour's.
-        inside = (path[:, 0] > low[0]) & (path[:, 0] < high[0])
-        points = np.where(inside[:, None], path + home, np.nan)
-        lines.append({"points": points, "kind": "robot" if key == marked.key else "quiet"})
-        dots.append({"at": (tried.goal / CM + home).tolist(), "kind": "bet"})
-    x = {"label": "", "low": 0.0, "high": width * len(ticks), "ticks": ticks}
-    y = {"label": "", "low": 0.0, "high": float(high[1] - low[1]), "ticks": []}
+        corner = place * (number % COLUMNS, -(number // COLUMNS))
+        home = corner - (left, low[1] - below)
+        lines.append({"points": shown + home, "kind": "child"})
+        kind = "robot" if key == marked.key else "quiet"
+        if key in letters:
+            path = letters[key].tried.moved.position / CM
+            pieces = _pieces_inside(path, left, right)
+            lines += [{"points": piece + home, "kind": kind} for piece in pieces]
+        dots.append({"at": (star.goal / CM + home).tolist(), "kind": "bet"})
+        name = corner + np.array([0.1 * place[0], 0.5 * below])
+        dots.append({"at": name.tolist(), "kind": "word", "label": way_names()[key]})
+    high = float(place[1])
+    x = {"label": "", "low": 0.0, "high": COLUMNS * float(place[0]), "ticks": []}
+    y = {"label": "", "low": -high, "high": high, "ticks": [], "isEqual": True}
     return {"x": x, "y": y, "lines": lines, "dots": dots}
+
+
+def _pieces_inside(path: Array, left: float, right: float) -> list[Array]:
+    """Return the pieces of a path (T, 2) that do not cross a neighbour's place."""
+    inside = (path[:, 0] > left) & (path[:, 0] < right)
+    runs = np.split(np.arange(len(path)), np.flatnonzero(np.diff(inside)) + 1)
+    return [path[run] for run in runs if inside[run[0]] and len(run) > 1]
 
 
 def draw_errors(letters: list[Led], limit: float) -> Drawing:
@@ -246,8 +261,10 @@ def way_names() -> dict[str, str]:
     return {"dmp": "DMP*", **plain, "spread": _("spread")}
 
 
-def box_around(character: str, hand: int, reach: float) -> list[float]:
-    """Return a sheet for all takes and for a goal that moves so far [cm]."""
-    goal = meant_by(character)[-1]
+def box_around(led: Led, reach: float) -> list[float]:
+    """Return a sheet for all takes, for DMP* and for a goal that moves so far [cm]."""
+    goal = meant_by(led.character)[-1]
     corners = goal + CM * reach * np.array([[-1, -1], [1, 1]])
-    return sheet_box([*(take.position for take in takes_of(character, hand)), corners])
+    moved = replace(led, key="dmp", shown=1).tried.moved.position
+    takes = [take.position for take in takes_of(led.character, led.hand)]
+    return sheet_box([*takes, corners, moved])

@@ -236,7 +236,7 @@ class OtherWays(Lesson):
         sheet = draw_sheet(
             takes[:1],
             lines,
-            box=box_around(self.letter, self.hand, REACH),
+            box=box_around(self._judged(self.start), REACH),
             rings=[goal_ring(home, state.step == "bet")],
             caption=_("On paper"),
             note=_("{n} shown, dotted").format(n=led.shown),

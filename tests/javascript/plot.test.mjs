@@ -1,5 +1,6 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
+import { equalized } from "../../dmp_teach/classroom/panels/axes.js";
 import { alongStroke, nearest, painted } from "../../dmp_teach/classroom/panels/hand.js";
 import {
   logTicks,
@@ -121,4 +122,20 @@ test("a hand that is too fast for the screen paints the handles that it passes, 
     [2, 1, 0],
   );
   assert.deepEqual(painted(ROW, [11, 5], [12, 7]), [[1, [10, 7]]]);
+});
+
+test("equal axes keep what was asked for and give one unit the same length", () => {
+  for (const [width, height] of [
+    [400, 200],
+    [200, 400],
+  ]) {
+    const [x, y] = equalized(
+      { label: "", low: 1, high: 4 },
+      { label: "", low: 0, high: 2 },
+      width,
+      height,
+    );
+    assert.ok(Math.abs((x.high - x.low) / width - (y.high - y.low) / height) < 1e-12);
+    assert.ok(x.low <= 1 && x.high >= 4 && y.low <= 0 && y.high >= 2);
+  }
 });

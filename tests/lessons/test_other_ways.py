@@ -65,8 +65,9 @@ def test_each_mistake_is_told_with_the_numbers_of_the_answer(answer, words):
 def test_all_ways_are_seen_side_by_side_after_the_bet_and_none_before():
     lesson = teach.lesson("12")
     hidden, seen = (lesson.draw(LessonState(lesson.start, "bet", None, is_r)) for is_r in (0, 1))
-    assert (len(hidden.plots["ways"]["lines"]), hidden.sheet["robot"]) == (0, [])
-    assert len(seen.plots["ways"]["lines"]) == len(WAY_KEYS)
+    kinds = [[line["kind"] for line in each.plots["ways"]["lines"]] for each in (hidden, seen)]
+    assert (kinds[0], hidden.sheet["robot"]) == (["child"] * len(WAY_KEYS), [])
+    assert (kinds[1].count("robot"), kinds[1].count("quiet")) == (1, len(WAY_KEYS) - 1)
 
 
 def test_without_its_library_a_way_is_not_offered(monkeypatch):

@@ -56,7 +56,8 @@ export function drawAxes(group, [w, h], x, y, ends) {
     ends.map((words) => make("text", { class: "dt-end" }, words)),
   );
   const right = w - (room > 0 && room + 24 < 0.3 * w ? room + 24 : 20);
-  const view = viewBetween(x, y, [left, top, right, bottom]);
+  const sides = y.isEqual ? equalized(x, y, right - left, bottom - top) : [x, y];
+  const view = viewBetween(sides[0], sides[1], [left, top, right, bottom]);
   const places = ticksOf(x, (right - left) / 64);
   const across = places.map(([value]) => view.x.px(value).toFixed(1));
   const up = heights.map(([value]) => view.y.px(value).toFixed(1));
@@ -82,6 +83,22 @@ export function drawAxes(group, [w, h], x, y, ends) {
     w,
   );
   return { w, h, ...view };
+}
+
+/**
+ * Two axes of which one unit is as long across as up, the shorter one with more room around.
+ * @param {Axis} x
+ * @param {Axis} y
+ * @param {number} width [px]
+ * @param {number} height [px]
+ */
+export function equalized(x, y, width, height) {
+  const [a, b] = [(x.high - x.low) / width, (y.high - y.low) / height];
+  const wider = (/** @type {Axis} */ axis, /** @type {number} */ factor) => {
+    const room = ((factor - 1) * (axis.high - axis.low)) / 2;
+    return { ...axis, low: axis.low - room, high: axis.high + room };
+  };
+  return a > b ? [x, wider(y, a / b)] : [wider(x, b / a), y];
 }
 
 /**

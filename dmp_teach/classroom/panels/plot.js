@@ -25,7 +25,7 @@ import { within } from "./scales.js";
  * @typedef {{ points: Place[], lit?: boolean, label?: string, base?: number }} Fill a bump down to
  *   its base (0); colours come in turn, so its number in the list is its colour
  */
-/** @typedef {{ at: Place, kind: Kind, label?: string }} Dot */
+/** @typedef {{ at: Place, kind: Kind | "word", label?: string }} Dot a word has no dot */
 /** @typedef {{ from: number, to: number, label?: string }} Band a stretch of the x axis */
 /**
  * @typedef {{

@@ -129,6 +129,8 @@ def compare_ways_to_learn(
 ) -> WaysTried:
     """Learn one stroke in every way, from more and more takes of it, and lead it to another goal.
 
+    Ways whose library is not installed (scikit-learn, hmmlearn) are left out.
+
     Args:
         takes: Recordings of one letter, files or strokes. They are laid on one another by their
             middles, and what was meant is the mean of those that are not shown. None: ten takes of
@@ -143,7 +145,6 @@ def compare_ways_to_learn(
     Raises:
         SettingError: A number of demonstrations that there are not, or that leaves none to judge
             by; no such stroke.
-        MissingPartError: scikit-learn or hmmlearn is not installed.
     """
     if takes is None:
         model = recording_of("a").strokes()[0]
@@ -165,7 +166,8 @@ def compare_ways_to_learn(
     for number in wanted:
         left = [even_path(each) for each in paths[number:]]
         aim = np.mean(left, axis=0) if meant is None else meant
-        pieces += [(each, paths[:number], aim, moved) for each in WAYS.values()]
+        ways = [way for way in WAYS.values() if way.can_learn()]
+        pieces += [(each, paths[:number], aim, moved) for each in ways]
     found = run(try_way, pieces, executor, progress)
     return WaysTried(tuple(_written(each, fetch) for each in found) if fetch else tuple(found))
 
