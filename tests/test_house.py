@@ -58,7 +58,7 @@ ROOMS = {  # where a library from elsewhere may be imported
     "matplotlib": ["views/"],
     "IPython": ["views/", "classroom/"],
     "traitlets": ["views/", "classroom/"],
-    "anywidget": ["views/scene/view.py", "classroom/"],
+    "anywidget": ["views/unsaved.py", "classroom/panels/robot_panel.py"],
     "ipywidgets": ["classroom/"],
     "jupyter_server": ["launcher/"],
 }

@@ -5,3 +5,4 @@ from .scene.view import view as view
 from .stamp_code import read_stamp as read_stamp
 from .stamp_code import stamp_text as stamp_text
 from .stamp_code import write_stamp as write_stamp
+from .unsaved import UnsavedWidget as UnsavedWidget

@@ -3,6 +3,7 @@
 import { change, make } from "./dom.js";
 import { gunzip } from "./gunzip.js";
 import { t } from "./texts.js";
+import { Traits } from "./traits.js";
 
 /** @typedef {import("./dom.js").Model} Model */
 /**
@@ -34,34 +35,21 @@ function bytesOf(/** @type {string} */ base64) {
 /**
  * @param {Record<string, any>} state
  * @param {Answers} answers
- * @returns {Model}
  */
 function modelOf(state, { send, saved }) {
-  /** @type {Record<string, (() => void)[]>} */
-  const listeners = {};
-  /** @type {Model} */
-  const model = {
-    get: (name) => state[name],
-    set(name, value) {
-      if (state[name] === value) return;
-      state[name] = value;
-      for (const listener of listeners[`change:${name}`] ?? []) listener();
-    },
-    on(events, listener) {
-      for (const event of events.split(" ")) {
-        listeners[event] ??= [];
-        listeners[event].push(listener);
-      }
-    },
+  const traits = new Traits();
+  traits.take(state);
+  const answer = () => model.set("answered", model.get("answered") + 1);
+  const model = traits.model({
     save_changes() {
       saved?.(model);
-      model.set("answered", state.answered + 1);
+      answer();
     },
     send(message) {
       send?.(model, message);
-      model.set("answered", state.answered + 1);
+      answer();
     },
-  };
+  });
   return model;
 }
 

@@ -2,6 +2,7 @@
 
 import { hear, keepKeys, make } from "../../views/dom.js";
 import { t, useTexts } from "../../views/texts.js";
+import { told } from "../../views/told.js";
 import { asleepBox, watch } from "../panels/robot.js";
 import { Card } from "./card.js";
 
@@ -30,4 +31,4 @@ function render({ model, el }) {
   return stopWatching;
 }
 
-export default { render };
+export default told(render);

@@ -8,19 +8,17 @@ from html import escape
 from pathlib import Path
 from typing import Any
 
-import anywidget
 import traitlets
 from IPython.display import display
 
 from dmp_teach.classroom.lesson.check import Condition, Verdict, evaluate, judge
 from dmp_teach.classroom.lesson.progress import HINTS_AFTER_MISSES
 from dmp_teach.classroom.panels.kept import kept
-from dmp_teach.classroom.panels.resting import RESTING_SCRIPT
 from dmp_teach.errors import SettingError
 from dmp_teach.files import join_modules, join_styles
 from dmp_teach.texts import gettext as _
 from dmp_teach.texts import javascript_texts
-from dmp_teach.views import STYLE_TOKENS
+from dmp_teach.views import STYLE_TOKENS, UnsavedWidget
 
 _HERE = Path(__file__).parent
 
@@ -57,7 +55,7 @@ def challenge(
     return Challenge(text, conditions, hints, mistakes or {}, praise)
 
 
-class Challenge(anywidget.AnyWidget):
+class Challenge(UnsavedWidget):
     """The card of a challenge. `check` is what its button does."""
 
     _esm = join_modules(_HERE / "challenge.js")
@@ -69,8 +67,6 @@ class Challenge(anywidget.AnyWidget):
     card: traitlets.Dict[str, Any] = traitlets.Dict().tag(sync=True)
     answered = traitlets.Int(0).tag(sync=True)
     texts = traitlets.Dict(read_only=True).tag(sync=True)
-    own_id = traitlets.Unicode().tag(sync=True)
-    resting = traitlets.Unicode(RESTING_SCRIPT).tag(sync=True)
 
     def __init__(
         self,
@@ -86,7 +82,6 @@ class Challenge(anywidget.AnyWidget):
         rules = [[each.name, "", each.rule, False] for each in conditions]
         self._kept = kept(f"challenge {text} {rules}")
         super().__init__(words=text)
-        self.own_id = self.model_id
         self.on_msg(self._hear)
         fresh = {"verdict": None, "passed": False, "misses": 0, "hints": 0, "rows": rules}
         self._change(**fresh | self._kept)

@@ -3,6 +3,7 @@
 
 import { asking, choice, hear, keepKeys, make, save } from "../../views/dom.js";
 import { t, useTexts } from "../../views/texts.js";
+import { told } from "../../views/told.js";
 import { bump, button, LOG, put, sentence, slider } from "../panels/controls.js";
 import {
   asleepBox,
@@ -14,16 +15,17 @@ import {
 } from "../panels/robot.js";
 import { drawWork, tellWork } from "../panels/work.js";
 import { Card } from "./card.js";
+import { keptWork } from "./kept_work.js";
 import { Stage } from "./stage.js";
 
 /** @typedef {import("../../views/dom.js").Model} Model */
 /** @typedef {Record<string, any>} Values */
 
 /** @param {import("../../views/dom.js").Widget} widget */
-export function render({ model, el, host, signal }) {
+export function renderLesson({ model, el, host, signal }) {
   useTexts(model.get("texts"));
   const root = keepKeys(make("div", { class: "dt-panel dt-lesson" }));
-  const lesson = new LessonView(model);
+  const lesson = new LessonView(model, signal);
   const { parts } = lesson;
   root.append(parts.head, parts.card.node, parts.stage.node, parts.middle, parts.knobs, parts.more);
   el.append(root);
@@ -54,9 +56,14 @@ export function render({ model, el, host, signal }) {
 }
 
 class LessonView {
-  constructor(/** @type {Model} */ model) {
+  /**
+   * @param {Model} model
+   * @param {AbortSignal} [signal]
+   */
+  constructor(model, signal) {
     this.model = model;
     this.spec = model.get("spec");
+    this.work = keptWork(this.spec, () => this.send({ kind: "forget" }), signal);
     /** @type {Values} what is set, in the hand, too */
     this.values = { ...model.get("values") };
     /** the values that the sentence is about */
@@ -156,13 +163,7 @@ class LessonView {
     this.drawPictures();
     this.parts.says.show(this.model.get("message"));
     this.parts.knobs.hidden = progress.step === "bet";
-    this.keep(progress);
-  }
-
-  // Work outlives a restart of the kernel, and goes with the tab.
-
-  get place() {
-    return `dmp_teach ${location.pathname} ${this.spec.key} ${this.spec.pupil}`;
+    this.work.keep({ values: this.model.get("values"), progress });
   }
 
   /** *Save* and *Forget*; forgetting asks once more. */
@@ -177,7 +178,7 @@ class LessonView {
     const yes = button(t("Yes, forget it"), {
       onClick: () => {
         yes.hidden = true;
-        this.send({ kind: "forget" });
+        this.work.forget();
         forget.focus();
       },
     });
@@ -185,15 +186,9 @@ class LessonView {
     return [asking(save), asking(forget), yes];
   }
 
-  keep(/** @type {Values} */ progress) {
-    const work = { variant: this.spec.pupil, values: this.model.get("values"), progress };
-    sessionStorage.setItem(this.place, JSON.stringify(work));
-  }
-
   takeUp() {
-    const work = sessionStorage.getItem(this.place);
-    if (work && this.model.get("progress").bet === null)
-      this.send({ kind: "restore", work: JSON.parse(work) });
+    const work = this.work.read();
+    if (work && this.model.get("progress").bet === null) this.send({ kind: "restore", work });
   }
 }
 
@@ -256,4 +251,4 @@ function knobSlider(knob, onSet) {
   return { node: made.node, show };
 }
 
-export default { render };
+export default told(renderLesson);

@@ -63,21 +63,22 @@ def describe_page(lesson: LessonContent) -> dict[str, Any]:
     """Return a lesson that nobody has begun, each step with what is seen of it at the start."""
     start, bet = dict(lesson.start), lesson.bet
     if isinstance(bet, ChosenBet):
-        told = {name: lesson.tell_bet(name) for name in bet.options}
-        any_bet = next(iter(told))
+        bets: dict[str, Any] = {name: name for name in bet.options}
+        told = {name: lesson.tell_bet(name) for name in bets}
     else:
-        told = {"line": _("Your bet is the dashed line. Look how far the truth is from it.")}
-        any_bet = bet.checked(np.asarray(bet.handles).tolist())
+        bets = {"drawn": bet.checked(np.asarray(bet.handles).tolist())}
+        told = {"drawn": _("Your bet is the dashed line. Look how far the truth is from it.")}
+    any_bet = next(iter(bets.values()))
     states = {
         "bet": LessonState(start),
-        "truth": LessonState(start, "bet", any_bet, is_revealed=True),
         "try": LessonState(start, "try", any_bet, is_revealed=True),
+        **{f"truth {name}": LessonState(start, "bet", bets[name], True) for name in bets},
     }
     seen = {name: _describe_step(lesson, state) for name, state in states.items()}
     return {
         "spec": describe_lesson(lesson) | {"pupil": ""},
         "progress": begin_progress(),
-        "card": {"bet": "", "rows": [], "hints": [], "offersHint": False},
+        "card": describe_card(lesson, begin_progress(), start),
         **seen["bet"],
         **{"values": start, "start": start, "seen": seen, "told": told},
         **{"status": "", "still": ""},

@@ -62,6 +62,7 @@ class LessonPanel(RobotPanel, PanelPage):
         *(_PANELS / f"{name}.css" for name in ("panel", "paper", "plot")),
         _HERE / "lesson.css",
     )
+    _open = ("values", "asked")
     _page_script, _page_traits = _HERE / "lesson_page.js", ("title", "texts")
 
     # Any, here and below: JSON for the browser.
@@ -290,7 +291,6 @@ class LessonPanel(RobotPanel, PanelPage):
         """Return the letter and the robot's, with the sentence."""
         return super().draw_still()._replace(person=self._demonstration, robot=self._strokes)
 
-    # Any: as `progress`.
-    def _describe_page(self) -> dict[str, Any]:
+    def _describe_page(self) -> dict[str, object]:
         """Return the lesson as it begins; what a pupil has done is in no page."""
         return describe_page(self.lesson)

@@ -70,6 +70,10 @@ class Explore(RobotPanel, PanelPage):
 
     _esm = join_modules(_HERE / "explore.js")
     _css = join_styles(STYLE_TOKENS, *(_HERE / sheet for sheet in ("panel.css", "paper.css")))
+    _open = (
+        *("asked", "letter", "n_kernels", "kernel_width", "stroke"),
+        *("goal_shifts", "goal_x", "goal_y"),
+    )
     _page_script = _HERE / "explore_page.js"
     _page_traits = (
         *("shown", "near", "choices", "letter", "knobs", "n_kernels", "most_kernels"),
@@ -156,8 +160,7 @@ class Explore(RobotPanel, PanelPage):
             return plain
         return plain._replace(person=self._demo, robot=self._strokes)
 
-    # Any: JSON for the browser.
-    def _describe_page(self) -> dict[str, Any]:
+    def _describe_page(self) -> dict[str, object]:
         """Refuse what was opened in the browser: it may be a pupil's."""
         if self.letter == OWN_RECORDING and self._own is self._from_browser:
             raise RecordingError(

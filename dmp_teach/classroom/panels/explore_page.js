@@ -1,8 +1,8 @@
 // The start panel as a page of its own: its goals follow the hand.
 
 import { showPage } from "../../views/standalone.js";
-import { render } from "./explore.js";
+import { renderExplore } from "./explore.js";
 
-showPage(render, {
+showPage(renderExplore, {
   saved: (model) => model.set("drawing", model.get("drawing") + 1),
 });

@@ -66,6 +66,7 @@ class Pad(Results, RobotPanel):
         STYLE_TOKENS, *(_HERE / sheet for sheet in ("panel.css", "paper.css", "pad.css"))
     )
 
+    _open = ("character",)
     near = traitlets.List(NEAR_CHARACTERS).tag(sync=True)
     character = traitlets.Unicode().tag(sync=True)
     # "an a", or "a letter".

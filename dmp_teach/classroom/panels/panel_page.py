@@ -9,7 +9,7 @@ from dmp_teach.files import join_modules, write_whole
 from dmp_teach.views import render_page
 
 # Any: JSON for the browser.
-_NOBODY_ANSWERS: dict[str, Any] = {"asked": 0, "answered": 0, "drawing": 0, "own_id": ""}
+_NOBODY_ANSWERS: dict[str, Any] = {"asked": 0, "answered": 0, "drawing": 0}
 _NO_ROBOT: dict[str, Any] = {"work": {"state": "idle"}, "older": False, "scene": None}
 
 
@@ -48,7 +48,6 @@ class PanelPage:
             path, render_page(self.title, self._css, script, state, self.title), ".html"
         )
 
-    # Any: JSON for the browser.
-    def _describe_page(self) -> dict[str, Any]:
+    def _describe_page(self) -> dict[str, object]:
         """Return what the page shows beside the traits, or instead of them."""
         return {}

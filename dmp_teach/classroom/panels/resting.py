@@ -2,4 +2,6 @@
 
 from pathlib import Path
 
-RESTING_SCRIPT = Path(__file__).with_name("resting.js").read_text(encoding="utf-8")
+from dmp_teach.files import join_modules
+
+RESTING_SCRIPT = join_modules(Path(__file__).with_name("resting.js"))

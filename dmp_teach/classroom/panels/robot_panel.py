@@ -15,7 +15,6 @@ from IPython.display import display, update_display
 
 from dmp_teach.classroom.panels.background_job import Job, StopPressed
 from dmp_teach.classroom.panels.planning import Physics, name_steps, plan_motion
-from dmp_teach.classroom.panels.resting import RESTING_SCRIPT
 from dmp_teach.classroom.panels.still import Still
 from dmp_teach.errors import RecordingError, TeachError
 from dmp_teach.formats import known_formats, read_recording
@@ -24,7 +23,7 @@ from dmp_teach.robot import Motion, Page, Run
 from dmp_teach.texts import gettext as _
 from dmp_teach.texts import javascript_texts
 from dmp_teach.trajectory import Trajectory
-from dmp_teach.views import SceneView
+from dmp_teach.views import SceneView, UnsavedWidget
 
 MAX_FILE_BYTES = 8_000_000
 # A picture, since a scene that nobody has asked for would be four fifths of a panel.
@@ -55,7 +54,7 @@ def list_letter_choices() -> list[list[str]]:
     return choices
 
 
-class RobotPanel(anywidget.AnyWidget):
+class RobotPanel(UnsavedWidget):
     """A panel with a sheet, whose letter a robot can write.
 
     A new panel is a subclass with a script and a style sheet beside it (`_esm`, `_css`). Browser
@@ -75,8 +74,8 @@ class RobotPanel(anywidget.AnyWidget):
     The other traits are set here: `robot` (the strokes, packed), `work` (idle, working or cannot),
     `older` (whether the robot has written another letter than is seen), `scene` (its view, once it
     has written) and `still` (its picture until then),
-    `files` (the formats that `load` reads), `texts` (the script's, in the language that is spoken),
-    and `own_id` and `resting`, by which a panel keeps its state out of saved notebooks.
+    `files` (the formats that `load` reads), and `texts` (the script's, in the language that is
+    spoken).
     """
 
     choices: traitlets.List[list[str]] = traitlets.List().tag(sync=True)
@@ -93,8 +92,6 @@ class RobotPanel(anywidget.AnyWidget):
     scene = anywidget.WidgetTrait().tag(sync=True)
     still = traitlets.Unicode(_STILL).tag(sync=True)
     files = traitlets.Dict(read_only=True).tag(sync=True)
-    own_id = traitlets.Unicode().tag(sync=True)
-    resting = traitlets.Unicode(RESTING_SCRIPT).tag(sync=True)
     texts = traitlets.Dict(read_only=True).tag(sync=True)
 
     # Any: values of traits.
@@ -110,7 +107,6 @@ class RobotPanel(anywidget.AnyWidget):
         self._in_work: tuple[object, ...] = ()
         self._on_the_table: tuple[object, ...] = ()
         super().__init__(**traits)
-        self.own_id = self.model_id
         self.on_msg(self._hear)
 
     @traitlets.default("files")

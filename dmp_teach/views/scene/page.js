@@ -1,6 +1,6 @@
 // The view as a page of its own.
 
 import { showPage } from "../standalone.js";
-import { render } from "./scene.js";
+import { renderScene } from "./scene.js";
 
-showPage(render);
+showPage(renderScene);

@@ -2,6 +2,7 @@
 
 import { hear, keepKeys, make, save } from "../dom.js";
 import { useTexts } from "../texts.js";
+import { told } from "../told.js";
 import { choices } from "./choices.js";
 import { ForceStrip } from "./force.js";
 import { noPicture, Picture } from "./scene_3d.js";
@@ -12,7 +13,6 @@ import { letHandsTurn } from "./turning.js";
 /** @typedef {import("../dom.js").Model} Model */
 
 const EPSILON = 1e-6;
-
 class View {
   constructor(/** @type {Model} */ model, /** @type {HTMLElement} */ host) {
     this.model = model;
@@ -291,10 +291,10 @@ class View {
 const theme = () => (document.body.dataset.jpThemeLight === "false" ? "dark" : "light");
 
 /** @param {import("../dom.js").Widget} widget */
-export function render({ model, el }) {
+export function renderScene({ model, el }) {
   useTexts(model.get("texts"));
   const view = new View(model, el);
   return () => view.leave();
 }
 
-export default { render };
+export default told(renderScene);

@@ -5,7 +5,6 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-import anywidget
 import traitlets
 
 from dmp_teach.errors import ViewError, kind_of
@@ -18,6 +17,7 @@ from dmp_teach.views.scene.commands import pack_robot, pack_viewer, record_stage
 from dmp_teach.views.scene.packing import pack_commands
 from dmp_teach.views.scene.picture import render_png
 from dmp_teach.views.scene.stage import Stage
+from dmp_teach.views.unsaved import UnsavedWidget
 
 _HERE = Path(__file__).parent
 STYLE_TOKENS = _HERE / "tokens.css"
@@ -32,7 +32,7 @@ def _as_bytes() -> traitlets.Bytes:
     return traitlets.Bytes().tag(sync=True, from_json=lambda value, widget: bytes(value))
 
 
-class SceneView(anywidget.AnyWidget):
+class SceneView(UnsavedWidget):
     """The live view of a motion or a run, in a cell of its own or inside another widget.
 
     Args:
@@ -46,6 +46,8 @@ class SceneView(anywidget.AnyWidget):
 
     _esm = join_modules(_HERE / "scene.js")
     _css = join_styles(STYLE_TOKENS, _HERE / "scene.css", _HERE / "force.css")
+
+    _open = ("time", "playing", "speed", "camera", "seen")
 
     viewer = _as_bytes()
     robot = _as_bytes()

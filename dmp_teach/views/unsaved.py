@@ -1,0 +1,75 @@
+"""A widget of which no program saves in a notebook what a pupil has written, nor a pseudonym.
+
+JupyterLab, nbclient, papermill and others may keep in a notebook what Jupyter knows of a widget.
+Of these it knows the script, the look, and the traits named in `_open`; all traits reach the
+browser by messages, which nobody keeps (`told.js`).
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+from typing import Any, ClassVar
+
+import anywidget
+
+_OF_EVERY_WIDGET = frozenset(anywidget.AnyWidget.class_trait_names(sync=True))
+
+
+class UnsavedWidget(anywidget.AnyWidget):
+    """The base of every widget of ours; its script exports `told(render)`.
+
+    In `_open` are traits that the browser sets, or that other widgets may be linked with; no ink
+    and no name may be in them.
+    """
+
+    _open: ClassVar[tuple[str, ...]] = ()
+
+    # Any: values of traits.
+    def __init__(self, **traits: Any) -> None:
+        super().__init__(**traits)
+        self.on_msg(self._tell_all)
+
+    def open(self) -> None:
+        """Open the way to the browser, and send it the traits."""
+        super().open()
+        self.send_state()
+
+    # Any, here and below: as in the base class.
+    def get_state(
+        self, key: str | Iterable[str] | None = None, drop_defaults: bool = False
+    ) -> dict[str, Any]:
+        """Return of the traits those that a program may save."""
+        state = super().get_state(key, drop_defaults)
+        return {name: state[name] for name in state if self._is_open(name)}
+
+    def send_state(self, key: str | Iterable[str] | None = None) -> None:
+        """Send traits, or all of them, to all who see the widget."""
+        super().send_state(key)
+        self._tell(key)
+
+    def _is_open(self, name: str) -> bool:
+        """Return whether a program may save a trait."""
+        return name.startswith("_") or name in _OF_EVERY_WIDGET or name in self._open
+
+    def _tell(self, key: str | Iterable[str] | None, asker: float | None = None) -> None:
+        """Send traits by a message, to all or to who has asked."""
+        state = super().get_state(key)
+        told = {n: v for n, v in state.items() if n in self._open or not self._is_open(n)}
+        if not told:
+            return
+        # What was sent last; else a value that the browser has set would not be sent back.
+        self._property_lock.update((n, v) for n, v in told.items() if n in self._property_lock)
+        buffers: list[bytes] = []
+
+        def take(value: bytes) -> dict[str, int]:
+            buffers.append(value)
+            return {"buffer": len(buffers) - 1}
+
+        text = json.dumps(told, default=take)
+        self.send({"kind": "traits", "json": text, "isWhole": key is None, "asker": asker}, buffers)
+
+    def _tell_all(self, _widget: object, message: dict[str, Any], _buffers: object) -> None:
+        """Send all traits to who asks."""
+        if message.get("kind") == "traits":
+            self._tell(None, message.get("asker"))
