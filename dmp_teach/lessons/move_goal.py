@@ -109,6 +109,10 @@ class MoveGoal(Lesson):
     @property
     def tasks(self) -> Sequence[Task]:
         """What to try."""
+
+        def is_aside(v: Answer) -> bool:
+            return v["goal_x"] != self.start["goal_x"] and 0.5 <= abs(v["goal_x"]) <= 2
+
         return (
             Task(
                 _("Drag the ring across the start, by each rule. Which keeps the shape?"),
@@ -116,7 +120,7 @@ class MoveGoal(Lesson):
             ),
             Task(
                 _("Take C and the first rule. Drag its ring 1 cm aside. What becomes of C?"),
-                lambda v: v["rule"] == "original" and v["letter"] == STEEP,
+                lambda v: v["rule"] == "original" and v["letter"] == STEEP and is_aside(v),
             ),
             Task(
                 _("Let the goal move while the pen is on its way. What does the pen do?"),

@@ -2,6 +2,7 @@
 
 import re
 import time
+from itertools import product
 
 import numpy as np
 import pytest
@@ -124,6 +125,17 @@ def test_a_check_takes_less_than_a_second_of_the_processor(key):
 def test_tasks_are_not_done_at_the_start(key):
     lesson = teach.lesson(key)
     assert [task.text for task in lesson.tasks if task.is_done(lesson.start)] == []
+
+
+def test_a_task_to_drag_is_not_done_by_a_choice(key):
+    lesson = teach.lesson(key)
+    tasks = [task for task in lesson.tasks if "drag" in task.text.lower()]
+    choices = {
+        name: each.allowed for name, each in lesson.knobs.items() if hasattr(each, "options")
+    }
+    for chosen in product(*choices.values()):
+        values = lesson.start | dict(zip(choices, chosen, strict=True))
+        assert [task.text for task in tasks if task.is_done(values)] == []
 
 
 @pytest.mark.parametrize("pupil", PUPILS[:3])
