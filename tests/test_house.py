@@ -343,4 +343,4 @@ def test_a_lesson_begins_with_its_question_and_its_panel(path):
     words = sum(
         len("".join(cell["source"]).split()) for cell in cells if cell["cell_type"] == "markdown"
     )
-    assert 300 <= words <= 680, words
+    assert 300 <= words <= 600, words
