@@ -7,6 +7,7 @@ from unicodedata import name, normalize
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.files import ASSETS
+from dmp_teach.ink.left_hand import check_hand, pull_bars
 from dmp_teach.ink.recording import Recording
 from dmp_teach.ink.recording_json import read_json
 
@@ -60,24 +61,29 @@ def signs(alphabet: str | None = None) -> tuple[str, ...]:
     return tuple(sign for sign in SIGNS if sign in letters)
 
 
-def recording_of(character: str, alphabet: str | None = None) -> Recording:
+def recording_of(character: str, alphabet: str | None = None, hand: str = "right") -> Recording:
     """Return a letter of one of our alphabets, as it was written.
 
     Args:
         character: One of `characters(alphabet)` or `signs(alphabet)`; an accent may also be a sign
             of its own ("a" and U+0308 for "ä").
         alphabet: One of `alphabets()`; None is the first.
+        hand: "left" for bars from right to left, as left-handers are taught to pull those of
+            t, f, A, E, F, H and T.
 
     Raises:
         RecordingError: No such alphabet, or no such letter in it; names those that there are.
+        LetterError: No such hand.
     """
+    check_hand(hand)
     folder = _check_alphabet(alphabet)
     known = characters(folder) + signs(folder)
     if not isinstance(character, str) or normalize("NFC", character) not in known:
         raise RecordingError(
             f"The alphabet {folder!r} has no {character!r}; it has: {' '.join(known)}."
         )
-    return read_json(ALPHABETS_FOLDER / folder / file_name(character))
+    recording = read_json(ALPHABETS_FOLDER / folder / file_name(character))
+    return pull_bars(recording) if hand == "left" else recording
 
 
 def file_name(character: str) -> str:

@@ -1,5 +1,4 @@
 from .arguments import LetterLike as LetterLike
-from .arguments import check_hand as check_hand
 from .arguments import list_strokes as list_strokes
 from .arguments import to_strokes as to_strokes
 from .distances import letter_distance as letter_distance

@@ -62,9 +62,3 @@ def to_strokes(letter: LetterLike, name: str = "letter") -> tuple[Trajectory, ..
             f"{name} is a dot: the pen never moves. A letter has at least one stroke with a length."
         )
     return cast(tuple[Trajectory, ...], strokes)
-
-
-def check_hand(hand: str) -> None:
-    """Raise a LetterError unless it is the right or the left hand."""
-    if hand not in ("right", "left"):
-        raise LetterError(f"hand is {hand!r}, but must be 'right' or 'left'.")

@@ -11,7 +11,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from dmp_teach.scoring.arguments import LetterLike, check_hand, to_strokes
+from dmp_teach.ink import check_hand
+from dmp_teach.scoring.arguments import LetterLike, to_strokes
 from dmp_teach.scoring.differences import find_faults
 from dmp_teach.scoring.faults import MOVEMENT_FAULTS, Fault
 from dmp_teach.scoring.fit import fit_model

@@ -12,7 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from dmp_teach.errors import LetterError
-from dmp_teach.scoring.arguments import LetterLike, check_hand, to_strokes
+from dmp_teach.ink import check_hand, is_level
+from dmp_teach.scoring.arguments import LetterLike, to_strokes
 from dmp_teach.scoring.direction import find_other_way
 from dmp_teach.scoring.faults import (
     DIFFERENCE_STEPS,
@@ -28,7 +29,7 @@ from dmp_teach.scoring.matching import Matching, Pair
 from dmp_teach.scoring.resampling import POINTS_TO_FIT, resample, size_of
 from dmp_teach.scoring.so_far import match_so_far
 from dmp_teach.texts import gettext as _
-from dmp_teach.trajectory import Array, Trajectory, path_length
+from dmp_teach.trajectory import Array, Trajectory
 
 REASONS = {
     "reversed": "start",
@@ -51,8 +52,6 @@ USUAL_MATTERS = MATTERS[:4]
 
 # Another beginning of a loop counts from an eighth of it on.
 LEAST_LOOP_SHIFT = 0.125
-# A line across is straight: so much of its length leads from side to side.
-LEAST_LEVEL_PART = 0.85
 # At the lift a stroke is in a wrong place, or of another size, from so many steps on: the
 # rest of the letter, which would show how large and where it is meant, is not yet written.
 LEAST_STEPS = {"place": 2.8, "size": 4.0}
@@ -193,7 +192,7 @@ def find_pair_faults(
         ]
         counts = {"written": matching.written, "model": len(strokes)}
         yield make_fault(name, FAULT_STEPS["pieces"], **counts)
-    elif line.backwards and not (hand == "left" and _is_level(strokes[stroke])):
+    elif line.backwards and not (hand == "left" and is_level(strokes[stroke])):
         way = {"is_round": line.goes_round, "left": _turns_left(line.others)}
         yield make_fault("reversed", FAULT_STEPS["reversed"], **name_start(stroke, strokes), **way)
     elif not line.backwards:
@@ -216,12 +215,6 @@ def find_pair_faults(
         yield make_fault("order", FAULT_STEPS["order"], early=stroke, late=due)
     steps = float(np.hypot(*place)) / DIFFERENCE_STEPS["place"]
     yield make_fault("place", steps, **name_stroke(stroke, strokes), right=place[0], up=place[1])
-
-
-def _is_level(stroke: Trajectory) -> bool:
-    """Return whether a stroke is a line across, such as the bar of a t."""
-    right, up = np.abs(stroke.position[-1] - stroke.position[0])
-    return bool(right > 2 * up and right > LEAST_LEVEL_PART * path_length(stroke.position))
 
 
 def _turns_left(line: Array) -> bool:

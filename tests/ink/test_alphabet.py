@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from scipy.spatial import cKDTree
 
-from dmp_teach.errors import RecordingError
+from dmp_teach.errors import LetterError, RecordingError
 from dmp_teach.files.writing import ASSETS
 from dmp_teach.ink import alphabet
 from dmp_teach.ink.alphabet import SIGNS, alphabets, characters, file_name, recording_of, signs
@@ -433,3 +433,20 @@ def test_file_names_differ_even_where_capitals_do_not_count():
     for letter in ("ab", "", "%", "..", "\u2019", "\u0308", 3, None):
         with pytest.raises(RecordingError, match="must be one letter or digit"):
             file_name(letter)
+
+
+@pytest.mark.parametrize("alphabet", alphabets())
+def test_a_left_hand_pulls_bars_from_right_to_left_and_leaves_the_same_ink(alphabet):
+    pulled = {}
+    for character in "tfAEFHTaDz45iO":
+        right, left = (recording_of(character, alphabet, hand=hand) for hand in ("right", "left"))
+        for number, (one, other) in enumerate(zip(right.strokes(), left.strokes(), strict=True)):
+            if not np.array_equal(one.position, other.position):
+                assert np.allclose(one.position, other.position[::-1])
+                assert other.position[0, 0] > other.position[-1, 0]
+                assert np.allclose(one.t[[0, -1]], other.t[[0, -1]])
+                pulled.setdefault(character, []).append(number)
+        assert (left.character, left.baseline) == (right.character, right.baseline)
+    assert set(pulled) == set("tfAEFHT")
+    with pytest.raises(LetterError, match="hand is 'both'"):
+        recording_of("t", hand="both")

@@ -1,5 +1,5 @@
-// What the pad shows when the pen is lifted: the stroke that comes next as a ghost, strokes that the
-// robot wrote for the child, and why a stroke was missed.
+// What the pad shows when the pen is lifted: the next stroke as a ghost, strokes that the robot
+// wrote for the child, and why a stroke was missed.
 
 import { t } from "../../views/texts.js";
 import { strokesOf } from "./robot.js";

@@ -19,9 +19,15 @@ from dmp_teach.classroom.panels.saved_attempts import SavedAttempts, list_files
 from dmp_teach.classroom.panels.still import Still
 from dmp_teach.errors import RecordingError
 from dmp_teach.files import join_modules, join_styles
-from dmp_teach.ink import Recording, characters, check_pseudonym, pad_stroke, recording_of
+from dmp_teach.ink import (
+    Recording,
+    characters,
+    check_pseudonym,
+    pad_stroke,
+    recording_of,
+)
 from dmp_teach.robot import Page
-from dmp_teach.scoring import MATTERS, check_hand, check_strict
+from dmp_teach.scoring import MATTERS
 from dmp_teach.texts import gettext as _
 from dmp_teach.views import STYLE_TOKENS
 
@@ -47,7 +53,7 @@ def pad(
         character: The letter to begin with; None for any letter, compared with nothing.
         page: Where the robot writes; None for a sheet of A4 on the table.
         writer: A pseudonym such as "w01" for what is saved; None takes the first that is free.
-        hand: "left" where bars, as that of a t, may be drawn from right to left.
+        hand: "left" for a pad the other way round, and bars from right to left, as that of a t.
         strict: What is judged at each lift of the pen, of "start", "direction", "order", "place"
             and "size".
 
@@ -84,6 +90,7 @@ class Pad(Results, RobotPanel):
     unfinished = traitlets.Bool(False).tag(sync=True)
     kept = traitlets.Unicode().tag(sync=True)
     lift = traitlets.Dict().tag(sync=True)
+    hand = traitlets.Unicode().tag(sync=True)
 
     def __init__(
         self,
@@ -94,17 +101,14 @@ class Pad(Results, RobotPanel):
         strict: Collection[str] = MATTERS,
     ):
         check_pseudonym(writer)
-        check_hand(hand)
-        check_strict(strict)
-        self.hand = hand
-        self.strict = tuple(strict)
-        self._pen_lift = PenLift(hand, self.strict)
+        self._pen_lift = PenLift(hand, strict)
+        self.strict = self._pen_lift.strict
         self._key = f"pad {writer or ''}".strip()
         self.writer = writer or kept(self._key).get("writer")
         self._take_kept()
         self._is_done = False
         self._model: Recording | None = None
-        super().__init__(page)
+        super().__init__(page, hand=hand)
         self.choices = [["", _("any"), _("any letter"), ""], *list_letter_choices()]
         if character:
             self.character = sheets.check_character(character)
@@ -268,7 +272,7 @@ class Pad(Results, RobotPanel):
     @traitlets.observe("character")
     def _choose(self, change: object = None) -> None:
         """Take an empty sheet in the size of another letter."""
-        self._model = recording_of(self.character) if self.character else None
+        self._model = recording_of(self.character, hand=self.hand) if self.character else None
         strokes = self._model.strokes() if self._model else ()
         self._pen_lift.begin(self._model)
         with self.hold_sync():

@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 import numpy as np
 
 from dmp_teach.errors import LetterError
-from dmp_teach.ink import PadStroke, Recording
-from dmp_teach.scoring import StrokeVerdict, judge_stroke
+from dmp_teach.ink import PadStroke, Recording, check_hand
+from dmp_teach.scoring import StrokeVerdict, check_strict, judge_stroke
 from dmp_teach.trajectory import Array, Trajectory
 
 # So many misses of one stroke, and it is shown as a ghost, or written by the robot.
@@ -27,9 +27,11 @@ class PenLift:
         strict: As in `judge_stroke`.
     """
 
-    def __init__(self, hand: str, strict: tuple[str, ...]) -> None:
+    def __init__(self, hand: str, strict: Collection[str]) -> None:
+        check_hand(hand)
+        check_strict(strict)
         self.hand = hand
-        self.strict = strict
+        self.strict = tuple(strict)
         self.verdict: StrokeVerdict | None = None
         self.begin(None)
 
