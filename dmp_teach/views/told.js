@@ -45,6 +45,8 @@ export function told(render) {
         await awake;
         clearTimeout(resting);
         el.replaceChildren();
+        // The still pictures of panels hide.
+        document.body.dataset.dtLives = "";
         return render({ model: traits.model(model, signal), el, host, signal });
       },
     };

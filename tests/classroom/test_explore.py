@@ -97,7 +97,8 @@ def test_a_setting_out_of_its_range_is_refused_with_the_range(panel):
 
 
 def test_the_three_dimensions_are_sent_only_when_the_robot_is_asked_to_write(panel):
-    sent = sum(len(value) for value in panel.get_state().values() if isinstance(value, str | bytes))
+    traits = panel.trait_values(sync=True).values()
+    sent = sum(len(value) for value in traits if isinstance(value, str | bytes))
     assert sent < 200_000
     assert panel.scene is None
     panel.write()
