@@ -24,7 +24,8 @@ _NAMES = {
     "studies": "claims choose_kernels sweep_kernel_width sweep_kernel_number change_goals_1d "
     "change_goals_2d progress_bar",
     "views": "view read_stamp write_stamp",
-    "classroom": "explore pad Lesson Verdict challenge at_most at_least between exactly sliders",
+    "classroom": "explore pad Lesson Verdict challenge at_most at_least between exactly sliders "
+    "RobotPupil PupilTraits TeachingSession",
     "lessons": "lesson check",
 }
 _HOME = {name: room for room, names in _NAMES.items() for name in names.split()}

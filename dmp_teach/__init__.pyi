@@ -1,6 +1,9 @@
 from dmp_teach import errors as errors
 from dmp_teach import studies as studies
 from dmp_teach.classroom import Lesson as Lesson
+from dmp_teach.classroom import PupilTraits as PupilTraits
+from dmp_teach.classroom import RobotPupil as RobotPupil
+from dmp_teach.classroom import TeachingSession as TeachingSession
 from dmp_teach.classroom import Verdict as Verdict
 from dmp_teach.classroom import at_least as at_least
 from dmp_teach.classroom import at_most as at_most

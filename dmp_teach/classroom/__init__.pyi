@@ -26,8 +26,9 @@ from .panels.explore import explore as explore
 from .panels.pad import pad as pad
 from .panels.resting import RESTING_SCRIPT as RESTING_SCRIPT
 from .panels.sliders import sliders as sliders
+from .teaching.forecast import forecast as forecast
+from .teaching.lesson import TeachingLesson as TeachingLesson
 from .teaching.pupil import RobotPupil as RobotPupil
 from .teaching.session import TeachingSession as TeachingSession
-from .teaching.session import teach_in_simulation as teach_in_simulation
 from .teaching.traits import PupilTraits as PupilTraits
 from .teaching.traits import known_pupils as known_pupils

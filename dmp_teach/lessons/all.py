@@ -60,5 +60,6 @@ def check(key: str, answer: object, pupil: str | None = None, hints: int = 0) ->
 
 
 def _all(kind: type[Lesson]) -> list[type[Lesson]]:
-    """Return every subclass that has a number."""
-    return [each for each in kind.__subclasses__() if hasattr(each, "key")]
+    """Return every subclass that has a number, and theirs."""
+    below = [kind, *(each for sub in kind.__subclasses__() for each in _all(sub))]
+    return [each for each in below if hasattr(each, "key")]

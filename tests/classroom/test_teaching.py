@@ -7,7 +7,6 @@ import numpy as np
 import pytest
 
 from dmp_teach.classroom import PupilTraits, RobotPupil, TeachingSession, known_pupils
-from dmp_teach.classroom import teach_in_simulation as simulate_teaching
 from dmp_teach.classroom.teaching.faults import SHAPE_FAULTS, WAY_FAULTS
 from dmp_teach.errors import LetterError, RecordingError
 from dmp_teach.files import ASSETS
@@ -31,9 +30,8 @@ def teach(letter, traits):
     Returns the distances [m], the first good turn or None, and the number of forgotten letters that
     were noticed, and of those that were good again.
     """
-    session = simulate_teaching(traits, letter, TURNS)
-    far = [pupil.score().distance for pupil in (session.met[0], session.met[-1])]
-    good = [pupil.is_good() for pupil in session.shown]
+    session = TeachingSession.by_the_book(traits, letter, TURNS)
+    far, good = (session.far[0], session.far[-1]), session.good
     lapsed = [
         turn
         for turn, (pupil, was_good) in enumerate(zip(session.met[1:-1], good, strict=False))
@@ -65,7 +63,7 @@ def test_every_pupil_learns_every_letter(name):
 
 
 def test_a_forgotten_letter_is_bad_again_and_taught_again():
-    session = simulate_teaching(PupilTraits.load("Mia"), "b", 4, answers=False)
+    session = TeachingSession.by_the_book(PupilTraits.load("Mia"), "b", 4, answers=False)
     mixed = [pupil.memory.muddles for pupil in session.met]
     assert mixed == [("mixed up",), (), (), ("mixed up",), ()]
     assert [pupil.is_good() for pupil in session.met] == [False, True, True, False, True]
@@ -120,7 +118,7 @@ def test_a_right_answer_halves_what_is_forgotten_and_another_one_makes_it_doubt(
 
 
 def test_a_session_is_a_log_without_identity_that_replays_to_the_bit():
-    session = simulate_teaching(PupilTraits.load("Zoe"), "k", 3)
+    session = TeachingSession.by_the_book(PupilTraits.load("Zoe"), "k", 3)
     log = json.dumps(session.as_json())
     again = TeachingSession.of(json.loads(log))
     assert json.dumps(again.as_json()) == log

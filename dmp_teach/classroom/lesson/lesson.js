@@ -21,12 +21,16 @@ import { Stage } from "./stage.js";
 /** @typedef {import("../../views/dom.js").Model} Model */
 /** @typedef {Record<string, any>} Values */
 
-/** @param {import("../../views/dom.js").Widget} widget */
-export function renderLesson({ model, el, host, signal }) {
+/**
+ * @param {import("../../views/dom.js").Widget} widget
+ * @param {(lesson: LessonView) => void} [extend] adds what one kind of lesson has
+ */
+export function renderLesson({ model, el, host, signal }, extend) {
   useTexts(model.get("texts"));
   const root = keepKeys(make("div", { class: "dt-panel dt-lesson" }));
   const lesson = new LessonView(model, signal);
   const { parts } = lesson;
+  extend?.(lesson);
   root.append(parts.head, parts.card.node, parts.stage.node, parts.middle, parts.knobs, parts.more);
   el.append(root);
   const redraw = () => {
@@ -55,7 +59,7 @@ export function renderLesson({ model, el, host, signal }) {
   return stopWatching;
 }
 
-class LessonView {
+export class LessonView {
   /**
    * @param {Model} model
    * @param {AbortSignal} [signal]
@@ -120,11 +124,15 @@ class LessonView {
     this.parts.write = card.write;
   }
 
-  /** Tell Python, if it is there; the bet and the knobs in the hand stay without it. */
-  send(/** @type {object} */ message) {
+  /**
+   * Tell Python, if it is there; the bet and the knobs in the hand stay without it.
+   * @param {object} message
+   * @param {ArrayBuffer} [content]
+   */
+  send(message, content) {
     this.parts.waits();
     try {
-      this.model.send(message);
+      this.model.send(message, undefined, content && [content]);
     } catch (error) {
       console.warn(error);
     }

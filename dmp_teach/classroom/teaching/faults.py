@@ -72,11 +72,12 @@ def _width(strokes: PupilStrokes, ratio: float) -> PupilStrokes:
 
 
 def _open(strokes: PupilStrokes, share: float) -> PupilStrokes:
-    """Stop the longest stroke before its end."""
+    """Stop the longest stroke before its end: in its last part the pen dawdles."""
     longest = max(range(len(strokes)), key=lambda k: path_length(strokes[k].position))
     way = share_of_way(strokes[longest].position)
-    kept = np.interp(np.linspace(0, 1 - share, len(way)), way, np.arange(len(way)))
-    return _with(strokes, longest, _at(strokes[longest].position, kept))
+    begin = 1 - 2 * share
+    kept = np.where(way < begin, way, (way + begin) / 2)
+    return _with(strokes, longest, follow_way(strokes[longest].position, kept))
 
 
 def _shaky(strokes: PupilStrokes, share: float) -> PupilStrokes:

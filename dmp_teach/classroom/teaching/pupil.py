@@ -122,17 +122,20 @@ class RobotPupil:
             first, rhythm = _imitate(distort(shown, traits.faults)), _rhythm_of(shown)
             hand = _go(first, _imitate_like(first, rhythm, shown), memory.learned)
         hand = _go(hand, _imitate_like(hand, rhythm, shown), traits.pace)
-        is_seen = any(each.name in WAY_NAMES and each.steps > 1 for each in seen.faults)
-        is_seen |= any(part.level == 0 for part in seen.parts)
         return replace(
             self,
-            memory=memory.learn(is_seen),
+            memory=memory.learn(differs_in_way(seen)),
             hand=hand,
             first=first,
             rhythm=rhythm,
             says=_describe_lesson(self.letter, seen),
             question=ask(shown, traits.seed, memory.turn),
         )
+
+    def practised(self, memory: PupilMemory) -> Self:
+        """Return the pupil with another memory, as our own letter would have taught it."""
+        book = _imitate_like(self.first, self.rhythm, recording_of(self.letter).strokes())
+        return replace(self, memory=memory, hand=_go(self.first, book, memory.learned))
 
     def answer(self, is_yes: bool) -> Self:
         """Return the pupil after its question was answered: it remembers a right answer better."""
@@ -164,6 +167,12 @@ class RobotPupil:
     def is_good(self, model: LetterLike | None = None) -> bool:
         """Return whether every row of its score is close, or the same."""
         return all(part.level >= GOOD_LEVEL for part in self.score(model).parts)
+
+
+def differs_in_way(seen: Score) -> bool:
+    """Return whether a score shows another way of writing, or a letter that is far off."""
+    is_other = any(each.name in WAY_NAMES and each.steps > 1 for each in seen.faults)
+    return is_other or any(part.level == 0 for part in seen.parts)
 
 
 def _describe_lesson(letter: str, seen: Score) -> str:

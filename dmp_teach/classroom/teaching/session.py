@@ -1,4 +1,4 @@
-"""A session of teaching: a log without identity that replays to the bit, and a teacher for it."""
+"""A session of teaching: a log without identity that replays to the bit."""
 
 from __future__ import annotations
 
@@ -43,6 +43,9 @@ class TeachingSession:
         turns: Every turn, in order.
         shown: The pupil when it had been shown each turn, before its question was answered.
         met: The pupil as it came to each turn, and as it would come to the next.
+        far: How far each of these was from the letter that was shown last [m].
+        learned: How far it was when it had been shown each turn [m].
+        good: Whether it was good then.
     """
 
     traits: PupilTraits
@@ -50,11 +53,15 @@ class TeachingSession:
     turns: tuple[TeachingTurn, ...] = ()
     shown: tuple[RobotPupil, ...] = ()
     met: tuple[RobotPupil, ...] = ()
+    far: tuple[float, ...] = ()
+    learned: tuple[float, ...] = ()
+    good: tuple[bool, ...] = ()
 
     @classmethod
     def begin(cls, traits: PupilTraits, letter: str) -> Self:
         """Return a session in which nothing was shown yet; a RecordingError: no such letter."""
-        return cls(traits, letter, met=(RobotPupil.load(traits, letter),))
+        pupil = RobotPupil.load(traits, letter)
+        return cls(traits, letter, met=(pupil,), far=(pupil.score().distance,))
 
     def show(self, demonstration: LetterLike) -> Self:
         """Return the session with one turn more.
@@ -66,21 +73,59 @@ class TeachingSession:
         must(len(self.turns) < MOST_TURNS, "turns", len(self.turns) + 1, f"at most {MOST_TURNS}")
         turn = TeachingTurn([_log(each) for each in to_strokes(demonstration)])
         # What is learned is what the log holds.
-        pupil = self.met[-1].learn(_strokes_of(turn.strokes))
+        shown = _strokes_of(turn.strokes)
+        pupil = self.met[-1].learn(shown)
+        far = self.far if self.turns else (self.met[0].score(shown).distance,)
+        next_one = pupil.forget()
         return replace(
             self,
             turns=(*self.turns, turn),
             shown=(*self.shown, pupil),
-            met=(*self.met, pupil.forget()),
+            met=(*self.met, next_one),
+            far=(*far, next_one.score(shown).distance),
+            learned=(*self.learned, pupil.score(shown).distance),
+            good=(*self.good, pupil.is_good(shown)),
         )
 
     def answer(self, is_yes: bool) -> Self:
         """Return the session with an answer to the question of the last turn."""
         if not self.turns:
             return self
-        answered = self.shown[-1].answer(is_yes)
+        next_one = self.shown[-1].answer(is_yes).forget()
+        far = next_one.score(_strokes_of(self.turns[-1].strokes)).distance
         turns = (*self.turns[:-1], replace(self.turns[-1], answer=is_yes))
-        return replace(self, turns=turns, met=(*self.met[:-1], answered.forget()))
+        return replace(self, turns=turns, met=(*self.met[:-1], next_one), far=(*self.far[:-1], far))
+
+    @classmethod
+    def by_the_book(
+        cls, traits: PupilTraits, letter: str, turns: int, answers: bool = True
+    ) -> Self:
+        """Return a session in which our own letter was shown, whatever the pupil wrote.
+
+        Args:
+            traits: Of the pupil.
+            letter: What it is taught.
+            turns: How often it is shown.
+            answers: Whether its questions are answered, and rightly.
+        """
+        session = cls.begin(traits, letter)
+        for _turn in range(turns):
+            session = session.show(recording_of(letter))
+            question = session.shown[-1].question
+            if answers and question is not None:
+                session = session.answer(question.is_so)
+        return session
+
+    @property
+    def asks(self) -> bool:
+        """Whether a question of the pupil waits for an answer."""
+        return bool(self.turns) and self.turns[-1].answer is None
+
+    @property
+    def is_taught_again(self) -> bool:
+        """Whether something was forgotten, and the letter was good again after that."""
+        lapsed = [turn for turn, pupil in enumerate(self.met[1:]) if pupil.memory.lost]
+        return any(any(self.good[turn + 1 :]) for turn in lapsed)
 
     def as_json(self) -> dict[str, Any]:
         """Return the log: nothing in it says who has taught, or when."""
@@ -122,23 +167,3 @@ def _strokes_of(logged: Sequence[Sequence[Sequence[int]]]) -> tuple[Trajectory, 
     """Return the strokes of a log."""
     rows = [np.array(stroke, dtype=float) for stroke in logged]
     return tuple(Trajectory(each[:, 0] * TICK, each[:, 1:] * GRAIN) for each in rows)
-
-
-def teach_in_simulation(
-    traits: PupilTraits, letter: str, turns: int, answers: bool = True
-) -> TeachingSession:
-    """Return a session in which our own letter is shown, whatever the pupil writes.
-
-    Args:
-        traits: Of the pupil.
-        letter: What it is taught.
-        turns: How often it is shown.
-        answers: Whether its questions are answered, and rightly.
-    """
-    session = TeachingSession.begin(traits, letter)
-    for _ in range(turns):
-        session = session.show(recording_of(letter))
-        question = session.shown[-1].question
-        if answers and question is not None:
-            session = session.answer(question.is_so)
-    return session
