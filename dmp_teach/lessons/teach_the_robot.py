@@ -12,7 +12,6 @@ import numpy as np
 from dmp_teach.classroom import (
     Answer,
     Condition,
-    Drawing,
     DrawnBet,
     KeptBet,
     Knobs,
@@ -24,22 +23,30 @@ from dmp_teach.classroom import (
     Slider,
     Task,
     TeachingLesson,
-    TeachingSession,
     at_most,
     forecast,
     known_pupils,
 )
 from dmp_teach.ink import recording_of
 from dmp_teach.lessons.drawing import millimetres, paths_of, tell_number
+from dmp_teach.lessons.teaching_pictures import (
+    MOST_FAR,
+    TURNS,
+    distance_dot,
+    distance_line,
+    draw_distances,
+    draw_pupil,
+    say_of_pupil,
+)
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Array
 
-TURNS = 6
+# Whom the bet is on, and who is taught first.
+FIRST_PUPIL: Answer = {"pupil": "Mia", "pace": 60, "forgetting": 50}
 MIXED_LETTERS = "bdpq"
 # What part of the first distance the line may be away from the dots.
 RECORD_LIMIT = 0.05
 STEP = 5
-SHEET_ROOM = 0.03
 
 
 class TeachTheRobot(TeachingLesson):
@@ -49,17 +56,16 @@ class TeachTheRobot(TeachingLesson):
     slug = "teach_the_robot"
 
     def vary(self, random: np.random.Generator | None) -> None:
-        """Choose the letter, when the pupil forgets, and who is in the record."""
-        self.letter, self.seed, found = "b", 3, ("Mia", 60, 40)
+        """Choose the letter, when the pupils forget, and who is in the record."""
+        self.letter, self.seed, found = "b", 3, ("Leo", 45, 60)
         if random is not None:
             self.letter = str(random.choice(list(MIXED_LETTERS)))
             self.seed = int(random.integers(1000))
             pace, forgetting = (STEP * int(random.integers(6, 15)) for _half in range(2))
-            found = str(random.choice(known_pupils())), pace, forgetting
-        self.solution = dict(zip(("pupil", "pace", "forgetting"), found, strict=True))
-        names = known_pupils()
-        other = names[(names.index(found[0]) + 2) % len(names)]
-        self.start = {"pupil": other, "pace": 90 if found[1] < 60 else 30, "forgetting": 0}
+            others = [name for name in known_pupils() if name != FIRST_PUPIL["pupil"]]
+            found = str(random.choice(others)), pace, forgetting
+        self.start = dict(FIRST_PUPIL)
+        self.solution = dict(zip(FIRST_PUPIL, found, strict=True))
         self.record = self._forecast(self.solution)
         self.limit = math.ceil(10 * RECORD_LIMIT * self.record[0]) / 10
 
@@ -71,11 +77,8 @@ class TeachTheRobot(TeachingLesson):
 
     def _forecast(self, values: Answer) -> Array:
         """Return how far off the pupil that is set is as it comes to each turn [mm]."""
-        return self._forecast_with(self.traits_of(values))
-
-    def _forecast_with(self, traits: PupilTraits) -> Array:
-        """Return how far off a pupil is as it comes to each turn, shape (7,) [mm]."""
-        return np.array([1000 * far for _memory, far in forecast(traits, self.letter, TURNS)])
+        found = forecast(self.traits_of(values), self.letter, TURNS)
+        return np.array([1000 * far for _memory, far in found])
 
     def _first(self, values: Answer) -> RobotPupil:
         """Return the pupil that is set, before it has learned anything."""
@@ -100,8 +103,8 @@ class TeachTheRobot(TeachingLesson):
         forgets = percent | {"low": 0, "high": 90}
         return {
             "pupil": pupils,
-            "pace": Slider(_("Learns of a difference"), _("pace"), **percent),  # type: ignore[arg-type]
-            "forgetting": Slider(_("Forgets of what it knew"), "", **forgets),  # type: ignore[arg-type]
+            "pace": Slider(_("Learns in one turn"), _("pace"), **percent),  # type: ignore[arg-type]
+            "forgetting": Slider(_("Forgets on a bad day"), "", **forgets),  # type: ignore[arg-type]
         }
 
     @property
@@ -112,11 +115,11 @@ class TeachTheRobot(TeachingLesson):
             "each time {pace} % of the difference is gone. But it forgets. Draw how far off it is "
             "each time it comes back."
         )
-        handles = np.array([[turn, 0.7 * self.record[0]] for turn in range(1, TURNS + 1)])
+        truth = self._forecast(FIRST_PUPIL)
+        handles = np.array([[turn, 0.7 * truth[0]] for turn in range(1, TURNS + 1)])
         labels = [_("how far off, after turn {n}").format(n=n) for n in range(1, TURNS + 1)]
-        asked = words.format(letter=self.letter, **self.solution)
-        top = self._axis_top
-        return DrawnBet(asked, "far", handles, labels, step=0.5, unit="mm", low=0.0, high=top)
+        asked = words.format(letter=self.letter, **FIRST_PUPIL)
+        return DrawnBet(asked, "far", handles, labels, step=0.5, unit="mm", low=0.0, high=MOST_FAR)
 
     @property
     def tasks(self) -> Sequence[Task]:
@@ -127,7 +130,7 @@ class TeachTheRobot(TeachingLesson):
         return (
             Task(show.format(letter=self.letter), lambda _v: bool(turns)),
             Task(
-                _("It asks you something. Answer: it then forgets only half as much."),
+                _("It asks you something. Answer: then it will forget less."),
                 lambda _v: any(each.answer is not None for each in turns),
             ),
             Task(
@@ -227,43 +230,46 @@ class TeachTheRobot(TeachingLesson):
 
     def tell_bet(self, bet: KeptBet) -> str:
         """Return how far the drawn line is from the truth, and where it rose."""
-        drawn = np.array(bet)[:, 1]
-        off = float(np.mean(np.abs(drawn - self.record[1:])))
-        lapse = self._lapse
+        truth, lapse = self._forecast(FIRST_PUPIL), self._lapse
+        off = float(np.mean(np.abs(np.array(bet)[:, 1] - truth[1:])))
         words = _(
             "After one turn it was {one} mm off. After turn {turn} it had forgotten {forgetting} % "
             "and came back {then} mm off. Each forgetting after that takes half as much. Your "
             "line is {off} mm away, on average."
         )
-        facts = {"one": tell_number(self.record[1]), "then": tell_number(self.record[lapse])}
-        return words.format(turn=lapse, off=tell_number(off), **facts, **self.solution)
+        facts = {"one": tell_number(truth[1]), "then": tell_number(truth[lapse])}
+        return words.format(turn=lapse, off=tell_number(off), **facts, **FIRST_PUPIL)
 
     def draw(self, state: LessonState) -> Picture:
         """Draw its letter beside the shown one, and how far off it is turn by turn."""
         if state.step == "try":
-            return self._draw_session(self.session_with(state.values))
-        is_bet = state.step == "bet"
-        values = self.solution if is_bet else state.values
-        pupil, record = self._first(values), self._first(self.solution)
-        model = recording_of(self.letter).strokes() if is_bet else record.strokes
-        captions = (_("As it writes"), _("dots: as in the book"))
-        if not is_bet:
-            captions = (
-                _("The first letter"),
-                _("dots: of the record; line: of {pupil}").format(**values),
-            )
-        sheet = self._draw_sheet(pupil, paths_of(model), *captions)
+            return self._draw_session(state.values)
+        if state.step == "bet":
+            return self._draw_bet(state.is_revealed)
+        values, mine = state.values, self._first(state.values)
+        shown = paths_of(self._first(self.solution).strokes)
+        note = _("dots: the record’s; line: {pupil}’s").format(**values)
+        sheet = draw_pupil(mine, shown, _("The first letter"), note)
+        dots = [distance_dot(turn, far, "truth") for turn, far in enumerate(self.record)]
         line = self._forecast(values)
-        lines = [_line(line, "robot", "")] if not is_bet or state.is_revealed else []
-        dots: list[Drawing] = [
-            {"at": [turn, far], "kind": "truth", "label": ""}
-            for turn, far in enumerate(self.record[: 1 if is_bet else None])
-        ]
-        says = self._say(line[0], pupil)
-        return Picture(says, sheet, {"far": self._draw_far(lines, dots)}, pupil.written.write())
+        note = _("dots: the record; line: yours")
+        plot = draw_distances([distance_line(line, "robot")], dots, note)
+        return Picture(say_of_pupil(line[0], mine), sheet, {"far": plot}, mine.written.write())
 
-    def _draw_session(self, session: TeachingSession) -> Picture:
+    def _draw_bet(self, is_revealed: bool) -> Picture:
+        """Draw the first pupil's letter, and how far off it then was once that may be seen."""
+        pupil, truth = self._first(FIRST_PUPIL), self._forecast(FIRST_PUPIL)
+        book = paths_of(recording_of(self.letter).strokes())
+        note = _("dots: the book’s; line: {pupil}’s").format(**FIRST_PUPIL)
+        sheet = draw_pupil(pupil, book, _("As it writes"), note)
+        lines = [distance_line(truth, "robot")] if is_revealed else []
+        dots = [distance_dot(0, truth[0], "robot")]
+        plot = draw_distances(lines, dots, _("as it comes to each turn"))
+        return Picture(say_of_pupil(truth[0], pupil), sheet, {"far": plot}, pupil.written.write())
+
+    def _draw_session(self, values: Answer) -> Picture:
         """Draw the pupil as it is now, what is on the sheet, and how far off it was each turn."""
+        session = self.session_with(values)
         pupil, far = session.met[-1], list(session.far)
         question = ""
         if session.asks:
@@ -271,59 +277,17 @@ class TeachTheRobot(TeachingLesson):
             pupil, far[-1] = session.shown[-1], session.learned[-1]
             question = str(pupil.question)
         now = 1000 * np.array(far)
-        dots: list[Drawing] = [
-            {"at": [turn, each], "kind": "robot", "label": ""} for turn, each in enumerate(now)
-        ]
-        traits = session.traits
-        lines = [_line(self._forecast_with(traits), "child", _("by the book"))]
-        lines += [_line(now, "robot", traits.name)] if len(now) > 1 else []
-        note = _("dots: yours; line: {name}’s").format(name=traits.name)
-        sheet = self._draw_sheet(pupil, paths_of(self.ink), _("Write here"), note)
+        dots = [distance_dot(turn, each, "robot") for turn, each in enumerate(now)]
+        lines = [distance_line(self._forecast(values), "child", _("by the book"))]
+        lines += [distance_line(now, "robot", session.traits.name)] if len(now) > 1 else []
+        note = _("dots: yours; line: {pupil}’s").format(pupil=session.traits.name)
+        # What was shown stays until somebody writes again.
+        ink = self.ink or (session.placed)
+        sheet = draw_pupil(pupil, paths_of(ink), _("Write here"), note)
+        plot = draw_distances(lines, dots, _("as you have taught it"))
         says = {"number": millimetres(far[-1]), "unit": _("mm off"), "text": f"{pupil.says} "}
         says |= {"strong": question, "after": ""}
-        return Picture(says, sheet, {"far": self._draw_far(lines, dots)}, pupil.written.write())
-
-    def _say(self, far: float, pupil: RobotPupil) -> dict[str, str]:
-        """Return the number, and what the score says of the pupil's letter."""
-        said = _("{name}’s {letter} beside the book’s: ").format(
-            letter=self.letter, name=pupil.memory.traits.name
-        )
-        words = {"text": said, "strong": pupil.score().sentence, "after": ""}
-        return {"number": millimetres(far / 1000), "unit": _("mm off"), **words}
-
-    def _draw_sheet(
-        self, pupil: RobotPupil, dots: Sequence[Array], caption: str, note: str
-    ) -> Drawing:
-        """Draw a sheet that has room for the largest pupil's letter."""
-        points = np.concatenate(paths_of(recording_of(self.letter).strokes()))
-        box = [*(points.min(axis=0) - SHEET_ROOM), *(points.max(axis=0) + SHEET_ROOM)]
-        box[0], box[2] = box[0] - SHEET_ROOM, box[2] + SHEET_ROOM
-        title = _("The robot’s letter as a line, and over it another one as dots.")
-        return {
-            "box": [float(side) for side in box],
-            "title": title,
-            "caption": caption,
-            "note": note,
-            "demo": list(dots),
-            "robot": paths_of(pupil.strokes),
-        }
-
-    @property
-    def _axis_top(self) -> float:
-        """Where the axis of distances ends [mm]."""
-        return 5.0 * math.ceil(1.15 * max(30.0, *self.record) / 5)
-
-    def _draw_far(self, lines: Sequence[Drawing], dots: Sequence[Drawing]) -> Drawing:
-        """Draw distances over turns."""
-        turns = max([TURNS, *(dot["at"][0] for dot in dots)])  # type: ignore[index]
-        return {
-            "caption": _("How far off it is"),
-            "note": _("as it comes to each turn"),
-            "x": {"label": _("times it was shown"), "low": 0.0, "high": float(turns)},
-            "y": {"label": "mm", "low": 0.0, "high": self._axis_top},
-            "lines": list(lines),
-            "dots": list(dots),
-        }
+        return Picture(says, sheet, {"far": plot}, pupil.written.write())
 
 
 # A slider asks for the first letter at every move.
@@ -331,9 +295,3 @@ class TeachTheRobot(TeachingLesson):
 def _load(pupil: str, letter: str) -> RobotPupil:
     """Return a pupil before it has learned anything: its pace does not show yet."""
     return RobotPupil.load(pupil, letter)
-
-
-def _line(far: Array, kind: str, label: str) -> Drawing:
-    """Draw distances [mm] turn by turn."""
-    points = np.column_stack([np.arange(len(far)), far]).astype(float)
-    return {"points": points, "kind": kind, "label": label}

@@ -8,7 +8,11 @@ from typing import Self
 from dmp_teach.classroom.teaching.traits import PupilTraits
 
 # A forgetting this large brings back a fault of the way of writing.
-LEAST_RELAPSE = 0.25
+LEAST_RELAPSE = 0.3
+# A smaller one is none.
+LEAST_LAPSE = 0.02
+# Of what would be forgotten, so much is after a right answer.
+FIRM_SHARE = 2 / 3
 
 
 @dataclass(frozen=True)
@@ -22,7 +26,7 @@ class PupilMemory:
         learned: What share of the shape it has learned.
         turn: How often it was shown the letter.
         lapses: How often it has forgotten something.
-        is_firm: Whether its question was answered as it was shown: it then forgets half as much.
+        is_firm: Whether its question was answered as it was shown: it then forgets a third less.
         lost: What share was gone when it forgot after this turn; 0 if it has not.
     """
 
@@ -60,9 +64,10 @@ class PupilMemory:
 
     def forget(self) -> Self:
         """Return the memory before the next turn: the same, or less."""
-        if self.turn == 0 or self.lost or not self.traits.forgets_after(self.turn):
+        lost = self.traits.forgetting * 0.5**self.lapses * (FIRM_SHARE if self.is_firm else 1)
+        is_due = self.turn > 0 and not self.lost and self.traits.forgets_after(self.turn)
+        if not is_due or lost < LEAST_LAPSE:
             return self
-        lost = self.traits.forgetting * 0.5 ** (self.lapses + self.is_firm)
         back = self.cured[-1:] if lost >= LEAST_RELAPSE else ()
         return replace(
             self,

@@ -14,7 +14,7 @@ from dmp_teach.classroom.panels.pad_view import unpack_stroke
 from dmp_teach.classroom.teaching.lesson import TeachingLesson
 from dmp_teach.classroom.teaching.session import TeachingSession
 from dmp_teach.errors import LetterError, RecordingError, TeachError
-from dmp_teach.files import join_modules
+from dmp_teach.files import join_modules, join_styles
 from dmp_teach.ink import PadStroke, pad_recording, pad_stroke, recording_of
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Trajectory
@@ -27,7 +27,7 @@ class TeachingPanel(LessonPanel):
     """A lesson in whose second step the sheet takes ink, which nobody keeps beyond the kernel."""
 
     _esm = join_modules(_HERE / "teach.js")
-    _css = LessonPanel._css + (_HERE / "teach.css").read_text(encoding="utf-8")
+    _css = "\n".join([LessonPanel._css, join_styles(_HERE / "teach.css")])
 
     # Any: JSON for the browser.
     teaching: traitlets.Dict[str, Any] = traitlets.Dict().tag(sync=True)

@@ -166,7 +166,12 @@ class RobotPupil:
 
     def is_good(self, model: LetterLike | None = None) -> bool:
         """Return whether every row of its score is close, or the same."""
-        return all(part.level >= GOOD_LEVEL for part in self.score(model).parts)
+        return is_good(self.score(model))
+
+
+def is_good(score: Score) -> bool:
+    """Return whether every row of a score is close, or the same."""
+    return all(part.level >= GOOD_LEVEL for part in score.parts)
 
 
 def differs_in_way(seen: Score) -> bool:

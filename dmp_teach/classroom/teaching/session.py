@@ -8,7 +8,7 @@ from typing import Any, Self
 
 import numpy as np
 
-from dmp_teach.classroom.teaching.pupil import RobotPupil
+from dmp_teach.classroom.teaching.pupil import RobotPupil, is_good
 from dmp_teach.classroom.teaching.traits import PupilTraits
 from dmp_teach.errors import RecordingError
 from dmp_teach.files import must
@@ -46,6 +46,7 @@ class TeachingSession:
         far: How far each of these was from the letter that was shown last [m].
         learned: How far it was when it had been shown each turn [m].
         good: Whether it was good then.
+        placed: What was shown last, laid on what the pupil then wrote.
     """
 
     traits: PupilTraits
@@ -56,6 +57,7 @@ class TeachingSession:
     far: tuple[float, ...] = ()
     learned: tuple[float, ...] = ()
     good: tuple[bool, ...] = ()
+    placed: tuple[Trajectory, ...] = ()
 
     @classmethod
     def begin(cls, traits: PupilTraits, letter: str) -> Self:
@@ -76,15 +78,16 @@ class TeachingSession:
         shown = _strokes_of(turn.strokes)
         pupil = self.met[-1].learn(shown)
         far = self.far if self.turns else (self.met[0].score(shown).distance,)
-        next_one = pupil.forget()
+        next_one, seen = pupil.forget(), pupil.score(shown)
         return replace(
             self,
             turns=(*self.turns, turn),
             shown=(*self.shown, pupil),
             met=(*self.met, next_one),
             far=(*far, next_one.score(shown).distance),
-            learned=(*self.learned, pupil.score(shown).distance),
-            good=(*self.good, pupil.is_good(shown)),
+            learned=(*self.learned, seen.distance),
+            good=(*self.good, is_good(seen)),
+            placed=tuple(replace(s, position=s.position - seen.shift) for s in shown),
         )
 
     def answer(self, is_yes: bool) -> Self:
@@ -92,7 +95,7 @@ class TeachingSession:
         if not self.turns:
             return self
         next_one = self.shown[-1].answer(is_yes).forget()
-        far = next_one.score(_strokes_of(self.turns[-1].strokes)).distance
+        far = next_one.score(self.placed).distance
         turns = (*self.turns[:-1], replace(self.turns[-1], answer=is_yes))
         return replace(self, turns=turns, met=(*self.met[:-1], next_one), far=(*self.far[:-1], far))
 

@@ -4,7 +4,7 @@ import { change, hear, make } from "../../views/dom.js";
 import { t } from "../../views/texts.js";
 import { told } from "../../views/told.js";
 import { LessonView, renderLesson } from "../lesson/lesson.js";
-import { button, icon, ICONS } from "../panels/controls.js";
+import { button, ICONS, icon } from "../panels/controls.js";
 import { inkCanvas } from "../panels/ink.js";
 import { pixels } from "../panels/paper.js";
 
@@ -26,7 +26,8 @@ function addPad(model, lesson) {
   /** @type {Place[][]} strokes that Python has not drawn yet */
   let pending = [];
   const waiting = make("g");
-  paper.node.append(waiting);
+  const penHost = make("g");
+  paper.node.append(waiting, penHost);
   const drawPending = () => {
     const d = (/** @type {Place[]} */ places) => `M${pixels(places, paper.view()).join("L")}`;
     waiting.replaceChildren(
@@ -41,7 +42,12 @@ function addPad(model, lesson) {
     home: () => model.get("teaching").home,
     onBegin: () => tell(""),
     onLost: tell,
-    onKeys: (_pen, words) => tell(words),
+    onKeys: (pen, words) => {
+      const [cx, cy] = pen ? paper.view().px(pen.at) : [0, 0];
+      const look = { class: pen?.down ? "dt-pen dt-down" : "dt-pen", cx, cy, r: 7 };
+      penHost.replaceChildren(...(pen ? [make("circle", look)] : []));
+      tell(words);
+    },
     onStroke: (rows, pointer, outside) => {
       pending.push(rows.map(([, x, y]) => [x, y]));
       drawPending();
@@ -53,7 +59,7 @@ function addPad(model, lesson) {
   sheet.append(paper.node, ink.node);
   const ask = (/** @type {string} */ kind) => () => lesson.send({ kind });
   const show = button(t("Show it"), { main: true, onClick: ask("show") });
-  const book = button(t("Show it as in the book"), { onClick: ask("book") });
+  const book = button(t("Show the book’s"), { onClick: ask("book") });
   const undo = button(t("Undo"), { drawing: icon(ICONS.back), onClick: ask("undo") });
   const yes = button(t("Yes"), { onClick: ask("yes") });
   const no = button(t("No"), { onClick: ask("no") });

@@ -1,0 +1,65 @@
+"""What lesson 09 draws: a pupil's letter on its sheet, and how far off it was turn by turn."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from dmp_teach.classroom import Drawing, RobotPupil
+from dmp_teach.ink import recording_of
+from dmp_teach.lessons.drawing import millimetres, paths_of
+from dmp_teach.texts import gettext as _
+from dmp_teach.trajectory import Array
+
+TURNS = 6
+SHEET_ROOM = 0.03
+# Where the axis of distances ends [mm].
+MOST_FAR = 35.0
+
+
+def draw_pupil(pupil: RobotPupil, dots: Sequence[Array], caption: str, note: str) -> Drawing:
+    """Draw a pupil's letter as a line, and others as dots, with room for the largest."""
+    points = np.concatenate(paths_of(recording_of(pupil.letter).strokes()))
+    room = np.array([2 * SHEET_ROOM, SHEET_ROOM])
+    return {
+        "box": [*(points.min(axis=0) - room).tolist(), *(points.max(axis=0) + room).tolist()],
+        "title": _("The robot’s letter as a line, and over it another one as dots."),
+        "caption": caption,
+        "note": note,
+        "demo": list(dots),
+        "robot": paths_of(pupil.strokes),
+    }
+
+
+def draw_distances(lines: Sequence[Drawing], dots: Sequence[Drawing], note: str) -> Drawing:
+    """Draw distances over turns."""
+    turns = max(TURNS, len(dots) - 1)
+    return {
+        "caption": _("How far off it is"),
+        "note": note,
+        "x": {"label": _("times it was shown"), "low": 0.0, "high": float(turns)},
+        "y": {"label": "mm", "low": 0.0, "high": MOST_FAR},
+        "lines": list(lines),
+        "dots": list(dots),
+    }
+
+
+def distance_dot(turn: int, far: float, kind: str) -> Drawing:
+    """Draw how far off it was [mm]."""
+    return {"at": [turn, far], "kind": kind, "label": ""}
+
+
+def distance_line(far: Array, kind: str, label: str = "") -> Drawing:
+    """Draw distances [mm] turn by turn."""
+    points = np.column_stack([np.arange(len(far)), far]).astype(float)
+    return {"points": points, "kind": kind, "label": label}
+
+
+def say_of_pupil(far: float, pupil: RobotPupil) -> dict[str, str]:
+    """Return a distance [mm], and what the score says of a pupil's letter."""
+    said = _("{name}’s {letter} beside the book’s: ").format(
+        letter=pupil.letter, name=pupil.memory.traits.name
+    )
+    words = {"text": said, "strong": pupil.score().sentence, "after": ""}
+    return {"number": millimetres(far / 1000), "unit": _("mm off"), **words}

@@ -1,0 +1,95 @@
+"""Lesson 09: what its pad teaches, and what its record says, is what the engine does."""
+
+import numpy as np
+import pytest
+
+import dmp_teach as teach
+from dmp_teach.classroom import forecast
+from dmp_teach.errors import LetterError, RecordingError
+from dmp_teach.lessons.teach_the_robot import TURNS, TeachTheRobot
+
+PUPILS = [None, *(f"w{n:02d}" for n in range(30))]
+
+
+@pytest.fixture
+def panel():
+    panel = teach.lesson("09").panel()
+    panel.forget()
+    panel.go("try")
+    return panel
+
+
+def write(panel):
+    """Write our own b with a mouse."""
+    [stroke] = teach.recording_of("b").strokes()
+    pressure = np.full((len(stroke), 1), 0.5)
+    panel.add_stroke(np.hstack([stroke.t[:, None], stroke.position, pressure])[::4])
+
+
+def test_a_pupil_is_taught_asks_forgets_and_is_taught_again(panel):
+    assert panel.message["number"] == "22"
+    for turn in range(TURNS):
+        write(panel)
+        panel.show()
+        assert panel.teaching["asks"]
+        assert panel.message["strong"].endswith("?")
+        panel.answer_question(False)
+        assert not panel.teaching["asks"]
+        assert (turn < 3) == (2 not in panel.progress["done"]), turn
+    assert panel.progress["done"] == [0, 1, 2]
+    far = np.array(panel.session.far)
+    assert far[1] < far[0] / 4
+    assert far[3] > far[2]
+    # The log is that of the session, and names nobody.
+    again = teach.TeachingSession.of(panel.session.as_json())
+    assert again.far == panel.session.far
+
+
+def test_what_is_forecast_is_what_is_taught_without_an_answer(panel):
+    for _ in range(4):
+        panel.show_book()
+    expected = [far for _, far in forecast(panel.session.traits, "b", 4)]
+    np.testing.assert_allclose(panel.session.far, expected, atol=6e-4)
+
+
+def test_another_pupil_begins_a_session_of_its_own_and_forget_leaves_none(panel):
+    write(panel)
+    panel.show()
+    panel.values = panel.values | {"pupil": "Ida"}
+    assert panel.session.turns == ()
+    write(panel)
+    panel.undo()
+    with pytest.raises(LetterError, match="nothing on the sheet"):
+        panel.show()
+    panel.forget()
+    assert (panel.lesson.ink, panel.session.turns) == ((), ())
+
+
+def test_a_bad_stroke_is_told_and_leaves_the_sheet_as_it_was(panel):
+    with pytest.raises(RecordingError):
+        panel.add_stroke([[0.0, 0.0, np.nan, 0.0]])
+    assert panel.teaching["strokes"] == 0
+
+
+@pytest.mark.parametrize("pupil", PUPILS)
+def test_the_record_is_not_of_the_first_pupil_and_only_its_own_line_fits_well(pupil):
+    lesson = TeachTheRobot(pupil)
+    assert lesson.solution["pupil"] != lesson.start["pupil"]
+    for name in ("pace", "forgetting"):
+        far = lesson.solution | {name: lesson.solution[name] - 20}
+        assert not lesson.check(far).done, name
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"pace": 80}, "it learned more slowly"),
+        ({"pace": 20}, "it learned faster"),
+        ({"forgetting": 10}, "it forgot more"),
+        ({"forgetting": 90}, "it forgot less"),
+        ({"pupil": "Ida"}, "Ida begins"),
+    ],
+)
+def test_a_mistake_is_called_what_it_is(change, words):
+    lesson = TeachTheRobot()
+    assert words in lesson.check(lesson.solution | change).reason
