@@ -1,36 +1,18 @@
-"""A lesson in which a robot is taught."""
+"""A lesson in which a robot is taught, and a panel to show it."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from dmp_teach.classroom.lesson.check import Answer
 from dmp_teach.classroom.lesson.lesson import Lesson
-from dmp_teach.classroom.teaching.session import TeachingSession
-from dmp_teach.classroom.teaching.traits import PupilTraits
-from dmp_teach.trajectory import Trajectory
+from dmp_teach.classroom.teaching.content import TeachingContent
 
 if TYPE_CHECKING:
     from dmp_teach.classroom.teaching.panel import TeachingPanel
 
 
-class TeachingLesson(Lesson):
-    """A lesson with a session, which its panel goes on with; a check needs none."""
-
-    letter: str
-    session: TeachingSession | None = None
-    ink: tuple[Trajectory, ...] = ()
-
-    def traits_of(self, values: Answer) -> PupilTraits:
-        """Return what the pupil is like that is set."""
-        raise NotImplementedError
-
-    def session_with(self, values: Answer) -> TeachingSession:
-        """Return the session with the pupil that is set; another pupil begins another one."""
-        traits = self.traits_of(values)
-        if self.session is None or self.session.traits != traits:
-            self.session, self.ink = TeachingSession.begin(traits, self.letter), ()
-        return self.session
+class TeachingLesson(TeachingContent, Lesson):
+    """A lesson whose sheet, in the second step, is a writing pad."""
 
     def panel(self) -> TeachingPanel:
         """Return the lesson as a pupil sees it, where it was left."""

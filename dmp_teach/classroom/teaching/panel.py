@@ -11,7 +11,7 @@ import traitlets
 from dmp_teach.classroom.lesson.packing import describe_page
 from dmp_teach.classroom.lesson.panel import LessonPanel
 from dmp_teach.classroom.panels.pad_view import unpack_stroke
-from dmp_teach.classroom.teaching.lesson import TeachingLesson
+from dmp_teach.classroom.teaching.content import TeachingContent
 from dmp_teach.classroom.teaching.session import TeachingSession
 from dmp_teach.errors import LetterError, RecordingError, TeachError
 from dmp_teach.files import join_modules, join_styles
@@ -31,9 +31,9 @@ class TeachingPanel(LessonPanel):
 
     # Any: JSON for the browser.
     teaching: traitlets.Dict[str, Any] = traitlets.Dict().tag(sync=True)
-    lesson: TeachingLesson
+    lesson: TeachingContent
 
-    def __init__(self, lesson: TeachingLesson):
+    def __init__(self, lesson: TeachingContent):
         self._pen: list[PadStroke] = []
         super().__init__(lesson)
 
