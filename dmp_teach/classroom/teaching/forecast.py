@@ -12,7 +12,7 @@ from dmp_teach.classroom.teaching.pupil import RobotPupil, differs_in_way
 from dmp_teach.classroom.teaching.traits import PupilTraits
 
 # Between so many shares of what is to be learned the distance is taken to be straight.
-SHARES = np.array([0.0, 0.3, 0.6, 0.85, 1.0])
+LEARNED_SHARES = np.array([0.0, 0.3, 0.6, 0.85, 1.0])
 
 
 @dataclass(frozen=True)
@@ -40,7 +40,7 @@ def forecast(traits: PupilTraits, letter: str, turns: int) -> list[tuple[PupilMe
     found = [(memory, _far(faults, letter, memory))]
     for _turn in range(turns):
         stage = _measure(*faults, letter, memory.muddles)
-        nearest = int(np.argmin(np.abs(SHARES - memory.learned)))
+        nearest = int(np.argmin(np.abs(LEARNED_SHARES - memory.learned)))
         memory = memory.learn(stage.differs[nearest]).forget()
         found.append((memory, _far(faults, letter, memory)))
     return found
@@ -50,7 +50,9 @@ def _far(
     faults: tuple[tuple[tuple[str, float], ...], tuple[str, ...]], letter: str, memory: PupilMemory
 ) -> float:
     """Return how far off a pupil is with this memory [m]."""
-    return float(np.interp(memory.learned, SHARES, _measure(*faults, letter, memory.muddles).far))
+    return float(
+        np.interp(memory.learned, LEARNED_SHARES, _measure(*faults, letter, memory.muddles).far)
+    )
 
 
 @lru_cache(maxsize=256)
@@ -62,7 +64,7 @@ def _measure(
 ) -> _Stage:
     """Return what a pupil with these faults writes at each of the shares."""
     pupil = RobotPupil.load(PupilTraits("Test", dict(faults), mixes_up), letter)
-    memories = [replace(pupil.memory, muddles=muddles, learned=float(s)) for s in SHARES]
+    memories = [replace(pupil.memory, muddles=muddles, learned=float(s)) for s in LEARNED_SHARES]
     scores = [pupil.practised(memory).score() for memory in memories]
     return _Stage(
         tuple(each.distance for each in scores), tuple(differs_in_way(each) for each in scores)
