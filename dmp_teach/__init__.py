@@ -15,7 +15,7 @@ _NAMES = {
     "texts": "set_language",
     "trajectory": "Trajectory",
     "ink": "Recording recording_of",
-    "formats": "read_recording read_recordings write_recording",
+    "formats": "read_recording read_recordings write_recording use_script",
     "scoring": "score Score judge_stroke StrokeVerdict letter_distance",
     "dmp": "Settings DMP Stepper chain",
     "letters": "Letter Style Shelf Piece make_letter write_word write_lines",

@@ -33,6 +33,7 @@ from dmp_teach.errors import TrajectoryError as TrajectoryError
 from dmp_teach.errors import ViewError as ViewError
 from dmp_teach.formats import read_recording as read_recording
 from dmp_teach.formats import read_recordings as read_recordings
+from dmp_teach.formats import use_script as use_script
 from dmp_teach.formats import write_recording as write_recording
 from dmp_teach.ink import Recording as Recording
 from dmp_teach.ink import recording_of as recording_of

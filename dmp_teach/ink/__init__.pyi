@@ -1,6 +1,7 @@
 from .alphabet import SIGNS as SIGNS
 from .alphabet import alphabets as alphabets
 from .alphabet import characters as characters
+from .alphabet import install_script as install_script
 from .alphabet import recording_of as recording_of
 from .alphabet import signs as signs
 from .left_hand import check_hand as check_hand

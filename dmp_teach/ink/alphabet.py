@@ -13,11 +13,13 @@ from dmp_teach.ink.recording_json import read_json
 
 ALPHABETS_FOLDER = ASSETS / "alphabets"
 DEFAULT_ALPHABET = "round"
+# A school's own letters, by their character, under the name of their script.
+_SCRIPTS: dict[str, dict[str, Recording]] = {}
 SIGNS = ".,;:!?'\"-()¿¡«»+=/"
 
 
 def alphabets() -> tuple[str, ...]:
-    """Return the names of our alphabets, the default one first.
+    """Return the names of the alphabets: the school's script, if there is one, then ours.
 
     Raises:
         RecordingError: There is none: the assets are missing.
@@ -28,7 +30,14 @@ def alphabets() -> tuple[str, ...]:
             f"There is no alphabet in {ALPHABETS_FOLDER}; make ours with "
             "`python3 assets/make_alphabets.py`."
         )
-    return tuple(sorted(names, key=lambda name: (name != DEFAULT_ALPHABET, name)))
+    return (*_SCRIPTS, *sorted(names, key=lambda name: (name != DEFAULT_ALPHABET, name)))
+
+
+def install_script(name: str, letters: dict[str, Recording]) -> None:
+    """Let a school's letters stand before ours, which go on for those that it lacks; {} ends it."""
+    _SCRIPTS.clear()
+    if letters:
+        _SCRIPTS[name if name not in alphabets() else f"{name} script"] = letters
 
 
 def characters(alphabet: str | None = None) -> tuple[str, ...]:
@@ -82,7 +91,10 @@ def recording_of(character: str, alphabet: str | None = None, hand: str = "right
         raise RecordingError(
             f"The alphabet {folder!r} has no {character!r}; it has: {' '.join(known)}."
         )
-    recording = read_json(ALPHABETS_FOLDER / folder / file_name(character))
+    recording = _SCRIPTS.get(folder, {}).get(normalize("NFC", character))
+    if recording is None:
+        name = DEFAULT_ALPHABET if folder in _SCRIPTS else folder
+        recording = read_json(ALPHABETS_FOLDER / name / file_name(character))
     return pull_bars(recording) if hand == "left" else recording
 
 
@@ -109,7 +121,10 @@ def file_name(character: str) -> str:
 
 def _letters(alphabet: str | None) -> set[str]:
     """Return the letters and signs of which an alphabet has a file."""
-    files = {file.name for file in (ALPHABETS_FOLDER / _check_alphabet(alphabet)).glob("*.json")}
+    name = _check_alphabet(alphabet)
+    if name in _SCRIPTS:
+        return _letters(DEFAULT_ALPHABET) | set(_SCRIPTS[name])
+    files = {file.name for file in (ALPHABETS_FOLDER / name).glob("*.json")}
     codes = [re.fullmatch(r"[a-z]+_(?:u([0-9a-f]{4,5})|(\w))\.json", file) for file in files]
     letters = {chr(int(code[1], 16)) if code[1] else code[2] for code in codes if code}
     known = {letter for letter in letters if letter.isalnum()} | set(SIGNS)

@@ -1,0 +1,126 @@
+"""Take a school's own script: letters that a teacher drew on the pad, or gives as drawings."""
+
+from __future__ import annotations
+
+import os
+import sys
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+from unicodedata import normalize
+from xml.etree.ElementTree import tostring
+
+import numpy as np
+
+from dmp_teach.errors import RecordingError
+from dmp_teach.files import contents
+from dmp_teach.formats.read import read_recordings
+from dmp_teach.formats.registry import CaptureOptions, known_formats
+from dmp_teach.formats.safe_xml import has_root, local_tag, parse_xml
+from dmp_teach.formats.svg.reader import read_svg
+from dmp_teach.ink import Recording, characters, install_script, recording_of
+from dmp_teach.trajectory import Array
+
+LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
+
+
+def use_script(path: str | os.PathLike[str] | None) -> tuple[str, ...]:
+    """Let every lesson, pad and score use a school's own letters from now on.
+
+    They are made as high as ours by one factor for all. A letter that has a writing line stands on
+    it, any other as ours stands. Letters that the school does not give stay ours.
+
+    Args:
+        path: A folder of recordings, one letter each, that say which letter they are or are named
+            after it ("a.svg", "a_w01.json", of which the last counts); or one file with many
+            letters, such as an SVG with a group for each, named after its letter. None for ours.
+
+    Returns:
+        The letters that were found.
+
+    Raises:
+        RecordingError: A file that cannot be read, or no letter in it.
+    """
+    install_script("", {})
+    if path is not None:
+        found = {
+            normalize("NFC", each.character): each
+            for each in _read_letters(Path(path))
+            if each.character
+        }
+        if not found:
+            raise RecordingError(
+                f"There is no letter in {Path(path).name}: name files or groups after their "
+                "letters, such as 'a.svg'."
+            )
+        install_script(Path(path).stem, _placed(found))
+    _forget_other_letters()
+    return tuple(sorted(found)) if path is not None else ()
+
+
+def _read_letters(path: Path) -> Iterator[Recording]:
+    """Yield the letters of a folder or a file, each of which says which it is."""
+    if not path.is_dir():
+        data, name = contents(path)
+        is_drawing = has_root(data, tag="svg")
+        yield from (_groups(data, name) if is_drawing else read_recordings(path))
+        return
+    suffixes = {suffix for each in known_formats() for suffix in each.suffixes}
+    for file in sorted(path.iterdir(), key=lambda file: (len(file.name), file.name)):
+        if file.suffix in suffixes:
+            named = file.stem.split("_")[0]
+            for each in read_recordings(file):
+                known = each.character or (named if len(normalize("NFC", named)) == 1 else None)
+                yield replace(each, character=known)
+
+
+def _groups(data: bytes, name: str) -> Iterator[Recording]:
+    """Yield the letters of a drawing: its groups that are named after one."""
+    root = parse_xml(data, "svg", "a drawing")
+    groups = [each for each in root if local_tag(each) == "g"]
+    around = [each for each in root if local_tag(each) != "g"]
+    for group in groups:
+        title = next((each.text for each in group if local_tag(each) == "title"), None)
+        names = (title, group.get(LABEL), group.get("id"))
+        letter = next((each for each in names if each and len(normalize("NFC", each)) == 1), None)
+        if letter is not None:
+            root[:] = [*around, group]
+            try:
+                (recording,) = read_svg(tostring(root), name, CaptureOptions(None, "+y", "-x"))
+            except RecordingError as error:
+                raise RecordingError(f"{letter} in {name}: {error}") from None
+            yield replace(recording, character=letter)
+
+
+def _placed(letters: dict[str, Recording]) -> dict[str, Recording]:
+    """Return letters as high as ours, on the writing line y = 0."""
+    boxes = {letter: _box(recording) for letter, recording in letters.items()}
+    ours = {letter: _box(recording_of(letter)) for letter in letters if letter in characters()}
+    heights = [[np.ptp(box[:, 1]) for box in (ours[each], boxes[each])] for each in ours]
+    ratios = [our / its for our, its in heights if its > 0]
+    factor = float(np.median(ratios)) if ratios else 1.0
+    placed = {}
+    for letter, recording in letters.items():
+        low = factor * boxes[letter][0]
+        stands = ours[letter][0] if letter in ours else np.zeros(2)
+        line = low[1] - stands[1] if recording.baseline is None else factor * recording.baseline
+        shift = np.array([stands[0] - low[0], -line, 0.0])
+        position = recording.position * [factor, factor, 1.0] + shift
+        placed[letter] = replace(recording, position=position, baseline=0.0)
+    return placed
+
+
+def _box(recording: Recording) -> Array:
+    """Return the lowest and the highest corner of the ink, shape (2, 2) [m]."""
+    ink = np.concatenate([stroke.position for stroke in recording.strokes()])
+    return np.stack([ink.min(axis=0), ink.max(axis=0)])
+
+
+def _forget_other_letters() -> None:
+    """Clear what was computed of other letters, wherever it is kept."""
+    for name, module in list(sys.modules.items()):
+        if name.startswith("dmp_teach."):
+            for value in list(vars(module).values()):
+                clear = getattr(value, "cache_clear", None)
+                if clear is not None and getattr(value, "__module__", "") == name:
+                    clear()
