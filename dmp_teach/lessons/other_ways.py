@@ -87,14 +87,14 @@ class OtherWays(Lesson):
         """Which way needs one letter, and which needs several."""
         question = _(
             "Five ways to learn have seen one {letter}. Now its goal moves to the ring. Which way "
-            "can still write the whole {letter} and end there? And which cannot go there until "
-            "it has seen several?"
+            "can still write the whole {letter} and end there? And which cannot go there yet, "
+            "until it has seen several?"
         )
         options = {
-            "spread-dmp": _("spread (the mean of letters) can; DMP* must see several"),
-            "dmp-spread": _("DMP* (a spring and pushes) can; spread must see several"),
-            "cost-mixture": _("cost (what a hand avoids) can; mixture must see several"),
-            "mixture-states": _("mixture (where to go from here) can; states must see several"),
+            "spread-dmp": _("spread can, DMP* not yet"),
+            "dmp-spread": _("DMP* can, spread not yet"),
+            "cost-mixture": _("cost can, mixture not yet"),
+            "mixture-states": _("mixture can, states not yet"),
         }
         return ChosenBet(question.format(letter=self.letter), options)
 
@@ -103,7 +103,7 @@ class OtherWays(Lesson):
         """What to try."""
         return (
             Task(
-                _("Go through the five ways. Which keep the letter, which only its end follows?"),
+                _("Go through the five ways. Which take the whole letter along, which its end?"),
                 lambda v: v["way"] in ("states", "cost"),
             ),
             Task(
@@ -269,8 +269,9 @@ class OtherWays(Lesson):
         """Return what is said before the truth is seen."""
         x, y = self.shift
         number = f"{np.hypot(x, y):.1f}"
-        text = _("is how far the goal has moved. ")
-        return {
-            **{"number": number, "unit": "cm", "text": text},
-            **{"strong": _("What will five learners write?"), "after": ""},
-        }
+        text = _(
+            "DMP*: a spring and pushes. Mixture: where to go from here. States: a row of places. "
+            "Cost: what a hand avoids. Spread: a mean letter, and how others differ. "
+        )
+        says = {"number": number, "unit": _("cm the goal moved"), "text": text}
+        return says | {"strong": "", "after": ""}
