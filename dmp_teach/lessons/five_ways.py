@@ -185,7 +185,7 @@ def draw_side_by_side(letters: dict[str, Led], marked: Led) -> Drawing:
             pieces = _pieces_inside(path, left, right)
             lines += [{"points": piece + home, "kind": kind} for piece in pieces]
         dots.append({"at": (star.goal / CM + home).tolist(), "kind": "bet"})
-        name = corner + np.array([0.1 * place[0], 0.5 * below])
+        name = corner + np.array([0.5 * place[0], 0.5 * below])
         dots.append({"at": name.tolist(), "kind": "word", "label": way_names()[key]})
     high = float(place[1])
     x = {"label": "", "low": 0.0, "high": COLUMNS * float(place[0]), "ticks": []}

@@ -103,7 +103,10 @@ class OtherWays(Lesson):
         """What to try."""
         return (
             Task(
-                _("Go through the five ways. Which take the whole letter along, which its end?"),
+                _(
+                    "Go through the five ways. Which take the whole letter along, which only "
+                    "its end?"
+                ),
                 lambda v: v["way"] in ("states", "cost"),
             ),
             Task(

@@ -140,7 +140,10 @@ export function dotsOf(view, { y, dots = [], lines = [], handles = [] }) {
     const [cx, cy] = view.px(at);
     const dot = make("circle", { class: `dt-dot dt-of-${kind}`, cx, cy, r: 7 });
     if (!label) return [dot];
-    const place = labelPlace(screen, [cx, cy], drawn, 8.5 * label.length);
+    const place =
+      kind === "word"
+        ? { x: cx, y: cy + 5, "text-anchor": "middle" }
+        : labelPlace(screen, [cx, cy], drawn, 8.5 * label.length);
     return [dot, make("text", { class: `dt-end dt-of-${kind}`, ...place }, label)];
   });
 }
