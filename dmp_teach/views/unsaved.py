@@ -40,24 +40,32 @@ class UnsavedWidget(anywidget.AnyWidget):
         self, key: str | Iterable[str] | None = None, drop_defaults: bool = False
     ) -> dict[str, Any]:
         """Return of the traits those that a program may save."""
-        state = super().get_state(key, drop_defaults)
-        return {name: state[name] for name in state if self._is_open(name)}
+        return super().get_state(filter(self._is_open, self._names(key)), drop_defaults)
 
     def send_state(self, key: str | Iterable[str] | None = None) -> None:
         """Send traits, or all of them, to all who see the widget."""
-        super().send_state(key)
-        self._tell(key)
+        names = self._names(key)
+        # ipywidgets looks through all traits even where there is nothing to send.
+        if opened := [name for name in names if self._is_open(name)]:
+            super().send_state(opened)
+        self._tell(names, is_whole=key is None)
+
+    def _names(self, key: str | Iterable[str] | None) -> list[str]:
+        """Return the names of traits that ipywidgets means."""
+        if key is None:
+            return list(self.keys)
+        return [key] if isinstance(key, str) else list(key)
 
     def _is_open(self, name: str) -> bool:
         """Return whether a program may save a trait."""
         return name.startswith("_") or name in _OF_EVERY_WIDGET or name in self._open
 
-    def _tell(self, key: str | Iterable[str] | None, asker: float | None = None) -> None:
+    def _tell(self, names: list[str], is_whole: bool, asker: float | None = None) -> None:
         """Send traits by a message, to all or to who has asked."""
-        state = super().get_state(key)
-        told = {n: v for n, v in state.items() if n in self._open or not self._is_open(n)}
-        if not told:
+        ours = [name for name in names if name in self._open or not self._is_open(name)]
+        if not ours:
             return
+        told = super().get_state(ours)
         # What was sent last; else a value that the browser has set would not be sent back.
         self._property_lock.update((n, v) for n, v in told.items() if n in self._property_lock)
         buffers: list[bytes] = []
@@ -67,9 +75,9 @@ class UnsavedWidget(anywidget.AnyWidget):
             return {"buffer": len(buffers) - 1}
 
         text = json.dumps(told, default=take)
-        self.send({"kind": "traits", "json": text, "isWhole": key is None, "asker": asker}, buffers)
+        self.send({"kind": "traits", "json": text, "isWhole": is_whole, "asker": asker}, buffers)
 
     def _tell_all(self, _widget: object, message: dict[str, Any], _buffers: object) -> None:
         """Send all traits to who asks."""
         if message.get("kind") == "traits":
-            self._tell(None, message.get("asker"))
+            self._tell(self.keys, True, message.get("asker"))
