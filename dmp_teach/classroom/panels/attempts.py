@@ -182,8 +182,8 @@ class Attempts:
             each
             for each in self._all
             if each.character == character
-            and each.score is not None
             and (with_sheet or each is not self._now)
+            and each.score is not None
         ]
 
 

@@ -255,7 +255,7 @@ class Pad(Results, RobotPanel):
 
     def _put(self, attempt: Attempt) -> None:
         """Put an attempt on the sheet; one that cannot be learned changes nothing."""
-        _ = attempt.written, attempt.score
+        _ = attempt.written
         self._attempts.now = attempt
         self._redraw()
 
