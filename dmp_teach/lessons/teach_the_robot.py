@@ -5,7 +5,6 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import replace
-from functools import lru_cache
 
 import numpy as np
 
@@ -36,6 +35,7 @@ from dmp_teach.lessons.teaching_pictures import (
     distance_line,
     draw_distances,
     draw_pupil,
+    meet_pupil,
     say_of_pupil,
 )
 from dmp_teach.texts import gettext as _
@@ -71,7 +71,8 @@ class TeachTheRobot(TeachingLesson):
 
     def traits_of(self, values: Answer) -> PupilTraits:
         """Return the pupil that is set, which forgets when all pupils of this lesson do."""
-        traits = PupilTraits.load(values["pupil"])
+        is_echo = values["pupil"] == self.echo.name
+        traits = self.echo if is_echo else PupilTraits.load(values["pupil"])
         shares = {name: round(values[name]) / 100 for name in ("pace", "forgetting")}
         return replace(traits, **shares, seed=self.seed)
 
@@ -82,7 +83,9 @@ class TeachTheRobot(TeachingLesson):
 
     def _first(self, values: Answer) -> RobotPupil:
         """Return the pupil that is set, before it has learned anything."""
-        return _load(values["pupil"], self.letter)
+        if values["pupil"] == self.echo.name:
+            return RobotPupil.load(self.echo, self.letter)
+        return meet_pupil(values["pupil"], self.letter)
 
     @property
     def _lapse(self) -> int:
@@ -98,7 +101,8 @@ class TeachTheRobot(TeachingLesson):
     @property
     def knobs(self) -> Knobs:
         """What a teacher can set: who the pupil is, its pace, its forgetting."""
-        pupils = OneOf(_("Pupil"), {name: name for name in known_pupils()})
+        names = {name: name for name in known_pupils()} | {self.echo.name: _("like you")}
+        pupils = OneOf(_("Pupil"), names)
         percent = {"low": STEP, "high": 95, "step": STEP, "unit": "%"}
         forgets = percent | {"low": 0, "high": 90}
         return {
@@ -288,10 +292,3 @@ class TeachTheRobot(TeachingLesson):
         says = {"number": millimetres(far[-1]), "unit": _("mm off"), "text": f"{pupil.says} "}
         says |= {"strong": question, "after": ""}
         return Picture(says, sheet, {"far": plot}, pupil.written.write())
-
-
-# A slider asks for the first letter at every move.
-@lru_cache(maxsize=64)
-def _load(pupil: str, letter: str) -> RobotPupil:
-    """Return a pupil before it has learned anything: its pace does not show yet."""
-    return RobotPupil.load(pupil, letter)

@@ -3,27 +3,41 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import lru_cache
 
 import numpy as np
 
-from dmp_teach.classroom import Drawing, RobotPupil
-from dmp_teach.ink import recording_of
+from dmp_teach.classroom import Drawing, RobotPupil, known_pupils
 from dmp_teach.lessons.drawing import millimetres, paths_of
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Array
 
 TURNS = 6
-SHEET_ROOM = 0.03
+SHEET_ROOM = 0.015
 # Where the axis of distances ends [mm].
 MOST_FAR = 35.0
 
 
+# A slider asks for the first letter at every move.
+@lru_cache(maxsize=64)
+def meet_pupil(pupil: str, letter: str) -> RobotPupil:
+    """Return one of our pupils before it has learned anything: its pace does not show yet."""
+    return RobotPupil.load(pupil, letter)
+
+
+@lru_cache(maxsize=64)
+def _sheet_of(letter: str) -> tuple[float, ...]:
+    """Return a sheet on which every pupil's letter has room: left, bottom, right, top [m]."""
+    pupils = [meet_pupil(name, letter) for name in known_pupils()]
+    points = np.concatenate([path for pupil in pupils for path in paths_of(pupil.strokes)])
+    low, high = points.min(axis=0) - SHEET_ROOM, points.max(axis=0) + SHEET_ROOM
+    return tuple(float(side) for side in (*low, *high))
+
+
 def draw_pupil(pupil: RobotPupil, dots: Sequence[Array], caption: str, note: str) -> Drawing:
-    """Draw a pupil's letter as a line, and others as dots, with room for the largest."""
-    points = np.concatenate(paths_of(recording_of(pupil.letter).strokes()))
-    room = np.array([2 * SHEET_ROOM, SHEET_ROOM])
+    """Draw a pupil's letter as a line, and others as dots, with room for all pupils'."""
     return {
-        "box": [*(points.min(axis=0) - room).tolist(), *(points.max(axis=0) + room).tolist()],
+        "box": list(_sheet_of(pupil.letter)),
         "title": _("The robot’s letter as a line, and over it another one as dots."),
         "caption": caption,
         "note": note,

@@ -65,6 +65,16 @@ def test_another_pupil_begins_a_session_of_its_own_and_forget_leaves_none(panel)
     assert (panel.lesson.ink, panel.session.turns) == ((), ())
 
 
+def test_a_pupil_like_you_gets_wrong_what_was_weakest_in_your_letter(panel):
+    [stroke] = teach.recording_of("b").strokes()
+    wide = stroke.position * [1.8, 1.0]
+    panel.add_stroke(np.hstack([stroke.t[:, None], wide, np.full((len(stroke), 1), 0.5)])[::4])
+    panel.show()
+    panel.values = panel.values | {"pupil": "Echo"}
+    assert panel.session.traits.faults.keys() == {"width"}
+    assert "wider" in panel.session.met[0].score().sentence
+
+
 def test_a_bad_stroke_is_told_and_leaves_the_sheet_as_it_was(panel):
     with pytest.raises(RecordingError):
         panel.add_stroke([[0.0, 0.0, np.nan, 0.0]])

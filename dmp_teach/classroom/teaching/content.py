@@ -15,6 +15,8 @@ class TeachingContent(LessonContent):
     letter: str
     session: TeachingSession | None = None
     ink: tuple[Trajectory, ...] = ()
+    # A pupil that gets wrong what was weakest in what was shown last by hand.
+    echo = PupilTraits("Echo", {"lean": 25.0})
 
     def traits_of(self, values: Answer) -> PupilTraits:
         """Return what the pupil is like that is set."""

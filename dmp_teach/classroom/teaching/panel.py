@@ -13,9 +13,11 @@ from dmp_teach.classroom.lesson.panel import LessonPanel
 from dmp_teach.classroom.panels.pad_view import unpack_stroke
 from dmp_teach.classroom.teaching.content import TeachingContent
 from dmp_teach.classroom.teaching.session import TeachingSession
+from dmp_teach.classroom.teaching.traits import PupilTraits
 from dmp_teach.errors import LetterError, RecordingError, TeachError
 from dmp_teach.files import join_modules, join_styles
 from dmp_teach.ink import PadStroke, pad_recording, pad_stroke, recording_of
+from dmp_teach.scoring import score
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Trajectory
 
@@ -50,7 +52,11 @@ class TeachingPanel(LessonPanel):
         """
         if not self._pen:
             raise LetterError(_("There is nothing on the sheet yet: write the letter first."))
-        self._teach(pad_recording(self._pen).strokes())
+        shown = pad_recording(self._pen).strokes()
+        if self.values["pupil"] != self.lesson.echo.name:
+            seen = score(shown, recording_of(self.lesson.letter))
+            self.lesson.echo = PupilTraits.like(seen, self.lesson.echo.name)
+        self._teach(shown)
 
     def show_book(self) -> None:
         """Show the pupil our own letter."""
@@ -118,9 +124,10 @@ class TeachingPanel(LessonPanel):
         try:
             hears[kind]()
         except TeachError as error:
-            self.status = str(error)
-            # The browser waits for what it has drawn by itself.
-            self._change()
+            with self.hold_sync():
+                # The browser waits for what it has drawn by itself.
+                self._change()
+                self.message = {**self.message, "text": str(error), "strong": "", "after": ""}
 
     # Any: JSON for the browser.
     def _describe_page(self) -> dict[str, Any]:

@@ -19,7 +19,7 @@ from dmp_teach.classroom.teaching.faults import (
     share_of_way,
     write_other,
 )
-from dmp_teach.classroom.teaching.memory import PupilMemory
+from dmp_teach.classroom.teaching.memory import LEAST_RELAPSE, PupilMemory
 from dmp_teach.classroom.teaching.questions import Question, ask
 from dmp_teach.classroom.teaching.traits import PupilTraits
 from dmp_teach.dmp import DMP
@@ -153,7 +153,9 @@ class RobotPupil:
         if memory is self.memory:
             return self
         hand = _go(self.hand, self.first, memory.lost)
-        says = _("It is another day, and I have forgotten something. Look: please show me again.")
+        says = _("It is another day, and I have forgotten a little. Please show me again.")
+        if memory.lost >= LEAST_RELAPSE:
+            says = _("It is another day, and I have forgotten much. Look: please show me again.")
         return replace(self, memory=memory, hand=hand, says=says, question=None)
 
     def score(self, model: LetterLike | None = None) -> Score:
