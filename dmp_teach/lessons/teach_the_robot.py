@@ -148,8 +148,8 @@ class TeachTheRobot(TeachingLesson):
         """What is checked."""
         words = _(
             "Another teacher showed a robot the {letter} six times and answered no question. The "
-            "dots are the record. **Which pupil was it, how fast did it learn, how much did it "
-            "forget?** Bring your line within {limit:g} mm of the dots."
+            "dots are the record. Which pupil was it, how fast did it learn, how much did it "
+            "forget? Bring your line within {limit:g} mm of the dots."
         )
         return words.format(letter=self.letter, limit=self.limit)
 
