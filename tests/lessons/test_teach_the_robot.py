@@ -56,7 +56,7 @@ def test_another_pupil_begins_a_session_of_its_own_and_forget_leaves_none(panel)
     write(panel)
     panel.show()
     panel.values = panel.values | {"pupil": "Ida"}
-    assert panel.session.turns == ()
+    assert (panel.session.turns, panel.teaching["asks"]) == ((), False)
     write(panel)
     panel.undo()
     with pytest.raises(LetterError, match="nothing on the sheet"):

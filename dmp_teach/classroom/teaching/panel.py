@@ -138,7 +138,7 @@ class TeachingPanel(LessonPanel):
     def _redraw(self, progress: dict[str, Any]) -> None:
         """Draw the lesson, and what its pad can do."""
         is_open = progress["step"] == "try"
-        session = self.lesson.session if is_open else None
+        session = self.session if is_open else None
         book = recording_of(self.lesson.letter).strokes()
         with self.hold_sync():
             self.teaching = {
