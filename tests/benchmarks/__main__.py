@@ -29,6 +29,8 @@ from dmp_teach.trajectory import Trajectory
 from tests.benchmarks.classroom import classroom
 from tests.benchmarks.classroom import lines as classroom_lines
 from tests.benchmarks.contenders import HOW_TO_INSTALL, Contender, others, ours
+from tests.benchmarks.lifts import lifts
+from tests.benchmarks.lifts import lines as lift_lines
 from tests.benchmarks.measure import Times, exponent, in_turns, peak_memory, rms
 from tests.benchmarks.writing import lines as writing_lines
 from tests.benchmarks.writing import writing
@@ -183,7 +185,10 @@ def printed(results: dict[str, Any]) -> str:
             f"{row['times_real_time']:10.1f} times faster"
         )
     return "\n".join(
-        lines + classroom_lines(results["classroom"]) + writing_lines(results["writing"])
+        lines
+        + classroom_lines(results["classroom"])
+        + lift_lines(results["lifts"])
+        + writing_lines(results["writing"])
     )
 
 
@@ -215,6 +220,7 @@ def main(arguments: list[str] | None = None) -> None:
         "growth": growth(few),
         "real_time": real_time(few),
         "classroom": classroom(),
+        "lifts": lifts(),
         "writing": robot,
     }
     print(printed(results))

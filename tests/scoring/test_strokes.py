@@ -6,19 +6,19 @@ import numpy as np
 import pytest
 
 from dmp_teach import LetterError, judge_stroke, read_recording, recording_of, score
-from dmp_teach.ink.alphabet import characters
+from dmp_teach.ink import alphabet
 from dmp_teach.trajectory import Trajectory
 from tests.recordings import RECORDINGS, needs_recordings
 from tests.scoring import faulty
 from tests.studies.pupils import Pupil
 
-PLAIN = [each for each in characters() if each.isascii()]
+PLAIN = [each for each in alphabet.characters() if each.isascii()]
 
 
-def seeded(far):
+def seeded(far, characters):
     """Yield letters up to a stroke with one fault: strokes, model, that stroke and its fault."""
     rng = np.random.default_rng(0)
-    for character in PLAIN[::2]:
+    for character in characters:
         model = list(recording_of(character).strokes())
         loose = faulty.loose(model, 0.015, rng)
         for number, stroke in enumerate(loose):
@@ -37,7 +37,7 @@ def seeded(far):
 
 def test_of_seeded_faults_the_stroke_and_the_reason_are_told():
     found = []
-    for written, model, number, reasons in seeded(0.3):
+    for written, model, number, reasons in seeded(0.3, PLAIN[::2]):
         verdict = judge_stroke(written, model)
         found.append(verdict.stroke == number and verdict.reason in reasons)
         assert verdict.good == (verdict.reason == "")
