@@ -1,6 +1,7 @@
 """Lesson 03 graded by the real nbgrader and otter-grader, as `docs/grade_a_lesson.md` says.
 
-Each grader is fetched once into an environment of its own, in pytest's cache.
+Each grader is fetched once into an environment of its own, in pytest's cache, without what it needs
+for other work: its server, its containers, its manual.
 """
 
 import json
@@ -20,6 +21,9 @@ ROOT = Path(__file__).parents[2]
 MANUAL = (ROOT / "docs" / "grade_a_lesson.md").read_text(encoding="utf-8")
 pytestmark = pytest.mark.slow
 
+NBGRADER = ("nbgrader==0.9.6", "alembic", "mako", "rapidfuzz", "sqlalchemy")
+OTTER = ("otter-grader==7.0.0", "dill", "fica", "ipylab", "jupytext", "pandas")
+OTTER += ("python-frontmatter", "wrapt")
 IMPORT = "import dmp_teach as teach"
 CHECK = 'verdict = teach.check("03", answer)\nassert verdict.done, verdict.reason'
 OTTER_TEST = f"""\
@@ -71,20 +75,23 @@ Path("points.json").write_text(json.dumps(points))
 """
 
 
-def environment_of(package, cache):
+def environment_of(packages, cache):
     """The Python of an environment that has a grader beside all that we have."""
-    folder = Path(cache.mkdir(package.replace("==", "_")))
+    folder = Path(cache.mkdir(packages[0].replace("==", "_")))
     binaries = folder / ("Scripts" if sys.platform == "win32" else "bin")
     if not (folder / "ready").exists():
         venv.create(folder, with_pip=False, clear=True)
         ask = [binaries / "python", "-c", "import sysconfig; print(sysconfig.get_path('purelib'))"]
-        packages = Path(subprocess.check_output(ask, text=True).strip())
+        site = Path(subprocess.check_output(ask, text=True).strip())
         places = {sysconfig.get_path("purelib"), sysconfig.get_path("platlib")}
-        (packages / "ours.pth").write_text("\n".join(places), encoding="utf-8")
+        (site / "ours.pth").write_text("\n".join(places), encoding="utf-8")
         pip = [sys.executable, "-m", "pip", "--python", binaries / "python", "install", "-q"]
-        fetched = subprocess.run([*pip, package], capture_output=True, text=True, check=False)
+        fetch = [*pip, "--no-deps", *packages]
+        fetched = subprocess.run(fetch, capture_output=True, text=True, check=False)
         if fetched.returncode != 0:
-            pytest.skip(f"{package} cannot be fetched; is this computer online?\n{fetched.stderr}")
+            pytest.skip(
+                f"{packages[0]} cannot be fetched; is this computer online?\n{fetched.stderr}"
+            )
         (folder / "ready").touch()
     return binaries / "python"
 
@@ -133,7 +140,7 @@ def test_nbgrader_gives_the_points_and_the_reason(request, tmp_path):
     source = tmp_path / "source" / "lesson03" / "lesson03.ipynb"
     source.parent.mkdir(parents=True)
     source.write_text(json.dumps(notebook))
-    python = environment_of("nbgrader==0.9.6", request.config.cache)
+    python = environment_of(NBGRADER, request.config.cache)
     grade(python, GRADE_BY_NBGRADER, tmp_path)
 
 
@@ -152,5 +159,5 @@ def test_otter_gives_the_points_and_the_reason(request, tmp_path):
         new_raw_cell("# END QUESTION"),
     ]
     (tmp_path / "lesson03.ipynb").write_text(json.dumps(new_notebook(metadata=KERNEL, cells=cells)))
-    python = environment_of("otter-grader==7.0.0", request.config.cache)
+    python = environment_of(OTTER, request.config.cache)
     grade(python, GRADE_BY_OTTER, tmp_path)
