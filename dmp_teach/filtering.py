@@ -38,15 +38,22 @@ def filter_recursively(recursion: tuple[float, ...], x: Array) -> Array:
     return y.reshape(filled.shape)[..., :length]
 
 
-@lru_cache(maxsize=64)
+@lru_cache(maxsize=256)
 def _block_responses(recursion: tuple[float, ...]) -> tuple[Array, Array]:
-    """Return the responses (BLOCK, BLOCK) to a 1 at each sample, and to each earlier output."""
-    order = len(recursion)
-    # Of a run that begins `order` samples before the block, each column with a 1 at its own sample.
-    y = np.eye(order + BLOCK)
-    for k in range(order, order + BLOCK):
-        y[k] -= np.dot(recursion, y[k - order : k][::-1])
-    return y[order:, order:].T.copy(), y[order:, :order].T.copy()
+    """Return how a block answers to each of its samples, and to each output just before it.
+
+    Shapes (BLOCK, BLOCK) and (order, BLOCK).
+    """
+    order, response = len(recursion), [1.0]
+    for _ in range(1, BLOCK):
+        latest = response[: -order - 1 : -1]
+        response.append(-sum(a * y for a, y in zip(recursion, latest, strict=False)))
+    later = np.arange(BLOCK) - np.arange(BLOCK)[:, None]
+    forced = np.triu(np.array(response)[later])
+    pushed = np.zeros((order, BLOCK))
+    for row in range(order):
+        pushed[row, : row + 1] = np.negative(recursion[order - 1 - row :])
+    return forced, pushed @ forced
 
 
 def lowpass(values: Array, cutoff: float, padding: int) -> Array:
