@@ -33,6 +33,9 @@ from .experiments.validation import choose_width as choose_width
 from .experiments.variants import NUMBER_VARIANTS as NUMBER_VARIANTS
 from .experiments.variants import WIDTH_VARIANTS as WIDTH_VARIANTS
 from .experiments.variants import Variant as Variant
+from .hand.laws import HandLaws as HandLaws
+from .hand.laws import measure_hand as measure_hand
+from .hand.power_law import Exponent as Exponent
 from .inputs import RecordingsLike as RecordingsLike
 from .other_ways.compare import WAYS as WAYS
 from .other_ways.compare import WaysTried as WaysTried

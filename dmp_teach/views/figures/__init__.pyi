@@ -1,6 +1,7 @@
 from .alphabet import draw_contact_sheet as draw_contact_sheet
 from .attribution import draw_attribution_bars as draw_attribution_bars
 from .attribution import draw_confusion as draw_confusion
+from .hand import draw_hand_laws as draw_hand_laws
 from .handouts import draw_certificate as draw_certificate
 from .handouts import draw_worksheet as draw_worksheet
 from .ink import draw_d_to_p as draw_d_to_p

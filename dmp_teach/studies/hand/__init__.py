@@ -1,0 +1,1 @@
+"""The laws of a hand, measured in its own ink."""
