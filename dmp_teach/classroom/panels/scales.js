@@ -5,8 +5,8 @@
  * @typedef {{
  *   label: string, low: number, high: number, log?: boolean, ticks?: [number, string][],
  *   isEqual?: boolean,
- * }} Axis in words of a tick, what follows a line break is written smaller below; y may ask that its
- *   unit be as long as that of x
+ * }} Axis in words of a tick, what follows a line break is written smaller below; y may ask that
+ *   its unit be as long as that of x
  */
 
 // Nothing is drawn further off than this [px].
