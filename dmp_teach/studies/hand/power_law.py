@@ -43,7 +43,7 @@ SHARE_LEFT = 1 / 3
 LEAST_RESPONSE = 0.3
 FEWEST_BEND_SAMPLES = 5
 # Samples that are left out together for the interval.
-BLOCK_SAMPLES = 36
+BLOCK_SAMPLES = 48
 
 
 @dataclass(frozen=True)
@@ -61,7 +61,7 @@ class Exponent:
     high: float
 
     @classmethod
-    def around(cls, value: float, error: float, freedom: int) -> Exponent:
+    def around(cls, value: float, error: float, freedom: float) -> Exponent:
         """Return an estimate with its standard error and the degrees of freedom of that."""
         half = float(scipy.special.stdtrit(max(freedom, 1), 0.975)) * error
         return cls(float(value), float(value - half), float(value + half))
@@ -132,19 +132,26 @@ class MeasuredInk:
 
     def exponent(self) -> Exponent:
         """Return the exponent of the ink, with an interval by leaving out a piece at a time."""
-        pieces = []
+        whole, added = np.zeros(2), []
         for stroke in self.bends:
-            x, y = stroke.logarithms().T
+            pairs = stroke.logarithms()
             piece = np.flatnonzero(stroke.is_used) // BLOCK_SAMPLES
-            pieces += [(x * (piece == k)) @ np.column_stack([y, x]) for k in np.unique(piece)]
-        products, squares = np.array(pieces).T
-        raw = -products.sum() / squares.sum()
-        without = -(products.sum() - products) / (squares.sum() - squares)
+            moments = _moments(pairs)
+            whole += moments
+            added += [moments - _moments(pairs[piece != k]) for k in np.unique(piece)]
+        pieces = np.array(added)
+        raw = -whole[0] / whole[1]
+        products, squares = (whole - pieces).T
+        without = -products / np.maximum(squares, 1e-9)
         count = len(pieces)
-        spread = np.sqrt((count - 1) / count * ((without - without.mean()) ** 2).sum())
+        spread = np.sqrt((count - 1) / count * ((without - raw) ** 2).sum())
         value = (raw - self.offset) / self.response
+        if count < 2:
+            return Exponent(float(value), np.nan, np.nan)
         left = SHARE_LEFT * abs(value - raw) / 2
-        return Exponent.around(value, float(np.hypot(spread / self.response, left)), count - 1)
+        # Of pieces that say little there may be many: freedom is that of as many equal ones.
+        freedom = pieces[:, 1].sum() ** 2 / (pieces[:, 1] ** 2).sum() - 1
+        return Exponent.around(value, float(np.hypot(spread / self.response, left)), freedom)
 
 
 def measure_power_law(strokes: Sequence[Trajectory], sizes: Sequence[float]) -> MeasuredInk | None:
@@ -186,6 +193,14 @@ def _through(inks: list[tuple[Array, float, float]], cutoff: float) -> MeasuredI
     spread = slopes.std(axis=1, ddof=1).mean() / response
     error = np.hypot(spread, SHARE_LEFT * np.sqrt(((mean - KNOWN_EXPONENTS) ** 2).mean()))
     return MeasuredInk(bends, float(response), float(offset), float(error))
+
+
+def _moments(pairs: Array) -> Array:
+    """Return the sums of x y and of x x about the means of pairs (N, 2), shape (2,)."""
+    if not len(pairs):
+        return np.zeros(2)
+    x, y = (pairs - pairs.mean(axis=0)).T
+    return np.array([x @ y, x @ x])
 
 
 def _slope(bends: Sequence[Bends]) -> float:
