@@ -12,6 +12,10 @@ START = "00_start_here.ipynb"
 OTHER = "01_an_other_lesson.ipynb"
 PANEL = ".dt-lesson[data-dt-drawing]"
 JUPYTERS = ".jp-NotebookPanel-toolbar, #jp-menu-panel, #jp-top-panel, .jp-SideBar, #jp-bottom-panel"
+IS_GRASPED = """node => {
+    const { left, top, height } = node.getBoundingClientRect();
+    return node.contains(document.elementFromPoint(left + 8, top + height / 2));
+}"""
 
 
 @pytest.fixture
@@ -33,6 +37,8 @@ def test_a_lesson_wakes_by_itself_and_stands_alone_until_the_menus_are_wanted(
     assert page.locator(JUPYTERS).locator("visible=true").count() == 0
     here = page.get_by_role("navigation", name="Lessons").locator("[aria-current=page]")
     assert here.inner_text().split("\n") == ["00", "Start here"]
+    first = page.locator(".dt-step-bar label").first
+    assert first.evaluate(IS_GRASPED), "its left end, where JupyterLab has a button without a look"
     menus = page.get_by_role("button", name="Menus")
     menus.click()
     page.get_by_role("menuitem", name="Kernel").wait_for()

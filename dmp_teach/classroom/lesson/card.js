@@ -69,6 +69,10 @@ export class Card {
     const focused = /** @type {HTMLElement} */ (document.activeElement);
     const isHere = this.buttons.contains(focused);
     for (const each of [...this.all(), this.write]) each.hidden = true;
+    // The room of a reason that is gone stays until the next check, so that nothing jumps.
+    const { offsetHeight, style } = this.node;
+    const room = this.words.querySelector(".dt-reason") ? `${offsetHeight}px` : style.minHeight;
+    style.minHeight = step === "challenge" && !verdict ? room : "";
     this.words.replaceChildren(...draws[step].call(this, progress, card));
     /** @type {HTMLElement | null} */
     const first = this.buttons.querySelector(".dt-button:not([hidden])");

@@ -229,8 +229,10 @@ const areaOf = (/** @type {Ground} */ { area, w, h }) => area ?? [0, 0, w, h];
 export function onDrag(node, { press, move, drop }) {
   /** @type {number | null} */
   let id = null;
+  /** @type {DOMMatrix} of the press: where the page moves meanwhile, the hand has not moved */
+  let ground;
   const place = (/** @type {PointerEvent} */ { clientX, clientY }) => {
-    const { a, d, e, f } = node.ownerSVGElement.getScreenCTM();
+    const { a, d, e, f } = ground;
     return [(clientX - e) / a, (clientY - f) / d];
   };
   const end = (/** @type {PointerEvent} */ event) => {
@@ -239,7 +241,9 @@ export function onDrag(node, { press, move, drop }) {
     drop();
   };
   const pointerdown = (/** @type {PointerEvent} */ event) => {
-    if (event.button || id !== null || !press(place(event))) return;
+    if (event.button || id !== null) return;
+    ground = node.ownerSVGElement.getScreenCTM();
+    if (!press(place(event))) return;
     id = event.pointerId;
     node.setPointerCapture(id);
     event.preventDefault();

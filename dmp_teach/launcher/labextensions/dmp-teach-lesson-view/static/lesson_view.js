@@ -114,6 +114,18 @@ async function drawLessons({ shell, commands, serviceManager }, strip) {
     return link;
   });
   strip.replaceChildren(...links);
+  const edge = () => {
+    const { scrollLeft, clientWidth, scrollWidth } = strip;
+    // Links fade where there are more of them.
+    strip.style.setProperty("--dt-before", scrollLeft > 1 ? "48px" : "0px");
+    const isEnd = scrollLeft + clientWidth > scrollWidth - 1;
+    strip.style.setProperty("--dt-after", isEnd ? "0px" : "48px");
+  };
+  strip.onscroll = edge;
+  new ResizeObserver(edge).observe(strip);
+  // The next one's name is beside it.
+  links[at + 1]?.scrollIntoView({ inline: "nearest" });
+  links[at]?.scrollIntoView({ inline: "nearest" });
 }
 
 /**
@@ -164,7 +176,9 @@ const STYLE = `
 .dt-lesson-bar { display: flex; align-items: center; gap: 8px; min-height: 52px; padding: 0 16px;
   box-sizing: border-box; font: 15px var(--jp-ui-font-family); color: var(--jp-ui-font-color0);
   background: var(--jp-layout-color1); border-bottom: 1px solid var(--jp-border-color2); }
-.dt-lesson-bar nav { display: flex; flex: 1; gap: 4px; overflow-x: auto; }
+.dt-lesson-bar nav { display: flex; flex: 1; gap: 4px; overflow-x: auto; mask-image:
+  linear-gradient(90deg, transparent, #000 var(--dt-before, 0px) calc(100% - var(--dt-after, 0px)),
+  transparent); }
 .dt-lesson-bar :is(a, button) { display: flex; align-items: center; justify-content: center;
   gap: 8px; flex: none; min-width: 44px; height: 44px; padding: 0 12px; box-sizing: border-box;
   font: inherit; color: inherit; background: none; border: 1px solid transparent;
