@@ -1,4 +1,4 @@
-"""A D that becomes a P by another goal of its bowl (the paper's figure 9)."""
+"""A D that becomes a P by another goal of its bowl (the paper's figure 10)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Error against kernel width and against the number of kernels (the paper's figures 3 and 5)."""
+"""Error against kernel width and against the number of kernels (the paper's figures 4 and 6)."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Strokes whose goal moves: DMP* beside the original form (the paper's figures 6 and 7)."""
+"""Strokes whose goal moves: DMP* beside the original form (the paper's figures 7 and 8)."""
 
 from __future__ import annotations
 

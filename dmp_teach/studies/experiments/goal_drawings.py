@@ -1,4 +1,4 @@
-"""One stroke whose goal moves, drawn by both forms (the paper's figures 6 and 7)."""
+"""One stroke whose goal moves, drawn by both forms (the paper's figures 7 and 8)."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ class GoalPaths:
 def trace_goal_change(
     stroke: Trajectory, axis: int = 0, shift: float = 0.01, name: str = ""
 ) -> GoalPaths:
-    """Draw one coordinate whose goal moved by both forms, as the paper's figure 6.
+    """Draw one coordinate whose goal moved by both forms, as the paper's figure 7.
 
     Args:
         stroke: As it was shown.
@@ -56,7 +56,7 @@ def trace_goal_change(
 def draw_goal_change(
     stroke: Trajectory, shift: Sequence[float] = (0.1, 0.0), name: str = ""
 ) -> GoalPaths:
-    """Draw one stroke whose goal moved by both forms, as the paper's figure 7 draws the letter a.
+    """Draw one stroke whose goal moved by both forms, as the paper's figure 8 draws the letter a.
 
     Args:
         stroke: As it was shown.

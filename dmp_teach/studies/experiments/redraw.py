@@ -18,7 +18,7 @@ from dmp_teach.studies.tables import Columns, Tabled
 from dmp_teach.trajectory import Trajectory
 
 FIGURE_4_WIDTHS = (1.0, 10.0, np.inf, 2 / 3)
-"""The kernel widths of the paper's figure 4 [1/N], best first as the paper gives their errors."""
+"""The kernel widths of the paper's figure 5 [1/N], best first as the paper gives their errors."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,7 +76,7 @@ def redraw_letters(
     executor: Executor | None = None,
     progress: Progress | None = None,
 ) -> Redrawings:
-    """Draw these letters again to their own goals (the paper's figure 8).
+    """Draw these letters again to their own goals (the paper's figure 9).
 
     Args:
         recordings: Recordings, files or strokes; None takes our own alphabets.
@@ -102,7 +102,7 @@ def redraw_at_widths(
     executor: Executor | None = None,
     progress: Progress | None = None,
 ) -> Redrawings:
-    """Draw a letter with four kernel widths (the paper's figure 4).
+    """Draw a letter with four kernel widths (the paper's figure 5).
 
     Args:
         recordings: Recordings, files or strokes; None takes our own alphabets.

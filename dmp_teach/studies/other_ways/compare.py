@@ -136,7 +136,7 @@ def compare_ways_to_learn(
             middles, and what was meant is the mean of those that are not shown. None: ten takes of
             our letter a, drawn by `draw_takes`, and what was meant is known.
         numbers: Of demonstrations; 1, 2, 5 and 10 unless given, as far as there are takes.
-        shift: How far the goal moves [m]; the paper's figure 7 moves it by 0.1 m.
+        shift: How far the goal moves [m]; the paper's figure 8 moves it by 0.1 m.
         stroke: Which stroke of the letter, from 0.
         fetch: The robot, to write every moved letter on its table, too.
         executor: As in `claims`; a piece of work is one way with one number.

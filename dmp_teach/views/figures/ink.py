@@ -44,7 +44,7 @@ MAX_DISTANCE_IN_SIZES = 3.5
 
 
 def draw_four_widths(redrawings: Redrawings, letter: int = 0) -> Figure:
-    """Draw the paper's figure 4: one letter with four kernel widths.
+    """Draw the paper's figure 5: one letter with four kernel widths.
 
     Args:
         redrawings: From `redraw_at_widths`.
@@ -64,7 +64,7 @@ def draw_four_widths(redrawings: Redrawings, letter: int = 0) -> Figure:
 
 
 def draw_redrawn_letters(redrawings: Redrawings, most: int = 4) -> Figure:
-    """Draw the paper's figure 8: letters as demonstrated and as DMP* wrote them, in one scale.
+    """Draw the paper's figure 9: letters as demonstrated and as DMP* wrote them, in one scale.
 
     One of each letter comes first.
 
@@ -100,7 +100,7 @@ def draw_redrawn_letters(redrawings: Redrawings, most: int = 4) -> Figure:
 
 
 def draw_goal_paths(paths: GoalPaths) -> Figure:
-    """Draw the paper's figure 7: a letter with a moved goal, by DMP* and by the original form.
+    """Draw the paper's figure 8: a letter with a moved goal, by DMP* and by the original form.
 
     Args:
         paths: From `draw_goal_change`.
@@ -133,7 +133,7 @@ def draw_goal_paths(paths: GoalPaths) -> Figure:
 
 
 def draw_d_to_p(made: MadeLetters, most: int = 3) -> Figure:
-    """Draw the paper's figure 9: D as demonstrated, and the P that each transformation makes.
+    """Draw the paper's figure 10: D as demonstrated, and the P that each transformation makes.
 
     Args:
         made: From `make_p_from_d`.

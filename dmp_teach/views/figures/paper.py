@@ -70,7 +70,7 @@ def draw_kernel_types(number: int = 8) -> Figure:
 
 
 def draw_error_over_width(curves: ErrorCurves, variant: str | None = None) -> Figure:
-    """Draw the paper's figure 3: error against kernel width, a line for each letter.
+    """Draw the paper's figure 4: error against kernel width, a line for each letter.
 
     Args:
         curves: From `sweep_kernel_width`.
@@ -87,7 +87,7 @@ def draw_error_over_width(curves: ErrorCurves, variant: str | None = None) -> Fi
 
 
 def draw_error_over_number(curves: ErrorCurves, variant: str | None = None) -> Figure:
-    """Draw the paper's figure 5: error against the number of kernels, a line for each letter.
+    """Draw the paper's figure 6: error against the number of kernels, a line for each letter.
 
     Args:
         curves: From `sweep_kernel_number`.
@@ -106,7 +106,7 @@ def draw_error_over_number(curves: ErrorCurves, variant: str | None = None) -> F
 
 
 def draw_goal_change_over_time(traces: GoalPaths) -> Figure:
-    """Draw the paper's figure 6: position and velocity of one coordinate whose goal moved.
+    """Draw the paper's figure 7: position and velocity of one coordinate whose goal moved.
 
     Args:
         traces: From `trace_goal_change`.
