@@ -111,7 +111,7 @@ class OtherWays(Lesson):
             ),
             Task(
                 _("Take spread. How many letters must it see until it reaches the ring?"),
-                lambda v: v["way"] == "spread" and v["shown"] >= 3,
+                lambda v: v["way"] == "spread" and v["shown"] >= SEVERAL,
             ),
             Task(
                 _("Show more letters to DMP*, then to cost. Which of them gets nearer?"),

@@ -44,17 +44,19 @@ def test_one_demonstration_is_copied_and_led_to_any_goal(takes, name, share):
     assert np.linalg.norm(way.write(goal).position[-1] - goal) < 5e-4
 
 
-def test_a_mean_and_spread_needs_one_take_more_than_there_are_coordinates(takes):
+def test_a_mean_and_spread_needs_one_take_more_than_both_ends_have_coordinates(takes):
     goal = takes[0].position[-1] + [0.03, 0.02]
-    misses = []
-    for count in (1, 2, 3):
+    misses, strays = {}, {}
+    for count in (1, 4, 5):
         way = WAYS[PROMP].learn(takes[:count])
-        misses.append(np.linalg.norm(way.write(goal).position[-1] - goal))
+        led = way.write(goal).position
+        misses[count] = np.linalg.norm(led[-1] - goal)
+        strays[count] = np.linalg.norm(led[0] - way.write().position[0])
     alone = WAYS[PROMP].learn(takes[:1])
     assert gap(alone.write(), takes[0]) < 0.01
     assert np.allclose(alone.write(goal).position, alone.write().position, atol=1e-9)
-    assert misses[1] > 1e-3
-    assert misses[2] < 1e-4
+    assert misses[4] > 1e-3
+    assert max(misses[5], strays[5]) < 1e-4
 
 
 def test_a_mixture_arrives_from_elsewhere_and_has_lost_the_letter(takes):

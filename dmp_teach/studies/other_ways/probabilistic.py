@@ -13,7 +13,7 @@ from dmp_teach.studies.other_ways.way import CUTS, Aligned, GaussianWay, align_t
 from dmp_teach.trajectory import Array, Trajectory
 
 BASIS_NUMBER = 20
-# How exactly a path that is conditioned must end [sizes].
+# How exactly a path that is conditioned must begin and end [sizes].
 END_DEVIATION = 1e-6
 
 
@@ -22,7 +22,8 @@ class Probabilistic(GaussianWay):
     """A Gaussian over weights of bumps (Paraschos 2013, equations 1 to 5).
 
     Each demonstration is fitted by least squares; the weights of all have a mean and a covariance.
-    One demonstration has no covariance, so that no goal can lead it; n have n - 1 ways to vary.
+    One demonstration has no covariance, so that no goal can lead it; n have n - 1 ways to vary, and
+    a start that stays while the goal moves needs 2 D.
 
     Args:
         aligned: The demonstrations.
@@ -51,12 +52,14 @@ class Probabilistic(GaussianWay):
 
     @cached_property
     def end_gain(self) -> Array:
-        """Condition the weights on the end of the path (Paraschos 2013, equations 5 and 6)."""
+        """Condition the weights on both ends of the path (Paraschos 2013, equations 5 and 6)."""
         count = len(self.mean) // BASIS_NUMBER
-        end = np.kron(np.eye(count), _bumps()[-1])
-        noise = END_DEVIATION**2 * np.eye(count)
-        gain = self.covariance @ end.T @ np.linalg.inv(end @ self.covariance @ end.T + noise)
-        return np.einsum("tn,dne->tde", _bumps(), gain.reshape(count, BASIS_NUMBER, count))
+        ends = np.kron(np.eye(count), _bumps()[[0, -1]])
+        noise = END_DEVIATION**2 * np.eye(2 * count)
+        gain = self.covariance @ ends.T @ np.linalg.inv(ends @ self.covariance @ ends.T + noise)
+        # The start stays; every second column is of the end.
+        gain = gain[:, 1::2].reshape(count, BASIS_NUMBER, count)
+        return np.einsum("tn,dne->tde", _bumps(), gain)
 
     @property
     def numbers_stored(self) -> int:
