@@ -7,12 +7,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from dmp_teach.studies.hand.power_law import Bends, Exponent, measure_power_law
+from dmp_teach.studies.hand.power_law import UNKNOWN, Bends, Exponent, measure_power_law
 from dmp_teach.studies.inputs import RecordingsLike, Written, list_letters
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Array, locked
 
-UNKNOWN = Exponent(np.nan, np.nan, np.nan)
 # Sizes that are nearer to one another say nothing of how the time grows [ratio].
 LEAST_SIZE_RATIO = 1.5
 

@@ -42,6 +42,8 @@ SHARE_LEFT = 1 / 3
 # Below this, ink of any exponent measures the same.
 LEAST_RESPONSE = 0.3
 FEWEST_BEND_SAMPLES = 5
+# An interval as wide as this says nothing.
+WIDEST_INTERVAL = 1.0
 # Samples that are left out together for the interval.
 BLOCK_SAMPLES = 48
 
@@ -65,6 +67,9 @@ class Exponent:
         """Return an estimate with its standard error and the degrees of freedom of that."""
         half = float(scipy.special.stdtrit(max(freedom, 1), 0.975)) * error
         return cls(float(value), float(value - half), float(value + half))
+
+
+UNKNOWN = Exponent(np.nan, np.nan, np.nan)
 
 
 @dataclass(frozen=True, eq=False)
@@ -146,12 +151,11 @@ class MeasuredInk:
         count = len(pieces)
         spread = np.sqrt((count - 1) / count * ((without - raw) ** 2).sum())
         value = (raw - self.offset) / self.response
-        if count < 2:
-            return Exponent(float(value), np.nan, np.nan)
         left = SHARE_LEFT * abs(value - raw) / 2
         # Of pieces that say little there may be many: freedom is that of as many equal ones.
         freedom = pieces[:, 1].sum() ** 2 / (pieces[:, 1] ** 2).sum() - 1
-        return Exponent.around(value, float(np.hypot(spread / self.response, left)), freedom)
+        found = Exponent.around(value, float(np.hypot(spread / self.response, left)), freedom)
+        return found if count > 1 and found.high - found.low < WIDEST_INTERVAL else UNKNOWN
 
 
 def measure_power_law(strokes: Sequence[Trajectory], sizes: Sequence[float]) -> MeasuredInk | None:

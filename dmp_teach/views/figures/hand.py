@@ -69,7 +69,7 @@ def _plot_bends(panel: Axes, name: str, hand: HandLaws, color: str, marker: str)
     """Plot the bends of a hand, and its law through their middle."""
     panel.set_xscale("log")
     panel.set_yscale("log")
-    if not hand.bends:
+    if np.isnan(hand.bending.value):
         return
     pieces = [(each.curvature * each.size, each.speed / each.size) for each in hand.bends]
     kept = [
