@@ -30,7 +30,7 @@ from dmp_teach.lessons.tested_claims import (
     OPEN,
     PAPERS_WAY,
     RATIO_LIMITS,
-    STANDS,
+    TOO_FEW,
     WriterRatios,
     claim_words,
     find_truth,
@@ -38,6 +38,7 @@ from dmp_teach.lessons.tested_claims import (
     measure,
     ratio_words,
     tell_ratio,
+    tell_ratios,
     verdict_words,
     way_words,
     why_not,
@@ -89,7 +90,7 @@ class BeAScientist(Lesson):
         ways = {PAPERS_WAY: _("the paper’s way"), COUNTER_TEST: _("counter-test")}
         options, most = verdict_words(), len(self.writers.strokes)
         words = [f"{n} {claim_words()[claim]}" for n, claim in enumerate(self.claims, start=1)]
-        number = Slider(_("How many writers"), "n", 1, most, icons=("one", "many"), is_view=True)
+        number = Slider(_("How many writers"), "n", 1, most, is_view=True)
         return {
             "claim": OneOf(_("Look at claim"), {n: n for n in CLAIM_PLACES}, is_view=True),
             "how": OneOf(_("Measured"), ways, is_view=True),
@@ -105,6 +106,8 @@ class BeAScientist(Lesson):
             "accurate than the first one. For {n} writers: how many times larger is the first "
             "rule’s error? Pull the left dot to the smallest number, the right one to the largest."
         )
+        if not self.writers.are_real:
+            question += " " + _("(They are hands that we made, all relatives.)")
         most = len(self.writers.strokes)
         places = np.array([[1.0, 2.0], [float(most), 2.0]])
         labels = [_("The smallest number"), _("The largest number")]
@@ -142,7 +145,7 @@ class BeAScientist(Lesson):
         return _(
             "Fill the table. A claim holds if it holds in the paper’s way and in the counter-test. "
             "If not, is it unfair, since more than one thing was changed, or true in one setting "
-            "only? What a coin does more than once in 20 is too few."
+            "only? If a coin does as much more than once in 20 times, there are too few writers."
         )
 
     @property
@@ -196,12 +199,13 @@ class BeAScientist(Lesson):
 
     def praise(self, answer: Answer) -> str:
         """Return what was found."""
-        stand = sum(each == STANDS for each in self.solution.values())
-        words = _(
-            "Claims that survived the counter-test with {n} writers: {stand} of 3. One example "
-            "would have made you believe all of them."
-        )
-        return words.format(stand=stand, n=len(self.writers.strokes))
+        said = [self.solution[name] for name in VERDICTS]
+        found = [f"{words} {said.count(each)}" for each, words in verdict_words().items()]
+        table = ", ".join(found[1:])
+        if TOO_FEW in said:
+            table += f" (n = {self._number(self.few)})"
+        words = _("Your table: {table}. One example would have made you believe all three.")
+        return words.format(table=table)
 
     def tell_bet(self, bet: KeptBet) -> str:
         """Return the bet beside the truth."""
@@ -211,34 +215,37 @@ class BeAScientist(Lesson):
         facts |= {"least": tell_ratio(ratios.min()), "most": tell_ratio(ratios.max())}
         words = _(
             "You bet from {low} to {high} times. With {n} writers it is from {least} to {most}. "
-            "Whether the rule does this, the counter-test tells."
+            "Is it the rule that does this? The counter-test tells."
         )
         return words.format(**facts)
 
     def draw(self, state: LessonState) -> Picture:
         """Draw the newest writer's letter, and the ratio of each writer."""
         claim = self.claims[int(state.values["claim"]) - 1]
-        measured = measure(claim, str(state.values["how"]), self.writers)
-        number = min(int(state.values["writers"]), self._number(claim))
+        measured = self._measured(claim, str(state.values["how"]))
+        number = min(int(state.values["writers"]), measured.number)
         last = number - 1
+        is_hidden = state.step == "bet" and not state.is_revealed
         if state.step == "bet" and state.is_revealed:
             number = measured.number
         stroke = self.writers.strokes[last]
-        kinds = (
-            _("real writer {k} of {n}") if self.writers.are_real else _("made writer {k} of {n}")
-        )
-        note = kinds.format(k=last + 1, n=self._number(claim))
+        note = _("dotted: writer {k} of {n}").format(k=last + 1, n=measured.number)
+        if number < state.values["writers"]:
+            note = _("only {n} wrote this").format(n=number)
         sheet = draw_sheet(
             [stroke],
             [measured.paths[last]],
             box=sheet_box([*paths_of(self.writers.strokes), *measured.paths]),
             extras=[{"points": each, "kind": ""} for each in measured.beside[last : last + 1]],
-            caption=line_words(claim),
+            caption=line_words(measured, None if is_hidden else last),
             note=note,
         )
-        is_hidden = state.step == "bet" and not state.is_revealed
         shown = measured.first(0 if is_hidden else number)
-        says = self._ask() if is_hidden else _say(shown, str(state.values["how"]))
+        says = (
+            self._ask()
+            if is_hidden
+            else tell_ratios(shown, str(state.values["how"]), self.writers.are_real)
+        )
         # The bet is on the rule: it is drawn on that plot alone.
         name = "ratios" if claim == "rule" else "others"
         strokes = (Trajectory(stroke.t, measured.paths[last]),)
@@ -274,21 +281,6 @@ class BeAScientist(Lesson):
         strong = _("What will the others say?")
         unit = _("writer asked so far")
         return {"number": "1", "unit": unit, "text": "", "strong": strong, "after": ""}
-
-
-def _say(measured: WriterRatios, how: str) -> dict[str, str]:
-    """Return the middle of the ratios with n, the spread, and whether it may be luck."""
-    ratios, n = measured.ratios, measured.number
-    facts = {"n": n, "for_it": measured.for_it, "once": f"{1 / measured.luck:.0f}"}
-    facts |= {"least": tell_ratio(ratios.min()), "most": tell_ratio(ratios.max())}
-    strong = _("{for_it} of {n} are for it: a coin does so once in {once}.")
-    if measured.verdict is None:
-        strong = _("{for_it} of {n} are for it. That may be luck: once in {once}.")
-    unit = _("times, n = {n}").format(n=n)
-    text = _("From {least} to {most}. ") if n > 1 else _("One writer is no proof. ")
-    after = " " + way_words(measured.claim, how)
-    said = {"number": tell_ratio(float(np.median(ratios))), "unit": unit}
-    return said | {"text": text.format(**facts), "strong": strong.format(**facts), "after": after}
 
 
 def _even_ticks(most: int) -> list[list[object]]:

@@ -134,7 +134,7 @@ class OtherWays(Lesson):
         """Each more direct."""
         return (
             _("One letter has its slips. Which ways take the mean of several, and which does not?"),
-            _("Of those that do, only one stores few numbers. Then go down with the letters."),
+            _("Of those that do, only one stores few numbers. Then show fewer letters."),
             _("Take cost, and show {n} letters.").format(n=self.needed),
         )
 

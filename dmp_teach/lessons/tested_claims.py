@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 
 import numpy as np
 
 from dmp_teach.dmp import DMP, Settings
+from dmp_teach.lessons.drawing import millimetres
 from dmp_teach.lessons.many_writers import Writers
 from dmp_teach.studies import redraw_letters
 from dmp_teach.texts import gettext as _
@@ -56,16 +57,18 @@ class WriterRatios:
         ratios: One for each of W writers, shape (W,).
         paths: What the second settings drew, or DMP* to the moved goal, each shape (N, 2) [m].
         beside: What the first settings drew, each shape (N, 2) [m].
+        errors: Of the first and the second settings, each shape (W,) [m].
     """
 
     claim: str
     ratios: Array
     paths: tuple[Array, ...]
     beside: tuple[Array, ...] = ()
+    errors: tuple[Array, ...] = ()
 
     def first(self, number: int) -> WriterRatios:
         """Return it on the first writers alone."""
-        return WriterRatios(self.claim, self.ratios[:number], self.paths, self.beside)
+        return replace(self, ratios=self.ratios[:number])
 
     @property
     def number(self) -> int:
@@ -98,11 +101,11 @@ def measure(claim: str, how: str, writers: Writers) -> WriterRatios:
         return _measure_goal(GOAL_WAYS[how], writers)
     first, second = COMPARED_SETTINGS[claim][how]
     items = redraw_letters(writers.strokes, settings={"first": first, "second": second}).items
-    ratios = [
-        above.error / below.error for above, below in zip(items[::2], items[1::2], strict=True)
-    ]
+    errors = np.array([item.error for item in items])
+    above, below = errors[::2], errors[1::2]
     drawn = [item.drawn[0].position for item in items if item.drawn]
-    return WriterRatios(claim, np.array(ratios), tuple(drawn[1::2]), tuple(drawn[::2]))
+    paths, beside = tuple(drawn[1::2]), tuple(drawn[::2])
+    return WriterRatios(claim, above / below, paths, beside, (above, below))
 
 
 def _measure_goal(way: float, writers: Writers) -> WriterRatios:
@@ -145,12 +148,16 @@ def ratio_words(claim: str) -> str:
     return _("Error: {above} / {below}").format(above=above, below=below)
 
 
-def line_words(claim: str) -> str:
-    """Return which line on the sheet is whose."""
-    if claim == "goal":
+def line_words(measured: WriterRatios, writer: int | None) -> str:
+    """Return which line on the sheet is whose, and how far off a writer's lines are, if any."""
+    if not measured.errors:
         return _("On paper")
-    above, below = _compared()[claim]
-    return _("Thin: {above}. Thick: {below}.").format(above=above, below=below)
+    above, below = _compared()[measured.claim]
+    if writer is None:
+        return _("Thin: {above}. Thick: {below}.").format(above=above, below=below)
+    one, other = (millimetres(float(each[writer])) for each in measured.errors)
+    words = _("Thin: {above} {one} mm. Thick: {below} {other} mm.")
+    return words.format(above=above, below=below, one=one, other=other)
 
 
 def _compared() -> dict[str, tuple[str, str]]:
@@ -224,3 +231,24 @@ def why_not(said: str, truth: str) -> str:
 def tell_ratio(ratio: float) -> str:
     """Return a ratio with two or three figures: "0.58", "1.00", "15"."""
     return f"{ratio:.{2 if ratio < 1.995 else 1 if ratio < 9.95 else 0}f}"
+
+
+def tell_ratios(measured: WriterRatios, how: str, are_real: bool) -> dict[str, str]:
+    """Return the middle of the ratios with n (writers, or hands), the spread, and the luck."""
+    ratios, n = measured.ratios, measured.number
+    facts = {"n": n, "for_it": measured.for_it, "once": f"{1 / measured.luck:.0f}"}
+    facts |= {"least": tell_ratio(ratios.min()), "most": tell_ratio(ratios.max())}
+    strong = _("{for_it} of {n} are for it: a coin does so once in {once}.")
+    if measured.verdict is None:
+        strong = _("{for_it} of {n} are for it. That may be luck: once in {once}.")
+    if np.abs(ratios - 1).max() < 0.005:
+        strong = _("All alike, both lines are the same: nothing to count.")
+    unit = _("times, n = {n}") if are_real else _("times, n = {n} made hands")
+    text = _("From {least} to {most}. ") if n > 1 else _("One writer is no proof. ")
+    after = " " + way_words(measured.claim, how)
+    said = {"number": tell_ratio(float(np.median(ratios))), "unit": unit.format(n=n)}
+    return said | {
+        "text": text.format(**facts),
+        "strong": strong.format(**facts),
+        "after": after,
+    }

@@ -19,6 +19,7 @@ from dmp_teach.lessons.tested_claims import (
     WriterRatios,
     find_truth,
     measure,
+    tell_ratios,
 )
 
 
@@ -88,3 +89,14 @@ def test_real_writers_of_a_folder_are_asked_where_there_are_enough(
 def test_a_verdict_that_does_not_stand_is_told_by_its_numbers(verdicts, words):
     answer = {f"verdict_{n}": said for n, said in enumerate(verdicts.split(), start=1)}
     assert words in teach.check("10", answer).reason
+
+
+def test_the_praise_counts_each_verdict_and_names_how_few_writers_there_were():
+    lesson = teach.lesson("10")
+    praise = lesson.check({name: lesson.solution[name] for name in lesson.settable}).reason
+    assert "holds 0, unfair 1, one setting 1, too few 1 (n = 3)" in praise
+
+
+def test_where_both_rules_write_the_same_line_nothing_is_counted():
+    said = tell_ratios(measure("rule", COUNTER_TEST, make_writers("a")), COUNTER_TEST, False)
+    assert (said["number"], "nothing to count" in said["strong"]) == ("1.00", True)

@@ -84,9 +84,11 @@ export class Handles {
       const [x, y] = view.px(at);
       const knob = knobs.children[i];
       const isFresh = !(moved ?? this.touched.has(i));
+      // More numbers than two would lie over each other.
+      const isTold = !isFresh && axis === "y" && handles.length <= 2;
       const [low, high] = [view.metres([x, bottom])[1], view.metres([x, top])[1]];
       change(knob, {
-        class: `dt-handle dt-along-${axis}${isFresh ? " dt-fresh" : ""}`,
+        class: `dt-handle dt-along-${axis}${isFresh ? " dt-fresh" : ""}${isTold ? " dt-told" : ""}`,
         transform: `translate(${x.toFixed(2)} ${y.toFixed(2)})`,
         tabindex: axis === "xy" || i === this.current ? 0 : -1,
         "aria-label": label,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass
+from textwrap import fill
 from typing import ClassVar
 
 from dmp_teach.errors import SettingError
@@ -36,7 +37,9 @@ class Claim:
     call: str
 
     def __str__(self) -> str:
-        return f"{self.verdict}: {self.claim}\n  {self.figure}\n  {self.depends_on}\n  {self.call}"
+        words = f"{self.verdict}: {self.claim}", self.figure, self.depends_on
+        lines = [fill(each, 88, subsequent_indent="  ") for each in words]
+        return "\n  ".join([*lines, self.call])
 
 
 @dataclass(frozen=True, repr=False)
