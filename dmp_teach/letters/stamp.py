@@ -17,7 +17,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from dmp_teach.dmp import DMP, Responses, Settings
-from dmp_teach.errors import LetterError
+from dmp_teach.errors import LetterError, TeachError, kind_of
 from dmp_teach.letters.letter import Letter
 from dmp_teach.trajectory import Array
 
@@ -29,37 +29,57 @@ PRECISIONS = range(24, 1, -2)
 TOLERANCE = 5e-5
 # Of each stroke: how many bits a number takes, and its unit. Begin and duration [s]; samples;
 # steps of the spring a sample; kernels; start and goal [m]; start velocity [m/s].
-STAMP_GOAL, STAMP_START = ("goal", 17, 1e-5), ("start", 17, 1e-5)
-STAMP_CLOCK = ("begin", 16, 0.001), ("duration", 20, 1e-5), ("samples", 13, 1), ("stride", 5, 1)
+STAMP_GOAL, STAMP_START = ("goal", 18, 1e-5), ("start", 18, 1e-5)
+STAMP_CLOCK = ("begin", 17, 0.001), ("duration", 20, 1e-4), ("samples", 13, 1), ("stride", 8, 1)
 STAMP_VELOCITY = ("velocity", 12, 0.001)
 STAMP_ENDS = STAMP_START, STAMP_START, STAMP_GOAL, STAMP_GOAL, STAMP_VELOCITY, STAMP_VELOCITY
 STROKE_HEAD = *STAMP_CLOCK, ("kernels", 8, 1), *STAMP_ENDS
 SIGNED = ("start", "goal", "velocity")
-RICE_BITS = 4
+RICE_BITS = 5
+# Weights of a letter take 12 bits or so.
+LONGEST_RICE = 40
+# Times are even where none is off by more than this share of a step of the spring.
+CLOCK_JITTER = 0.01
 
 
 def letter_to_bytes(letter: Letter) -> bytes:
     """Return a letter in a few dozen bytes; its path moves by at most 0.05 mm.
 
+    A stroke whose samples are not evenly spaced in time gets samples that are.
+
     Raises:
-        LetterError: It was not learned as `Settings.star()` learns, or is longer than 65 s or
-            farther than 0.6 m from the origin of its page.
+        LetterError: It is none, was not learned as `Settings.star()` learns, takes longer than
+            100 s, is farther than 1.3 m from the origin of its page, or cannot be stored so finely.
     """
+    if not isinstance(letter, Letter):
+        raise LetterError(f"A stamp holds a Letter, but got {kind_of(letter)}; Letter.learn it.")
+    primitives = [_with_even_times(each) for each in letter.primitives]
+    even = replace(letter, primitives=tuple(primitives))
     for precision in PRECISIONS:
-        data = _packed(letter, precision)
-        written = zip(letter.write(), letter_from_bytes(data).write(), strict=True)
+        data = _packed(even, precision)
+        written = zip(even.write(), letter_from_bytes(data).write(), strict=True)
         if max(np.abs(a.position - b.position).max() for a, b in written) <= TOLERANCE / 2**0.5:
-            break
-    return data
+            return data
+    mm = 1000 * TOLERANCE
+    raise LetterError(f"This letter cannot be stored within {mm:g} mm; learn it with more kernels.")
+
+
+def _with_even_times(primitive: DMP) -> DMP:
+    """Return a stroke with even samples: its own, or one for each step of its spring."""
+    t = primitive.times
+    stride, rest = divmod(primitive.steps, len(t) - 1)
+    even = np.linspace(t[0], t[-1], len(t))
+    if rest == 0 and np.abs(t - even).max() < CLOCK_JITTER * primitive.duration / stride / len(t):
+        return primitive
+    return replace(primitive, times=np.linspace(t[0], t[-1], primitive.steps + 1))
 
 
 def _packed(letter: Letter, precision: int) -> bytes:
     """Return the bytes of a letter whose weights are rounded with a precision [um]."""
     begin = letter.primitives[0].times[0]
-    strokes = enumerate(letter.primitives)
-    bits = "".join(
-        _led_bits(letter.led_to.get(n)) + _bits_of(p, begin, precision) for n, p in strokes
-    )
+    bits = ""
+    for n, primitive in enumerate(letter.primitives):
+        bits += _led_bits(letter.led_to.get(n)) + _bits_of(primitive, begin, precision)
     # A 1 marks where the padding begins.
     bits = bits + "1" + "0" * (-len(bits) - 1 & 7)
     data = bytes([STAMP_VERSION, precision]) + int(bits, 2).to_bytes(len(bits) // 8, "big")
@@ -79,12 +99,23 @@ def letter_from_bytes(data: bytes) -> Letter:
             f"This stamp has version {data[0]}; this dmp_teach reads version {STAMP_VERSION}."
         )
     bits = "".join(f"{byte:08b}" for byte in data[2:-2]).rstrip("0")[:-1]
-    reader, primitives = _Bits(bits), list[DMP]()
-    led_to: dict[int, Array] = {}
-    while reader.place < len(bits):
+    try:
+        return _read_letter(_Bits(bits), data[1])
+    except (ArithmeticError, TeachError, ValueError):
+        raise LetterError(
+            "This stamp holds no letter: its numbers are none that we wrote."
+        ) from None
+
+
+def _read_letter(reader: _Bits, precision: int) -> Letter:
+    """Return the letter of all bits."""
+    primitives, led_to = list[DMP](), dict[int, Array]()
+    while reader.place < len(reader.bits):
         if reader.take(1) == "1":
             led_to[len(primitives)] = np.array([reader.fixed(*STAMP_GOAL) for _ in range(2)])
-        primitives.append(_read_primitive(reader, data[1]))
+        primitives.append(_read_primitive(reader, precision))
+    if not primitives:
+        raise LetterError("no stroke")
     strokes = tuple(p.rollout(goal=led_to.get(n)) for n, p in enumerate(primitives))
     return Letter(strokes, tuple(primitives), led_to)
 
@@ -168,8 +199,10 @@ def _fixed(value: float, name: str, width: int, unit: float) -> str:
 def _rice(row: list[int]) -> str:
     """Return whole numbers as a Rice code: how many low bits are plain, then the numbers."""
     folded = [2 * abs(each) - (each < 0) for each in row]
+    if max(folded) >= 2**LONGEST_RICE:
+        raise LetterError("The weights of this letter are too large for a stamp.")
     codes = []
-    for k in range(max(folded).bit_length() + 1):
+    for k in range(min(max(folded).bit_length() + 1, 2**RICE_BITS)):
         low = [f"{each % 2**k:0{k}b}" if k else "" for each in folded]
         parts = ["1" * (each >> k) + "0" + bits for each, bits in zip(folded, low, strict=True)]
         codes.append(f"{k:0{RICE_BITS}b}" + "".join(parts))

@@ -6,7 +6,6 @@ As text it is `STAMP:` and base 32: letters and digits, which a QR code holds in
 from __future__ import annotations
 
 import base64
-import binascii
 import os
 from io import BytesIO
 from pathlib import Path
@@ -82,7 +81,7 @@ def _letter_from_text(text: str) -> Letter:
     body = "".join(text.upper().split()).removeprefix(STAMP_PREFIX)
     try:
         data = base64.b32decode(body + "=" * (-len(body) % 8))
-    except binascii.Error:
+    except ValueError:
         raise LetterError(
             f"After {STAMP_PREFIX} a stamp has only the letters A to Z and the digits 2 to 7."
         ) from None
@@ -102,9 +101,9 @@ def _zxing() -> Any:
 
 def _code(letter: Letter) -> Any:
     """Return the QR code of a letter."""
-    zxing = _zxing()
+    zxing, text = _zxing(), stamp_text(letter)
     try:
-        return zxing.create_barcode(stamp_text(letter), zxing.BarcodeFormat.QRCode, ec_level="M")
+        return zxing.create_barcode(text, zxing.BarcodeFormat.QRCode, ec_level="M")
     except ValueError as error:
         raise LetterError(f"This letter is too long for a QR code: {error}.") from None
 
@@ -116,5 +115,5 @@ def _picture(path: str | os.PathLike[str]) -> Array:
     data, name = contents(path)
     try:
         return np.asarray(Image.open(BytesIO(data)).convert("L"))
-    except (OSError, ValueError) as error:
+    except (OSError, ValueError, Image.DecompressionBombError) as error:
         raise LetterError(f"{name}: this is no picture (.png, .jpg): {error}.") from None

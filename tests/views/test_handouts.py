@@ -8,9 +8,10 @@ import pytest
 from PIL import Image
 from scipy.spatial import cKDTree
 
-from dmp_teach.errors import ViewError
+from dmp_teach.errors import LetterError, ViewError
 from dmp_teach.ink import recording_of
 from dmp_teach.letters import Letter
+from dmp_teach.trajectory import Trajectory
 from dmp_teach.views import read_stamp
 from dmp_teach.views.figures import draw_certificate, draw_worksheet
 from dmp_teach.views.figures.handouts import PAPERS
@@ -61,5 +62,17 @@ def test_what_no_sheet_holds_is_refused():
     for letters in ([], [recording_of("a")] * 6):
         with pytest.raises(ViewError, match="1 to 5 letters"):
             draw_worksheet(letters)
+    for letters in (None, 5, "a", recording_of("a")):
+        with pytest.raises(ViewError, match="takes a list"):
+            draw_worksheet(letters)
+    for letter in (None, 5, [], [None]):
+        with pytest.raises(LetterError):
+            draw_worksheet([letter])
+    line = Trajectory(np.arange(30.0) / 30, np.arange(30.0)[:, None] / 300)
+    for draw in (draw_certificate, lambda letter: draw_worksheet([letter])):
+        with pytest.raises(ViewError, match="2-D"):
+            draw([line])
+    with pytest.raises(ViewError, match="A4, Letter"):
+        draw_worksheet([recording_of("a")], [])
     with pytest.raises(ViewError, match="A4, Letter"):
         draw_certificate(recording_of("a"), "A5")

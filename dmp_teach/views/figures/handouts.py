@@ -12,9 +12,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Circle, FancyArrowPatch
 
-from dmp_teach.errors import ViewError
+from dmp_teach.errors import ViewError, kind_of
 from dmp_teach.letters import Letter, rms_distance
-from dmp_teach.scoring import LetterLike, list_strokes
+from dmp_teach.scoring import LetterLike
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Array, Trajectory, arc_lengths
 from dmp_teach.views.figures.figure_style import DrawStyle, PaperFigure
@@ -50,9 +50,12 @@ def draw_worksheet(
         ViewError: No letters or more than 5, or another paper.
         LetterError: What is given is no letter.
     """
-    shown = [list_strokes(letter) for letter in letters]
-    if not 0 < len(shown) <= MOST_ROWS:
-        raise ViewError(f"A worksheet has 1 to {MOST_ROWS} letters, but got {len(shown)}.")
+    if not isinstance(letters, list | tuple):
+        raise ViewError(f"A worksheet takes a list of letters, but got {kind_of(letters)}.")
+    if not 0 < len(letters) <= MOST_ROWS:
+        raise ViewError(f"A worksheet has 1 to {MOST_ROWS} letters, but got {len(letters)}.")
+    learned = [_learned_flat(letter) for letter in letters]
+    shown = [letter.strokes for letter in learned]
     figure, panel, (width, height) = _new_page(paper)
     person, robot = _colors(is_colored)
     cell = (width - 2 * PAPER_MARGIN) / CELLS
@@ -64,7 +67,7 @@ def draw_worksheet(
         panel.text(PAPER_MARGIN + n * cell, height - 27, word, fontsize=9, color=MUTED_COLOR)
     for row, strokes in enumerate(shown):
         middle = height - 34 - (row + 0.5) * ROW_HEIGHT
-        robots = Letter.learn(strokes).write()
+        robots = learned[row].write()
         places = [np.array([PAPER_MARGIN + (n + 0.5) * cell, middle]) for n in range(CELLS)]
         put = _placed(strokes, scale)
         baseline = middle + float(put(np.zeros((1, 2)))[0, 1])
@@ -94,9 +97,8 @@ def draw_certificate(letter: LetterLike, paper: str = "A4", is_colored: bool = T
         ViewError: Another paper.
         LetterError: What is given is no letter.
     """
-    strokes = list_strokes(letter)
-    learned = Letter.learn(strokes)
-    robots = learned.write()
+    learned = _learned_flat(letter)
+    strokes, robots = learned.strokes, learned.write()
     figure, panel, (width, height) = _new_page(paper)
     person, robot = _colors(is_colored)
     off = 1000 * rms_distance(strokes, robots)
@@ -132,13 +134,21 @@ def _center(panel: Axes, at: tuple[float, float], words: str, size: float, color
 
 def _new_page(paper: str) -> tuple[Figure, Axes, tuple[float, float]]:
     """Return a figure, its panel in millimetres from the lower left, and the paper's size."""
-    if paper not in PAPERS:
+    if paper not in tuple(PAPERS):
         raise ViewError(f"The paper is {paper!r}, but must be one of: {', '.join(PAPERS)}.")
     width, height = PAPERS[paper]
     figure = PaperFigure(figsize=(width / MM_PER_INCH, height / MM_PER_INCH), facecolor="white")
     panel = figure.add_axes((0, 0, 1, 1), xlim=(0, width), ylim=(0, height))
     panel.set_axis_off()
     return figure, panel, (width, height)
+
+
+def _learned_flat(letter: LetterLike) -> Letter:
+    """Return a letter of 2-D strokes as the robot has learned it."""
+    learned = Letter.learn(letter)
+    if any(stroke.dimensions != 2 for stroke in learned.strokes):
+        raise ViewError("A sheet of paper holds strokes in 2-D: right and up [m].")
+    return learned
 
 
 def _colors(is_colored: bool) -> tuple[str, str]:
