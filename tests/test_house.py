@@ -340,6 +340,10 @@ def test_a_lesson_begins_with_its_question_and_its_panel(path):
     """The cell that says how to begin is one of its own: the lab hides it."""
     cells = json.loads(path.read_text(encoding="utf-8"))["cells"]
     assert [cell["id"] for cell in cells[:3]] == ["question", "begin", "panel"]
+    key = path.name[:2]
+    begin = f'import dmp_teach as teach\n\npanel = teach.lesson("{key}").panel()\npanel'
+    assert "".join(cells[2]["source"]) == begin
+    assert f'teach.check("{key}", panel.answer, pupil="w07")' in "".join(cells[-1]["source"])
     words = sum(
         len("".join(cell["source"]).split()) for cell in cells if cell["cell_type"] == "markdown"
     )

@@ -103,7 +103,7 @@ class PenUp(Lesson):
         """What is checked."""
         return _(
             "Set both lines so that the robot finds the two strokes of {letter}, and every end of "
-            "a stroke is within {ms} thousandths of a second of where it really is."
+            "a stroke is within {ms} ms (thousandths of a second) of where it really is."
         ).format(letter=self.letter, ms=MOST_OFF)
 
     @property
@@ -211,7 +211,8 @@ class PenUp(Lesson):
         is_bet = state.step == "bet"
         if is_bet and not state.is_revealed:
             plots = draw_over_time(self.pen, None)
-            return Picture(self._say(None), draw_path(self.recording), plots, self.truth)
+            says = self._say(None, is_bet=state.bet is not None)
+            return Picture(says, draw_path(self.recording), plots, self.truth)
         strokes = self.truth if is_bet else self.find(state.values)
         plots = draw_over_time(self.pen, strokes)
         if not is_bet:
@@ -236,31 +237,36 @@ class PenUp(Lesson):
             return ()
 
     def _milliseconds_off(self, strokes: Sequence[Trajectory]) -> float:
-        """Return how far the true ends are at most from the nearest that were found [ms]."""
+        """Return how far an end is at most from the nearest, true from found or back [ms]."""
         if not strokes:
             return 1000 * self.recording.duration
-        off = [
-            min(abs(true.t[end] - each.t[end]) for each in strokes)
-            for true in self.truth
-            for end in (0, -1)
-        ]
-        return float(1000 * max(off))
+        found, true = (
+            np.array([each.t[[0, -1]] for each in all_]) for all_ in (strokes, self.truth)
+        )
+        apart = np.abs(found[:, None] - true)
+        return float(1000 * max(apart.min(axis=0).max(), apart.min(axis=1).max()))
 
     def _say(
-        self, strokes: Sequence[Trajectory] | None, *, is_truth: bool = False
+        self,
+        strokes: Sequence[Trajectory] | None,
+        *,
+        is_bet: bool = False,
+        is_truth: bool = False,
     ) -> dict[str, str]:
         """Return the number of strokes, and what it means; before the bet neither."""
         if strokes is None:
-            text, strong = _("Height is not seen from above. "), _("Bet first.")
+            text, strong = _("Height is not seen from above. "), "" if is_bet else _("Bet first.")
         elif is_truth:
             text = _("The pen was on the paper where it is green. ")
             strong = _("How can a robot find that out from two curves?")
         else:
             text = _("Where the pen rises faster than θ and more than σ, the robot sees a lift. ")
             if len(strokes) > 2:
-                strong = _("Here it takes something for a lift that is none.")
+                strong = _("Here it sees lifts where there are none.")
             elif len(strokes) < 2:
                 strong = _("Here it takes the lift for writing.")
+            elif self._milliseconds_off(strokes) > MOST_OFF:
+                strong = _("Two strokes, but cut at the wrong place.")
             else:
                 strong = _("Here it finds two strokes.")
         number = "" if strokes is None else str(len(strokes))

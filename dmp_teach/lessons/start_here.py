@@ -45,7 +45,7 @@ FEW, ENOUGH, MANY = 5, 40, 400
 LEAST_BUMPS, MOST_BUMPS = 3, 80
 GOAL_REACH, BOWL_LIMIT = 9.0, 1.0
 ROOM = 0.03
-# What is made of what, and how far up the bar the bowl must then end, as a share of the bar.
+# What is made of what, and how far up the stem the bowl must then end, as a share of it.
 NEW_LETTERS = (("D", "P", 0.5), ("D", "P", 0.4), ("D", "P", 0.6), ("P", "D", 0.0))
 LINE_LIMITS = (0.2, 0.1, 0.15, 0.3)
 
@@ -76,8 +76,8 @@ class StartHere(Lesson):
         kind = NEW_LETTERS[0 if random is None else random.integers(len(NEW_LETTERS))]
         self.limit = LINE_LIMITS[0 if random is None else random.integers(len(LINE_LIMITS))]
         self.source, self.new, self.share = kind
-        self.bar, bowl = paths_of(recording_of(self.source).strokes())
-        self.end = self.bar[-1] + self.share * (self.bar[0] - self.bar[-1])
+        self.stem, bowl = paths_of(recording_of(self.source).strokes())
+        self.end = self.stem[-1] + self.share * (self.stem[0] - self.stem[-1])
         x, y = (round(float(each), 1) for each in (self.end - bowl[-1]) / CM)
         self.start = {"letter": "a", "n_kernels": FEW, "kernel_width": 1.0}
         self.start |= {"goal_x": 0.0, "goal_y": 0.0}
@@ -109,8 +109,8 @@ class StartHere(Lesson):
     def bet(self) -> ChosenBet:
         """How many bumps are needed."""
         question = _(
-            "A person wrote this a as the dots. The robot remembers it as {n} bumps, and its line "
-            "is far off. How many bumps does it need until you see no difference?"
+            "The dots are an a that a person wrote. The robot remembers it as {n} bumps, and its "
+            "line is far off. How many bumps does it need until you see no difference?"
         )
         options = {str(n): _("about {n}").format(n=n) for n in (FEW, ENOUGH, MANY)}
         return ChosenBet(question.format(n=FEW), options)
@@ -144,15 +144,15 @@ class StartHere(Lesson):
     def _place(self) -> str:
         """Where the bowl must end."""
         if self.share == 0.5:
-            return _("the middle of the bar")
-        cm = self.share * np.linalg.norm(self.bar[0] - self.bar[-1]) / CM
-        up = _("the point {cm:.1f} cm up the bar").format(cm=cm)
-        return up if self.share else _("the foot of the bar")
+            return _("the middle of the stem")
+        cm = self.share * np.linalg.norm(self.stem[0] - self.stem[-1]) / CM
+        up = _("the point {cm:.1f} cm up the stem").format(cm=cm)
+        return up if self.share else _("the foot of the stem")
 
     @property
     def hints(self) -> tuple[str, str, str]:
         """Each more direct."""
-        look = _("Look at a printed {new}. Where does its bowl meet its bar?")
+        look = _("Look at a printed {new}. Where does its bowl meet its stem?")
         drag = _("Enough bumps that just touch bring the line to the dots. Then drag the ring.")
         last = _("Take {source}, {n} bumps of width 1.0, and move the goal {y:.1f} cm {way}.")
         y = self.solution["goal_y"]
@@ -162,7 +162,7 @@ class StartHere(Lesson):
     def conditions(self, answer: Answer) -> Sequence[Condition]:
         """Return the strokes, how near the line is, and where the bowl ends."""
         strokes = exactly(_("strokes"), len(learn_with(answer["letter"], FEW).strokes), 2)
-        line = at_most(_("line to dots"), self._error(answer), self.limit, "mm")
+        line = at_most(_("line before the ring moved"), self._error(answer), self.limit, "mm")
         if answer["letter"] != self.source:
             return [strokes, line]
         away = float(np.linalg.norm(self._miss(answer)))
@@ -181,7 +181,7 @@ class StartHere(Lesson):
     def mistakes(self, answer: Answer) -> Sequence[tuple[bool, str]]:
         """Return what is wrong with the letter, the bumps or the goal."""
         if answer["letter"] != self.source:
-            other = _("The {letter} has 1 stroke, a {new} a bar and a bowl: choose {source}.")
+            other = _("The {letter} has 1 stroke. A {new} has a stem and a bowl: choose {source}.")
             return [(True, other.format(letter=answer["letter"], **self._facts))]
         width, error = float(answer["kernel_width"]), self._error(answer)
         right, above = self._miss(answer)
@@ -219,8 +219,8 @@ class StartHere(Lesson):
     def praise(self, answer: Answer) -> str:
         """Return what was found."""
         words = _(
-            "A {new} in the hand of the one who wrote the {source}: its bowl ends {cm:.1f} cm from "
-            "{place}."
+            "A {new} made from the strokes of the person who wrote the {source}: its bowl ends "
+            "{cm:.1f} cm from {place}."
         )
         return words.format(cm=np.linalg.norm(self._miss(answer)), **self._facts)
 
@@ -229,15 +229,16 @@ class StartHere(Lesson):
         most = most_kernels("a")
         errors = [millimetres(error_with("a", n) / 1000) for n in (FEW, ENOUGH, most)]
         words = _(
-            "You said about {said}. With {few} bumps the a is {e[0]} mm off, with {enough} "
-            "{e[1]} mm, as thick as a hair. With {most}, the most that it can have, it is {e[2]} "
-            "mm: nobody sees that."
+            "You said about {said}. With {few} bumps the a is {e[0]} mm off. With {enough} it is "
+            "{e[1]} mm off, as thick as a hair. With {most}, the most that it can have, it is "
+            "{e[2]} mm off: nobody sees that."
         )
         return words.format(said=bet, few=FEW, enough=ENOUGH, most=most, e=errors)
 
     def draw(self, state: LessonState) -> Picture:
         """Draw the letter, how far off it is, and its bumps over time."""
-        values = state.values
+        is_truth = state.step == "bet" and state.is_revealed
+        values = state.values | ({"n_kernels": ENOUGH} if is_truth else {})
         letter = learn_with(values["letter"], int(values["n_kernels"]), values["kernel_width"])
         last = len(letter.strokes) - 1
         to_goal = letter.responses[last]

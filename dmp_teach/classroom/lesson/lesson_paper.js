@@ -30,6 +30,7 @@ export class LessonPaper extends Paper {
     } = /** @type {any} */ (this.scene);
     const path = (/** @type {Place[]} */ places) =>
       places.length > 1 ? `M${pixels(places, view).join("L")}` : "";
+    const places = dots.map((/** @type {{ at: Place[] }} */ { at }) => view.px(at[0]));
     this.extras.replaceChildren(
       ...extras.map((/** @type {{ points: Place[], kind: string }} */ { points, kind }) =>
         make("path", { class: `dt-extra dt-${kind}`, d: path(points) }),
@@ -37,7 +38,12 @@ export class LessonPaper extends Paper {
       ...beads.map((/** @type {Place} */ place) => circle(view, place, "dt-bead", 4)),
       ...dots.flatMap((/** @type {{ at: Place[], kind: string, label: string }} */ dot) => {
         const [x, y] = view.px(dot.at[0]);
-        const words = make("text", { class: "dt-small", x: x + 14, y: y + 5 }, dot.label ?? "");
+        // Words stand at the left of a dot that has another one at its right.
+        const isTaken = places.some(
+          (/** @type {Place} */ [u, v]) => u > x && u < x + 24 && Math.abs(v - y) < 14,
+        );
+        const beside = isTaken ? { x: x - 14, "text-anchor": "end" } : { x: x + 14 };
+        const words = make("text", { class: "dt-small", y: y + 5, ...beside }, dot.label ?? "");
         return [circle(view, dot.at[0], `dt-dot dt-dot-${dot.kind}`, 6), words];
       }),
     );
