@@ -162,40 +162,54 @@ def draw_side_by_side(letters: dict[str, Led], marked: Led) -> Drawing:
     """Draw what ways write to the goal that moved over what was shown, beside one another [cm].
 
     Args:
-        letters: By way; of those that are not known yet only the goal is seen.
+        letters: By way.
         marked: The one that is set.
     """
     star = replace(marked, key="dmp", shown=1).tried
     shown = star.takes[0].position / CM
     seen = np.concatenate([shown, star.moved.position / CM])
-    low, size = seen.min(axis=0) - 1, np.ptp(seen, axis=0) + 2
+    low, size = seen.min(axis=0) - 0.3, np.ptp(seen, axis=0) + 0.6
     # The name of the way stands below.
-    below = 0.3 * size[1]
-    place = np.array([max(size[0], size[1]), size[1] + below])
-    left, right = low[0] + 0.5 * (size[0] - place[0]), low[0] + 0.5 * (size[0] + place[0])
+    below = 0.25 * size[1]
+    place = np.array([max(size[0], 1.25 * size[1]), size[1] + below])
     lines: list[Drawing] = []
     dots: list[Drawing] = []
-    for number, key in enumerate(ways_here()):
+    for number, (key, led) in enumerate(letters.items()):
         corner = place * (number % COLUMNS, -(number // COLUMNS))
-        home = corner - (left, low[1] - below)
+        home = corner - low + ((place[0] - size[0]) / 2, below)
         lines.append({"points": shown + home, "kind": "child"})
         kind = "robot" if key == marked.key else "quiet"
-        if key in letters:
-            path = letters[key].tried.moved.position / CM
-            pieces = _pieces_inside(path, left, right)
-            lines += [{"points": piece + home, "kind": kind} for piece in pieces]
+        pieces = _pieces_inside(led.tried.moved.position / CM, low, low + size)
+        lines += [{"points": piece + home, "kind": kind} for piece in pieces]
         dots.append({"at": (star.goal / CM + home).tolist(), "kind": "bet"})
-        name = corner + np.array([0.5 * place[0], 0.5 * below])
-        dots.append({"at": name.tolist(), "kind": "word", "label": way_names()[key]})
+        at = corner + np.array([0.5 * place[0], 0.5 * below])
+        dots.append({"at": at.tolist(), "kind": "word", "label": way_names()[key]})
     high = float(place[1])
     x = {"label": "", "low": 0.0, "high": COLUMNS * float(place[0]), "ticks": []}
     y = {"label": "", "low": -high, "high": high, "ticks": [], "isEqual": True}
     return {"x": x, "y": y, "lines": lines, "dots": dots}
 
 
-def _pieces_inside(path: Array, left: float, right: float) -> list[Array]:
+def list_ways() -> Drawing:
+    """Write a line of how each way that is here learns."""
+    words = {
+        "dmp": _("a spring and pushes"),
+        "mixture": _("where to go next"),
+        "states": _("a row of places"),
+        "cost": _("what a hand avoids"),
+        "spread": _("mean and changes"),
+    }
+    lines = [f"{way_names()[key]}: {words[key]}" for key in ways_here()]
+    dots = [
+        {"at": [0.0, -k], "kind": "word", "label": line} for k, line in enumerate(lines, start=1)
+    ]
+    x = {"label": "", "low": -1.0, "high": 1.0, "ticks": []}
+    return {"x": x, "y": x | {"low": -len(dots) - 1.0, "high": 0.0}, "dots": dots}
+
+
+def _pieces_inside(path: Array, low: Array, high: Array) -> list[Array]:
     """Return the pieces of a path (T, 2) that do not cross a neighbour's place."""
-    inside = (path[:, 0] > left) & (path[:, 0] < right)
+    inside = np.all((path > low) & (path < high), axis=1)
     runs = np.split(np.arange(len(path)), np.flatnonzero(np.diff(inside)) + 1)
     return [path[run] for run in runs if inside[run[0]] and len(run) > 1]
 
@@ -212,15 +226,16 @@ def draw_errors(letters: list[Led], limit: float) -> Drawing:
     dots: list[Drawing] = []
     for key, each in by_way.items():
         kind = "robot" if key == letters[-1].key else "quiet"
-        points = sorted({(float(led.shown), led.error) for led in each})
-        dots += [{"at": list(place), "kind": kind} for place in points]
-        if len(points) > 1:
-            label = {"label": way_names()[key]} if kind == "robot" else {}
-            lines.append({"points": np.array(points), "kind": kind, **label})
+        errors = {led.shown: led.error for led in each}
+        dots += [{"at": [shown, error], "kind": kind} for shown, error in errors.items()]
+        # What was not tried breaks the line.
+        points = [[n, errors.get(n, np.nan)] for n in range(1, TAKES_AT_HAND + 1)]
+        if errors:
+            lines.append({"points": np.array(points), "kind": kind, "label": way_names()[key]})
     near_enough = np.array([[1.0, limit], [float(TAKES_AT_HAND), limit]])
     lines.append({"points": near_enough, "kind": "child", "label": _("limit")})
     return {
-        "caption": _("From what was meant [mm]"),
+        "caption": _("Off, with the goal at home [mm]"),
         "x": {"label": _("letters shown"), "low": 1, "high": TAKES_AT_HAND},
         "y": {"label": "", "low": 0.0, "high": 12.0},
         "lines": lines,
@@ -228,19 +243,8 @@ def draw_errors(letters: list[Led], limit: float) -> Drawing:
     }
 
 
-def _cell(star: Led) -> tuple[Array, Array]:
-    """Return the low and the high corner of the place of one letter, shape (2,) [cm]."""
-    seen = [star.tried.moved.position, star.tried.letter.position, star.tried.goal[None]]
-    points = np.concatenate(seen) / CM
-    low, high = points.min(axis=0) - 1.5, points.max(axis=0) + 1.5
-    # So high that letters keep their shape where the plot is half as high as wide.
-    more = max(0.5 * len(ways_here()) * (high[0] - low[0]) - (high[1] - low[1]), 0.0) / 2
-    room = np.array([0.0, more])
-    return low - room, high + room
-
-
-def say_way(led: Led) -> dict[str, str]:
-    """Return the number and the sentence of what a way has written."""
+def say_way(led: Led, is_home: bool = False) -> dict[str, str]:
+    """Return the number and the sentence of what a way has written, to the ring or to its home."""
     does = {
         "dmp": _("It learns the first letter alone, and pushes alike to any goal. "),
         "mixture": _("At each place it knows which way to go, if it was shown that place. "),
@@ -248,9 +252,13 @@ def say_way(led: Led) -> dict[str, str]:
         "cost": _("It pays for jerks and for missed places, and writes what costs least. "),
         "spread": _("It knows the mean letter, and how the others differed from it. "),
     }
-    strong = _("{share} % of the line goes the same way; it ends {miss} mm from the ring.")
-    after = _(" {numbers} numbers stored.")
-    number = {"number": f"{led.error:.1f}", "unit": _("mm from what was meant")}
+    strong = _("It ends {miss} mm from the ring; {share} % of the letter kept its shape. ")
+    strong = "" if is_home else strong
+    after = _("{numbers} numbers stored.")
+    number = {
+        "number": f"{led.error:.1f}",
+        "unit": _("mm off, with the goal at home"),
+    }
     words = {"text": does[led.key], "strong": strong, "after": after}
     return number | {name: each.format(**led.facts) for name, each in words.items()}
 

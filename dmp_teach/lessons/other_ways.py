@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
@@ -24,13 +25,13 @@ from dmp_teach.classroom import (
 from dmp_teach.lessons.drawing import draw_sheet, goal_ring, tell_number
 from dmp_teach.lessons.five_ways import (
     LED_LETTERS,
-    NEAR_RING,
     TAKES_AT_HAND,
     Led,
     box_around,
     draw_errors,
     draw_side_by_side,
     find_hand,
+    list_ways,
     meant_by,
     say_way,
     takes_of,
@@ -72,7 +73,18 @@ class OtherWays(Lesson):
         names = way_names()
         options = {key: names[key] for key in ways_here()}
         x, y = (
-            Slider(label, "g", -REACH, REACH, 0.1, "cm", 1, is_drawn_here=True, is_view=True)
+            Slider(
+                label,
+                "g",
+                -REACH,
+                REACH,
+                0.1,
+                "cm",
+                1,
+                is_drawn_here=True,
+                is_view=True,
+                is_for_try=True,
+            )
             for label in (_("Goal to the right"), _("Goal upwards"))
         )
         return {
@@ -123,9 +135,9 @@ class OtherWays(Lesson):
     def challenge(self) -> str:
         """What is checked."""
         words = _(
-            "A hand slips a little in each {letter}. Let the robot find the {letter} that was "
-            "meant, within {limit} mm, with as few letters shown as will do. It must end at the "
-            "ring when its goal is there, and store at most {numbers} numbers."
+            "A hand slips a little in each {letter}. The goal is at home again. Let the robot "
+            "write the {letter} that was meant, within {limit} mm, with as few letters shown as "
+            "will do, and store at most {numbers} numbers."
         )
         return words.format(letter=self.letter, limit=self.limit, numbers=NUMBERS_ALLOWED)
 
@@ -152,29 +164,20 @@ class OtherWays(Lesson):
         return self._led({name: answer[name] for name in ("way", "shown")}, **other)
 
     def conditions(self, answer: Answer) -> Sequence[Condition]:
-        """Return how near it is, where it ends, and how much it stores."""
+        """Return how near it is with its goal at home, and how much it stores."""
         led = self._judged(answer)
         return [
-            at_most(self.letter, led.error, self.limit, "mm"),
-            at_most(_("from the ring"), led.miss, NEAR_RING, "mm"),
+            at_most(_("off what was meant"), led.error, self.limit, "mm"),
             at_most(_("numbers stored"), led.tried.way.numbers_stored, NUMBERS_ALLOWED),
         ]
 
     def mistakes(self, answer: Answer) -> Sequence[tuple[bool, str]]:
         """Return what is wrong with the way, or with the number of letters."""
         led = self._judged(answer)
-        is_near, arrives, is_small = (each.is_met for each in self.conditions(answer))
+        is_near, is_small = (each.is_met for each in self.conditions(answer))
         facts = self._facts(led)
-        stays = _(
-            "Shown {shown}, spread knows {shown} ways to write {letter}, and in none of them does "
-            "it end at the ring: it is {miss} mm away."
-        )
-        alone = _(
-            "Shown one {letter}, spread knows no other way to write it. The ring is {miss} mm away."
-        )
-        astray = _("The mixture stops {miss} mm from the ring: it was never shown that place.")
         large = _(
-            "With {shown} shown, {way} is {error} mm off, but it stores {numbers} numbers; {most} "
+            "With {shown} shown, {way} is {error} mm off, and it stores {numbers} numbers; {most} "
             "are allowed."
         )
         slips = _(
@@ -187,9 +190,7 @@ class OtherWays(Lesson):
         )
         many = _("With {shown} shown it is {error} mm off. That will do, but fewer will do, too.")
         found = [
-            (led.key == "spread" and not arrives, alone if led.shown == 1 else stays),
             (not is_small, large),
-            (led.key == "mixture" and not arrives, astray),
             (not is_near, slips if led.key == "dmp" else few),
             (led.shown > self.needed, many),
         ]
@@ -204,18 +205,22 @@ class OtherWays(Lesson):
         """Return what was found, and what it costs."""
         led = self._judged(answer)
         words = _(
-            "From {shown} letters the cost found the one that was meant, within {error} mm, and "
-            "keeps it in {numbers} numbers. DMP* keeps its one letter in {others}, {off} mm off."
+            "With the goal at home, cost found the {letter} that was meant from {shown}, within "
+            "{error} mm, in {numbers} numbers; DMP* is {off} mm off, in {others}. With the goal "
+            "moved, {kept} % of the shape is kept by DMP*, {share} % by cost: no way is best."
         )
         star = self._judged(answer, way="dmp")
-        more = {"others": star.tried.way.numbers_stored, "off": tell_number(star.error, self.limit)}
+        more = {
+            **{"others": star.tried.way.numbers_stored, "kept": f"{star.share:.0f}"},
+            "off": tell_number(star.error, self.limit),
+        }
         return words.format(**self._facts(led), **more)
 
     def tell_bet(self, bet: KeptBet) -> str:
         """Return what each way wrote after one letter, and spread after several."""
         words = _(
-            "DMP* took the whole {letter} along: {dmp} % of the line goes the same way. With cost "
-            "only the end follows: {cost} %. Spread stays {miss} mm away; shown {n}, it gets "
+            "DMP* took the whole {letter} along: {dmp} % kept its shape. With cost only the end "
+            "follows: {cost} % did. Spread stays {miss} mm away; shown {n}, it gets "
             "there, and bends the {letter}. "
         )
         said = _("You said: {bet}.").format(bet=self.bet.options[bet])
@@ -226,41 +231,44 @@ class OtherWays(Lesson):
         return words.format(letter=self.letter, n=SEVERAL, miss=miss, **shares) + said
 
     def draw(self, state: LessonState) -> Picture:
-        """Draw takes and the line to the ring; all ways side by side; and the error."""
+        """Draw takes, the line to the ring and the one to its home; all ways; and the error."""
         is_hidden = state.step == "bet" and not state.is_revealed
         led = self._led(state.values)
         takes = takes_of(self.letter, self.hand)[: led.shown]
         home = meant_by(self.letter)[-1]
-        lines = [] if is_hidden else [led.line]
+        is_home = state.step == "challenge"
+        lines = [led.tried.letter.position if is_home else led.line][: not is_hidden]
+        ring = goal_ring(home, state.step != "try") | ({"at": home[None]} if is_home else {})
         extras: list[Drawing] = [{"points": each.position, "kind": "hand"} for each in takes[1:]]
-        if state.step == "challenge":
-            extras.append({"points": led.line, "kind": "quiet"})
-            lines = [led.tried.letter.position]
+        note = _("{n} shown, dotted")
+        if state.step == "try":
+            extras.append({"points": led.tried.letter.position, "kind": "quiet"})
+            note = _("{n} shown; faint: goal at home")
         sheet = draw_sheet(
             takes[:1],
             lines,
             box=box_around(self._judged(self.start), REACH),
-            rings=[goal_ring(home, state.step == "bet")],
+            rings=[ring],
             caption=_("On paper"),
-            note=_("{n} shown, dotted").format(n=led.shown),
+            note=note.format(n=led.shown),
             extras=extras,
         )
-        strokes = () if is_hidden else (led.tried.moved,)
-        plots = {"ways": self._draw_ways(state, led, is_hidden)}
-        if state.step == "challenge":
+        strokes = (led.tried.letter if is_home else led.tried.moved,)[: not is_hidden]
+        plots = {"ways": self._draw_ways(led, is_hidden)}
+        if is_home:
             plots = {"error": self._draw_errors(state, led)}
-        return Picture(self._ask() if is_hidden else say_way(led), sheet, plots, strokes)
+        return Picture(self._ask() if is_hidden else say_way(led, is_home), sheet, plots, strokes)
 
-    def _draw_ways(self, state: LessonState, led: Led, is_hidden: bool) -> Drawing:
-        """Draw what all ways write that were tried with so many letters; after the bet, all."""
-        tried = {str(each["way"]) for each in state.tried if each["shown"] == led.shown}
-        if state.step == "bet":
-            tried = set() if is_hidden else set(ways_here())
-        tried |= set() if is_hidden else {led.key}
-        letters = {key: self._led(state.values, way=key) for key in tried}
-        note = _("{n} shown") if led.shown > 1 else _("one shown")
-        words = {"caption": _("Each way, to the ring"), "note": note.format(n=led.shown)}
-        return draw_side_by_side(letters, led) | words
+    def _draw_ways(self, led: Led, is_hidden: bool) -> Drawing:
+        """Say how ways learn; once the bet is placed, draw what all write of so many letters."""
+        if is_hidden:
+            return list_ways() | {"caption": _("How each way learns")}
+        letters = {key: replace(led, key=key) for key in ways_here()}
+        note = (_("{n} shown") if led.shown > 1 else _("one shown")).format(n=led.shown)
+        return draw_side_by_side(letters, led) | {
+            "caption": _("Each way, to the ring"),
+            "note": note,
+        }
 
     def _draw_errors(self, state: LessonState, led: Led) -> Drawing:
         """Draw how far from what was meant each way was with each number that was tried."""
@@ -272,9 +280,6 @@ class OtherWays(Lesson):
         """Return what is said before the truth is seen."""
         x, y = self.shift
         number = f"{np.hypot(x, y):.1f}"
-        text = _(
-            "DMP*: a spring and pushes. Mixture: where to go from here. States: a row of places. "
-            "Cost: what a hand avoids. Spread: a mean letter, and how others differ. "
-        )
+        text = _("Each way has seen the dotted letter, once.")
         says = {"number": number, "unit": _("cm the goal moved"), "text": text}
         return says | {"strong": "", "after": ""}

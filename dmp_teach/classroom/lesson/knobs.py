@@ -29,6 +29,7 @@ class Slider:
         is_drawn_here: What it changes is drawn in the browser; the kernel hears of it on release.
         icons: The drawings at its ends, "narrow", "one", "many".
         is_view: It changes what is looked at, and is no part of the answer.
+        is_for_try: It is seen while one tries things out, and not in the challenge.
     """
 
     label: str
@@ -42,6 +43,7 @@ class Slider:
     is_drawn_here: bool = False
     icons: tuple[str, ...] = ()
     is_view: bool = False
+    is_for_try: bool = False
 
     @classmethod
     def of(cls, setting: str, low: float, high: float, **more: object) -> Self:

@@ -171,6 +171,8 @@ export class LessonView {
     this.drawPictures();
     this.parts.says.show(this.model.get("message"));
     this.parts.knobs.hidden = progress.step === "bet";
+    for (const [name, { node }] of Object.entries(this.knobs))
+      node.hidden = this.spec.knobs[name].is_for_try && progress.step !== "try";
     this.work.keep({ values: this.model.get("values"), progress });
   }
 

@@ -41,6 +41,7 @@ export function viewBetween(x, y, [left, top, right, bottom]) {
  */
 export function drawAxes(group, [w, h], x, y, ends) {
   group.replaceChildren();
+  if (x.ticks?.length === 0 && y.ticks?.length === 0) return bareView([w, h], x, y);
   const rows = Math.max(1, ...(x.ticks ?? []).map(([, words]) => words.split("\n").length));
   const top = y.label ? 36 : 20;
   const bottom = h - (x.label ? 34 : 14) - LINE * rows;
@@ -83,6 +84,17 @@ export function drawAxes(group, [w, h], x, y, ends) {
     w,
   );
   return { w, h, ...view };
+}
+
+/**
+ * A plot without ticks needs no room for them, and has no rules.
+ * @param {number[]} size [px]
+ * @param {Axis} x
+ * @param {Axis} y
+ */
+function bareView([w, h], x, y) {
+  const sides = y.isEqual ? equalized(x, y, w - 20, h - 20) : [x, y];
+  return { w, h, ...viewBetween(sides[0], sides[1], [10, 10, w - 10, h - 10]) };
 }
 
 /**

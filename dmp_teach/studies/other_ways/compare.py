@@ -113,7 +113,8 @@ class WaysTried(Tabled):
             "time [ms]": [round(1e3 * each.seconds, 1) for each in items],
         }
         if not all(np.isnan(each.robot_seconds) for each in items):
-            columns["robot [s]"] = [round(each.robot_seconds, 2) for each in items]
+            seconds = [each.robot_seconds for each in items]
+            columns["robot [s]"] = [round(s, 2) if s < np.inf else "cannot" for s in seconds]
         return columns
 
 

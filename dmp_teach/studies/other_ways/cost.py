@@ -42,7 +42,7 @@ class LearnedCost(GaussianWay):
     aligned: Aligned
     places: Array
     weights: Array
-    name: ClassVar[str] = "learned cost"
+    name: ClassVar[str] = "cost"
 
     @classmethod
     def learn(cls, demonstrations: Iterable[Trajectory]) -> Self:

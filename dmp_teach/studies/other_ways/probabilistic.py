@@ -34,7 +34,7 @@ class Probabilistic(GaussianWay):
     aligned: Aligned
     mean: Array
     covariance: Array
-    name: ClassVar[str] = "ProMP"
+    name: ClassVar[str] = "spread (ProMP)"
 
     @classmethod
     def learn(cls, demonstrations: Iterable[Trajectory]) -> Self:

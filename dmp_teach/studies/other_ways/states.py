@@ -46,7 +46,7 @@ class HiddenMarkov(GaussianWay):
     means: Array
     variances: Array
     lengths: Array
-    name: ClassVar[str] = "hidden Markov"
+    name: ClassVar[str] = "states (hidden Markov)"
     library: ClassVar[str] = "hmmlearn"
 
     @classmethod
