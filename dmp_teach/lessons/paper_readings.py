@@ -86,15 +86,10 @@ def error_left(character: str, name: str) -> float:
     return error_by(character, AS_FIXED | {name: BY_TEXT})
 
 
-def find_costliest(character: str, readings: Answer) -> tuple[str, float]:
-    """Return the place that costs most as it is read, and the error when it is mended [mm]."""
-    errors = {
-        name: error_by(character, readings | {name: right})
-        for name, right in AS_FIXED.items()
-        if readings[name] != right
-    }
-    name = min(errors, key=errors.__getitem__)
-    return name, errors[name]
+def find_costliest(character: str, readings: Answer) -> str:
+    """Return the place that costs most as it is read."""
+    wrong = [name for name, right in AS_FIXED.items() if readings[name] != right]
+    return min(wrong, key=lambda name: error_by(character, readings | {name: AS_FIXED[name]}))
 
 
 def find_idlest(character: str, readings: Answer) -> tuple[str, float]:
@@ -139,36 +134,34 @@ def formulas() -> Mapping[str, Mapping[str, str]]:
     }
 
 
-def cause_of(name: str, reading: str) -> str:
-    """Return why a reading costs something, with places for the numbers of `facts_of`."""
+def notes() -> Mapping[str, str]:
+    """Return what the paper says at each place, in plain words."""
     return {
-        ("push", BY_TEXT): _(
-            "The push is learned with the spring’s K in it, then multiplied by K again: {k} times "
-            "too strong."
-        ),
-        ("ends", BY_TEXT): _(
-            "x − c ≤ θ ends a bump on one side only: all {n} bumps stay awake to the end, and "
-            "learn averages."
-        ),
-        ("stand", BY_TEXT): _(
-            "{n} bumps of width 1/{n} from 0 to 1 leave {gaps} gaps, in which nothing pushes."
-        ),
-        ("stand", BY_PROGRAM): _(
-            "{n} bumps at i/{n} leave half a bump bare, where the letter ends: nothing pushes."
-        ),
-        ("clock", BY_TEXT): _(
-            "This clock slows down and stops at 0.37: only 63 % of the {n} bumps ever wake up."
-        ),
-        ("spring", BY_TEXT): _(
-            "A spring of α = 25 is soft for {n} bumps: it corrects little of what they round off."
-        ),
-        ("spring", BY_PROGRAM): _(
-            "The program’s spring, α = {alpha:.0f}, is so soft that it swings, and corrects little."
-        ),
-        ("step", BY_TEXT): _("Every push comes a step late, {ms:.0f} thousandths of a second."),
-        ("width", BY_PROGRAM): _(
-            "Bumps of width 2/{n} lie over each other: each place gets the average of two."
-        ),
+        "push": _("learned with K, then × K"),
+        "ends": _("on one side only"),
+        "clock": _("“linear”, yet slows down"),
+        "step": _("comes one moment late"),
+        "stand": _("evenly from 0 to 1"),
+        "spring": _("no strength is given"),
+        "width": _("no fault: the program alone differs"),
+    }
+
+
+def symptom_of(name: str, reading: str) -> str:
+    """Return what a reading does to a letter, with places for the numbers of `facts_of`.
+
+    The place is not named: it is to be found.
+    """
+    return {
+        ("push", BY_TEXT): _("Something drives the pen {k} times too hard."),
+        ("ends", BY_TEXT): _("Near the end all {n} bumps are still awake, and learn averages."),
+        ("stand", BY_TEXT): _("At {gaps} moments no bump is awake, and nothing pushes."),
+        ("stand", BY_PROGRAM): _("In the last {half:.1f} % of the time nothing pushes."),
+        ("clock", BY_TEXT): _("Only 63 % of the {n} bumps ever wake up."),
+        ("spring", BY_TEXT): _("What {n} bumps round off is hardly corrected."),
+        ("spring", BY_PROGRAM): _("The pen swings: what holds it is soft, {alpha:.0f} only."),
+        ("step", BY_TEXT): _("The pen comes {ms:.0f} thousandths of a second late."),
+        ("width", BY_PROGRAM): _("Each moment gets the average of two of the {n} bumps."),
     }[name, reading]
 
 
@@ -179,5 +172,5 @@ def facts_of(character: str, readings: Answer) -> dict[str, float | str]:
     alpha, number = float(settings.alpha or 0), int(settings.n_kernels or 1)
     stiffness = (alpha / (2 * settings.damping)) ** 2
     ms = 1000 * primitive.duration / (len(primitive.times) - 1)
-    facts = {"alpha": alpha, "n": number, "gaps": number - 1, "ms": ms}
+    facts = {"alpha": alpha, "n": number, "gaps": number - 1, "ms": ms, "half": 50 / number}
     return facts | {"k": f"{stiffness:.0f}"}

@@ -29,7 +29,6 @@ from dmp_teach.lessons.paper_readings import (
     FAULTY,
     MENDED,
     PLACES,
-    cause_of,
     changed,
     error_by,
     error_left,
@@ -41,6 +40,8 @@ from dmp_teach.lessons.paper_readings import (
     learn_by,
     mend,
     names,
+    notes,
+    symptom_of,
 )
 from dmp_teach.texts import gettext as _
 
@@ -71,19 +72,21 @@ class ReadingAPaper(Lesson):
     @property
     def knobs(self) -> Knobs:
         """A switch for each place of the paper."""
-        words = formulas()
-        return {name: OneOf(_upper(label), words[name]) for name, label in names().items()}
+        words, about = formulas(), notes()
+        return {
+            name: OneOf(_upper(label), words[name], note=about[name])
+            for name, label in names().items()
+        }
 
     @property
     def bet(self) -> ChosenBet:
         """The place that costs most."""
         question = _(
-            "Built word for word from the paper, the robot writes this {letter}. Six places of the "
-            "text are unclear or wrong. Mend five of them: which one, left as printed, spoils the "
-            "letter most?"
+            "Built word for word from a paper, the robot writes this {letter}. Six places are "
+            "unclear or wrong. Mend five: which one, left as printed, spoils the letter most?"
         )
         options = {name: label for name, label in names().items() if name in FAULTY}
-        return ChosenBet(question.format(letter=self.letter), options)
+        return ChosenBet(question.format(letter=self.letter), options, notes())
 
     @property
     def tasks(self) -> Sequence[Task]:
@@ -133,7 +136,7 @@ class ReadingAPaper(Lesson):
         ]
 
     def mistakes(self, answer: Answer) -> Sequence[tuple[bool, str]]:
-        """Return which change does nothing, and which reading costs most."""
+        """Return which change does nothing, and what still spoils the letter most."""
         error, number = error_by(self.letter, answer), len(changed(answer))
         facts = facts_of(self.letter, answer) | {"letter": self.letter, "number": number}
         facts |= {"error": tell_way(error, self.limit)}
@@ -146,9 +149,8 @@ class ReadingAPaper(Lesson):
             harm = _("“{idle}” does harm: as printed {back}. ")
             words += harm if back < error else least
         if error > self.limit:
-            costly, without = find_costliest(self.letter, answer)
-            facts |= {"without": tell_way(without)}
-            words += cause_of(costly, str(answer[costly])) + _(" Mended: {without}.")
+            costly = find_costliest(self.letter, answer)
+            words += symptom_of(costly, str(answer[costly]))
         is_wrong = error > self.limit or number > MOST_CHANGES
         return [(is_wrong, words.format(**facts).strip())]
 
@@ -223,17 +225,17 @@ class ReadingAPaper(Lesson):
         dots = [{"at": list(place), "kind": "quiet"} for place in sorted(tried)]
         dots.append({"at": list(now), "kind": "robot", "label": _("now")})
         drawing: Drawing = {
-            "caption": _("How far off, and with how many changes"),
+            "caption": _("How far off"),
             "x": {"label": _("changes"), "low": -0.3, "high": 7.3, "ticks": _whole(len(PLACES))},
             "y": _way_axis(),
             "dots": dots,
         }
         if state.step == "challenge":
             line = np.array([[-0.3, self.limit], [MOST_CHANGES + 0.5, self.limit]])
-            drawing["note"] = _("limit {mm:g} mm").format(mm=self.limit)
+            note = _("{mm:g} mm, at most {n} changes")
+            drawing["note"] = note.format(mm=self.limit, n=MOST_CHANGES)
             drawing["lines"] = [{"points": line, "kind": "truth"}]
-            label = _("at most {n}").format(n=MOST_CHANGES)
-            drawing["bands"] = [{"from": -0.3, "to": MOST_CHANGES + 0.5, "label": label}]
+            drawing["bands"] = [{"from": -0.3, "to": MOST_CHANGES + 0.5}]
         return drawing
 
     def _place(self, readings: Answer) -> tuple[float, float]:
@@ -244,10 +246,9 @@ class ReadingAPaper(Lesson):
         """Return the number and the sentence."""
         error = error_by(self.letter, readings)
         number, unit = tell_way(error).split(" ")
-        names_ = {str(AS_PRINTED): _("as printed"), str(AS_CODED): _("as the authors’ program")}
-        names_ |= {str(AS_FIXED): _("with all six mended")}
-        text = _("This is the paper {reading}. ")
-        reading = names_.get(str(readings))
+        whole = {str(AS_PRINTED): _("This is the paper as printed. ")}
+        whole |= {str(AS_CODED): _("The authors’ program writes it so. ")}
+        whole |= {str(AS_FIXED): _("This is the paper with all six mended. ")}
         strong = _("The line is within its own thickness.")
         if error > OFF_THE_SHEET:
             strong = _("The pen has left the sheet.")
@@ -256,8 +257,7 @@ class ReadingAPaper(Lesson):
         elif error > 1:
             strong = _("It can be read, and you see where it is off.")
         says = {"number": number, "unit": _("{unit} off on average").format(unit=unit)}
-        said = text.format(reading=reading) if reading else ""
-        return says | {"text": said, "strong": strong, "after": ""}
+        return says | {"text": whole.get(str(readings), ""), "strong": strong, "after": ""}
 
 
 def tell_way(mm: float, limit: float = math.inf) -> str:

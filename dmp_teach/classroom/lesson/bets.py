@@ -74,10 +74,12 @@ class ChosenBet:
     Args:
         question: What to predict.
         options: The name of each answer, and its words.
+        notes: The name of an answer, and a line below its words.
     """
 
     question: str
     options: Mapping[str, str] = field(default_factory=dict)
+    notes: Mapping[str, str] = field(default_factory=dict)
 
     def checked(self, bet: object) -> KeptBet:
         """Return a bet that is one of the options.
@@ -92,7 +94,8 @@ class ChosenBet:
 
     def described(self) -> dict[str, object]:
         """Return it as the browser reads it."""
-        return {"question": self.question, "options": list(self.options.items())}
+        options = [[name, said, self.notes.get(name, "")] for name, said in self.options.items()]
+        return {"question": self.question, "options": options}
 
 
 Bet = DrawnBet | ChosenBet

@@ -52,9 +52,9 @@ export class Card {
   }
 
   optionBar(/** @type {(message: object) => void} */ send) {
-    const options = this.spec.bet.options.map((/** @type {string[]} */ [value, label]) => ({
+    const options = this.spec.bet.options.map((/** @type {string[]} */ [value, label, note]) => ({
       value,
-      label,
+      label: note ? make("span", {}, make("b", {}, label), make("small", {}, note)) : label,
     }));
     const onChange = (/** @type {string} */ value) => send({ kind: "bet", bet: value });
     return choice({ legend: this.spec.bet.question, options, onChange });

@@ -58,11 +58,14 @@ class Condition:
         value = self.number + 0.0
         limits = [limit for limit in (self.low, self.high) if math.isfinite(limit)]
         is_count = not self.unit and value % 1 == 0
-        words = f"{value:.0f}" if is_count or abs(value) >= 10 else f"{value:.1f}"
-        for digits in range(1, 7):
+        digits = 0 if is_count or abs(value) >= 10 else 1
+        # As the sentence below the pictures says it.
+        digits += self.unit == "mm" and abs(value) < 0.995
+        words = f"{value:.{digits}f}"
+        for more in range(digits + 1, 7):
             if all(_side(float(words), limit) == _side(value, limit) for limit in limits):
                 break
-            words = f"{value:.{digits}f}"
+            words = f"{value:.{more}f}"
         return f"{words.replace('-', '−')} {self.unit}".strip()
 
     @property

@@ -92,12 +92,14 @@ class OneOf:
         options: The value of each, and its words.
         is_drawn_here: What it changes is drawn in the browser.
         is_view: It changes what is looked at, and is no part of the answer.
+        note: What it is about, in a line.
     """
 
     label: str
     options: Mapping[str, str]
     is_drawn_here: bool = False
     is_view: bool = False
+    note: str = ""
 
     @property
     def allowed(self) -> tuple[str, ...]:

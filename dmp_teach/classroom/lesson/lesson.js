@@ -217,11 +217,12 @@ function knobsOf(knobs, onSet) {
         label,
       }));
       const bar = choice({
-        legend: knob.label,
+        legend: [knob.label, knob.note].filter(Boolean).join(": "),
         options,
         onChange: (value) => onSet(name, value, true),
       });
       const label = make("span", { class: "dt-knob-name", "aria-hidden": "true" }, knob.label);
+      if (knob.note) label.append(make("small", {}, knob.note));
       made[name] = {
         node: make("div", { class: "dt-knob-choice" }, label, bar.node),
         show: bar.show,
