@@ -4,7 +4,11 @@ Every one is a `TeachError` and also the built-in error that one would expect, s
 `except ValueError` works, too.
 """
 
+import reprlib
 from typing import Any
+
+_short = reprlib.Repr()
+_short.maxstring = _short.maxlong = _short.maxother = 60
 
 
 def kind_of(value: object, first: bool = False) -> str:
@@ -18,6 +22,15 @@ def kind_of(value: object, first: bool = False) -> str:
     # Not "u": a ufunc, a union.
     an = name[0].lower() in "aeio" or name == "ndarray"
     return "None" if value is None else f"{'A' if first else 'a'}{'n' * an} {name}"
+
+
+def shown(value: object) -> str:
+    """Return the beginning of a value, for messages; its kind where it cannot be printed."""
+    try:
+        return _short.repr(value)
+    # Whole numbers of thousands of digits.
+    except ValueError:
+        return kind_of(value)
 
 
 class TeachError(Exception):

@@ -10,7 +10,7 @@ import pytest
 import dmp_teach
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
-from dmp_teach.errors import SettingError, kind_of
+from dmp_teach.errors import SettingError, kind_of, shown
 from dmp_teach.ink.alphabet import recording_of
 from dmp_teach.letters.compose.shelf import Shelf
 from dmp_teach.letters.kernel_choice import imitate_strokes
@@ -129,3 +129,11 @@ def test_a_kind_has_its_article(value, words):
     assert kind_of(value).startswith(words)
     assert kind_of(value, first=True)[1:] == kind_of(value)[1:]
     assert kind_of(value, first=True)[0].isupper()
+
+
+def test_whatever_is_wrong_is_shown_in_a_few_words():
+    deep = []
+    for _ in range(10_000):
+        deep = [deep]
+    assert shown(10**5000) == "an int"
+    assert all(len(shown(each)) < 200 for each in (deep, "a" * 10_000, list(range(10_000))))

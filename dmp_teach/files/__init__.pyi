@@ -1,6 +1,7 @@
 from .javascript import join_modules as join_modules
 from .javascript import join_styles as join_styles
 from .reading import contents as contents
+from .strict_json import checked_object as checked_object
 from .strict_json import is_number as is_number
 from .strict_json import is_pseudonym as is_pseudonym
 from .strict_json import loaded as loaded

@@ -5,17 +5,14 @@ from __future__ import annotations
 import json
 import math
 import re
-import reprlib
 from collections.abc import Collection
 from typing import Any
 
-from dmp_teach.errors import RecordingError
+from dmp_teach.errors import RecordingError, shown
 
 ANIMALS = "ant|bat|bear|bee|cat|crow|deer|dog|duck|fox|frog|goat|hare|lynx|mole|owl|seal"
 # Six digits would be a date, or a number that was given to a person.
 PSEUDONYM = re.compile(rf"(?i:[a-z]|writer|pupil)[-_]?[0-9]{{1,5}}|{ANIMALS}")
-_short = reprlib.Repr()
-_short.maxstring = _short.maxlong = 60
 
 
 # Any: JSON, in which every field is checked before it is used.
@@ -39,6 +36,14 @@ def loaded(
         )
     except (ValueError, RecursionError) as error:
         raise RecordingError(f"this is not plain JSON: {error}.") from None
+    return checked_object(content, kind, versions, fields)
+
+
+# Any: as above.
+def checked_object(
+    content: Any, kind: str, versions: Collection[int], fields: Collection[str]
+) -> dict[str, Any]:
+    """Return what was read from JSON, if it is one of our objects; all else as in `loaded`."""
     if not isinstance(content, dict) or content.get("format") != kind:
         raise RecordingError(f"this is not a {kind}: 'format' must be {kind!r}.")
     version, newest = content.get("version"), max(versions)
@@ -50,7 +55,7 @@ def loaded(
         )
     odd = [name for name in (*fields, *content) if (name in fields) != (name in content)]
     if odd:
-        names = ", ".join(odd)
+        names = ", ".join(map(str, odd))
         raise RecordingError(
             f"has fields too many or too few: {names[:200]}; there must be: {', '.join(fields)}."
         )
@@ -61,11 +66,6 @@ def must(holds: bool, name: str, value: object, rule: str) -> None:
     """Raise a RecordingError that shows the beginning of the value, unless the rule holds."""
     if not holds:
         raise RecordingError(f"{name} is {shown(value)}, but must be {rule}.")
-
-
-def shown(value: object) -> str:
-    """Return the beginning of a value, for messages."""
-    return _short.repr(value)
 
 
 def is_number(value: object) -> bool:

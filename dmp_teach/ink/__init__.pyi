@@ -6,6 +6,7 @@ from .alphabet import recording_of as recording_of
 from .alphabet import signs as signs
 from .left_hand import check_hand as check_hand
 from .left_hand import is_level as is_level
+from .pad import LONGEST_PAD_STROKE as LONGEST_PAD_STROKE
 from .pad import PadStroke as PadStroke
 from .pad import pad_recording as pad_recording
 from .pad import pad_stroke as pad_stroke

@@ -7,7 +7,7 @@ from importlib import import_module
 from pkgutil import iter_modules
 
 from dmp_teach.classroom import Lesson, Verdict
-from dmp_teach.errors import SettingError
+from dmp_teach.errors import SettingError, shown
 
 _PACKAGE = __name__.rpartition(".")[0]
 
@@ -39,7 +39,7 @@ def lesson(key: str, pupil: str | None = None) -> Lesson:
         if key in (each.key, each.slug):
             return each(pupil)
     known = ", ".join(f"{each.key!r} ({each.slug})" for each in lessons().values())
-    raise SettingError(f"There is no lesson {key!r}; there are: {known}.")
+    raise SettingError(f"There is no lesson {shown(key)}; there are: {known}.")
 
 
 def check(key: str, answer: object, pupil: str | None = None, hints: int = 0) -> Verdict:
@@ -54,7 +54,8 @@ def check(key: str, answer: object, pupil: str | None = None, hints: int = 0) ->
         hints: How many hints were seen; the next is given.
 
     Raises:
-        SettingError: There is no such lesson. A bad answer raises nothing: the verdict says why.
+        SettingError: There is no such lesson, or hints is no whole number. A bad answer raises
+            nothing: the verdict says why.
     """
     return lesson(key, pupil).check(answer, hints)
 

@@ -159,10 +159,55 @@ def test_a_pupil_that_cannot_be_is_refused_by_the_field(tmp_path, change, word):
         PupilTraits.load(path)
 
 
-@pytest.mark.parametrize("log", [None, {}, [], {"format": "dmp_teach teaching", "turns": [1]}])
-def test_what_is_no_log_is_refused(log):
+@pytest.fixture(scope="module")
+def log():
+    return TeachingSession.by_the_book(PupilTraits.load("Mia"), "b", 1).as_json()
+
+
+STROKE = [[0, 0, 0], [500, 1000, 1000]]
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        {"turns": [1]},
+        {"version": 9},
+        {"teacher": "Anna"},
+        {"pupil": PupilTraits.load("Mia").as_json() | {"teacher": "Anna"}},
+        {"pupil": {}},
+        *(
+            {"turns": [{"strokes": strokes, "answer": None}]}
+            for strokes in (
+                [[[0, 0, 0], [10**12, 1000, 1000]]],
+                [[[0, 0, 0], [500, 10**300, 1000]]],
+                [[[0, 0, 0], [500, 2**60, 1000]]],
+                [[[0, 0, 0], [500, 0.5, 1000]]],
+                [[["0", "0", "0"], ["500", "1000", "1000"]]],
+                [STROKE] * 200,
+            )
+        ),
+        *({"turns": [{"strokes": [STROKE], "answer": answer}]} for answer in (1, 0.0, "no", [])),
+        {"turns": [{"strokes": [STROKE], "answer": True, "teacher": "Anna"}]},
+    ],
+)
+def test_what_is_no_log_is_refused(log, change):
+    with pytest.raises(RecordingError, match="log"):
+        TeachingSession.of(log | change)
+
+
+@pytest.mark.parametrize("log", [None, {}, [], "log"])
+def test_what_is_nothing_like_a_log_is_refused(log):
     with pytest.raises(RecordingError, match="log"):
         TeachingSession.of(log)
+
+
+def test_a_session_begins_with_a_name_and_takes_yes_and_no_alone(log):
+    assert TeachingSession.begin("Mia", "b").as_json() == log | {"turns": []}
+    session = TeachingSession.of(log)
+    for odd in (None, "no", float("nan"), 1):
+        with pytest.raises(RecordingError, match="answer"):
+            session.answer(odd)
+    assert json.dumps(session.answer(np.True_).as_json())
 
 
 def test_nothing_is_learned_from_a_dot():

@@ -184,6 +184,19 @@ def test_a_panel_refuses_a_value_that_no_knob_has_and_keeps_the_old_one(key):
     assert panel.values == before
 
 
+@pytest.mark.parametrize("hints", [None, float("nan"), "a"])
+def test_hints_are_counted_in_whole_numbers(hints):
+    with pytest.raises(SettingError, match="hints"):
+        teach.check("02", {}, hints=hints)
+
+
+@pytest.mark.parametrize(
+    "answer", [10**5000, {"n_kernels": 10**5000}, {10**5000: 1}], ids=["whole", "value", "name"]
+)
+def test_an_answer_that_cannot_be_printed_is_refused(answer):
+    assert not teach.check("02", answer).done
+
+
 def test_an_unknown_lesson_is_refused_by_name():
     with pytest.raises(SettingError, match="bump_width"):
         teach.lesson("77")

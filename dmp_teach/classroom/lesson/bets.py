@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from dmp_teach.classroom.lesson.check import Answer
-from dmp_teach.errors import SettingError
+from dmp_teach.errors import SettingError, shown
 from dmp_teach.trajectory import Array
 
 # Any: which of the two, the kind of bet knows.
@@ -52,7 +52,7 @@ class DrawnBet:
         """
         is_list = isinstance(bet, list) and len(bet) == len(self.handles)
         if not is_list or not all(_is_place(each) for each in bet):  # type: ignore[attr-defined]
-            raise SettingError(f"A bet here has {len(self.handles)} places, but got {bet!r:.60}.")
+            raise SettingError(f"A bet here has {len(self.handles)} places, but got {shown(bet)}.")
         places = np.array(bet, dtype=float)
         if self.axis == "y":
             places[:, 0] = self.handles[:, 0]
@@ -89,7 +89,7 @@ class ChosenBet:
         """
         if not isinstance(bet, str) or bet not in self.options:
             names = ", ".join(self.options)
-            raise SettingError(f"The bet is {bet!r:.60}, but must be one of: {names}.")
+            raise SettingError(f"The bet is {shown(bet)}, but must be one of: {names}.")
         return bet
 
     def described(self) -> dict[str, object]:

@@ -14,7 +14,7 @@ from dmp_teach.classroom.lesson.check import Answer, Condition, Verdict, judge
 from dmp_teach.classroom.lesson.knobs import Knobs, check_answer
 from dmp_teach.classroom.panels.messages import Message
 from dmp_teach.classroom.panels.planning import Physics
-from dmp_teach.errors import SettingError
+from dmp_teach.errors import SettingError, shown
 from dmp_teach.ink import check_pseudonym
 from dmp_teach.robot import Page
 from dmp_teach.trajectory import Array, Trajectory
@@ -190,7 +190,12 @@ class LessonContent:
         Args:
             answer: What a panel's `.answer` holds: a value for each name of `settable`.
             hints: How many hints were seen; the next is given.
+
+        Raises:
+            SettingError: The hints are no whole number. A bad answer raises nothing.
         """
+        if not isinstance(hints, int | np.integer):
+            raise SettingError(f"hints is {shown(hints)}, but must be a whole number.")
         hint = self.hints[min(max(hints, 0), 2)]
         if isinstance(answer, Mapping):
             views = self.knobs.keys() - self._answer_knobs.keys()

@@ -9,7 +9,7 @@ from typing import Self
 
 from dmp_teach.classroom.lesson.check import Answer
 from dmp_teach.dmp import knob_of
-from dmp_teach.errors import SettingError
+from dmp_teach.errors import SettingError, shown
 from dmp_teach.texts import gettext as _
 
 
@@ -67,13 +67,15 @@ class Slider:
         is_number = isinstance(value, Real) and not isinstance(value, bool)
         if not is_number or not self.low <= value <= self.high:  # type: ignore[operator]
             raise SettingError(
-                _("{name} is {value!r:.60}, but must be a number from {low:g} to {high:g}.").format(
-                    name=name, value=value, low=self.low, high=self.high
+                _("{name} is {value}, but must be a number from {low:g} to {high:g}.").format(
+                    name=name, value=shown(value), low=self.low, high=self.high
                 )
             )
         if self.digits == 0 and value != int(value):  # type: ignore[call-overload]
             raise SettingError(
-                _("{name} is {value!r}, but must be a whole number.").format(name=name, value=value)
+                _("{name} is {value}, but must be a whole number.").format(
+                    name=name, value=shown(value)
+                )
             )
         # As it came: an int that came back as a float would be sent to the browser again.
         return value  # type: ignore[return-value]
@@ -114,8 +116,8 @@ class OneOf:
         """
         if not isinstance(value, str) or value not in self.options:
             raise SettingError(
-                _("{name} is {value!r:.60}, but must be one of: {options}.").format(
-                    name=name, value=value, options=", ".join(self.options)
+                _("{name} is {value}, but must be one of: {options}.").format(
+                    name=name, value=shown(value), options=", ".join(self.options)
                 )
             )
         return value
@@ -136,14 +138,14 @@ def check_answer(knobs: Knobs, answer: object) -> Answer:
     """
     if not isinstance(answer, Mapping):
         raise SettingError(
-            _("The answer is {answer!r:.60}, but must be a dictionary with: {names}.").format(
-                answer=answer, names=", ".join(knobs)
+            _("The answer is {answer}, but must be a dictionary with: {names}.").format(
+                answer=shown(answer), names=", ".join(knobs)
             )
         )
     if odd := [name for name in (*knobs, *answer) if (name in knobs) != (name in answer)]:
         raise SettingError(
-            _("The answer must have exactly: {names}. Look at {odd!r:.60}.").format(
-                names=", ".join(knobs), odd=odd[0]
+            _("The answer must have exactly: {names}. Look at {odd}.").format(
+                names=", ".join(knobs), odd=shown(odd[0])
             )
         )
     return {name: knob.checked(name, answer[name]) for name, knob in knobs.items()}

@@ -6,7 +6,7 @@ from typing import Any
 
 from dmp_teach.classroom.lesson.content import LessonContent
 from dmp_teach.classroom.lesson.knobs import check_answer
-from dmp_teach.errors import SettingError
+from dmp_teach.errors import SettingError, shown
 from dmp_teach.ink import check_pseudonym
 
 LESSON_STEPS = ("bet", "try", "challenge")
@@ -34,7 +34,7 @@ def take_up(lesson: LessonContent, work: object) -> tuple[LessonProgress, dict[s
     try:
         return _read(lesson, work)
     except (KeyError, TypeError, ValueError, OverflowError, AttributeError) as error:
-        raise SettingError(f"This is no work of lesson {lesson.key}: {error!r:.100}") from None
+        raise SettingError(f"This is no work of lesson {lesson.key}: {shown(error)}") from None
 
 
 def _read(lesson: LessonContent, work: Any) -> tuple[LessonProgress, dict[str, Any]]:
@@ -66,7 +66,7 @@ def _read(lesson: LessonContent, work: Any) -> tuple[LessonProgress, dict[str, A
 
 def _count(value: object, most: int) -> int:
     """Return a whole number from 0 to the most."""
-    _must(type(value) is int and 0 <= value <= most, f"{value!r:.40}")
+    _must(type(value) is int and 0 <= value <= most, f"{shown(value)}")
     return int(value)  # type: ignore[call-overload]
 
 

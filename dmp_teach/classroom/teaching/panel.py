@@ -12,7 +12,7 @@ from dmp_teach.classroom.lesson.packing import describe_page
 from dmp_teach.classroom.lesson.panel import LessonPanel
 from dmp_teach.classroom.panels.pad_view import unpack_stroke
 from dmp_teach.classroom.teaching.content import TeachingContent
-from dmp_teach.classroom.teaching.session import TeachingSession
+from dmp_teach.classroom.teaching.session import MOST_INK, TeachingSession
 from dmp_teach.classroom.teaching.traits import PupilTraits
 from dmp_teach.errors import LetterError, RecordingError, TeachError
 from dmp_teach.files import join_modules, join_styles
@@ -22,7 +22,6 @@ from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Trajectory
 
 _HERE = Path(__file__).parent
-MOST_INK = 20
 
 
 class TeachingPanel(LessonPanel):

@@ -79,8 +79,8 @@ class RobotPupil:
             RecordingError: No such file, pupil or letter.
         """
         traits = pupil if isinstance(pupil, PupilTraits) else PupilTraits.load(pupil)
-        memory = PupilMemory(traits, traits.muddles_of(letter))
         book = recording_of(letter).strokes()
+        memory = PupilMemory(traits, traits.muddles_of(letter))
         hand, rhythm = _imitate(distort(book, traits.faults)), _rhythm_of(book)
         says = _("I am {name}. This is how I write {letter}. Please show me how you do it.")
         return cls(letter, memory, hand, hand, rhythm, says.format(name=traits.name, letter=letter))

@@ -4,22 +4,26 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from os import PathLike
 from typing import Any, Self
 
 import numpy as np
 
 from dmp_teach.classroom.teaching.pupil import RobotPupil, is_good
 from dmp_teach.classroom.teaching.traits import PupilTraits
-from dmp_teach.errors import RecordingError
-from dmp_teach.files import must
-from dmp_teach.ink import recording_of
+from dmp_teach.errors import RecordingError, shown
+from dmp_teach.files import checked_object, must
+from dmp_teach.ink import LONGEST_PAD_STROKE, recording_of
 from dmp_teach.scoring import LetterLike, to_strokes
 from dmp_teach.trajectory import Trajectory
 
 FORMAT, SESSION_VERSION = "dmp_teach teaching", 1
+SESSION_FIELDS = ("format", "version", "letter", "pupil", "turns")
 # A log keeps whole milliseconds and hundredths of a millimetre.
 TICK, GRAIN = 1e-3, 1e-5
-MOST_TURNS = 100
+MOST_TURNS, MOST_INK = 100, 20
+# Numbers beyond this are not kept exactly.
+MOST_TICKS = 2**53
 
 # Of each stroke: t [ms], x, y [0.01 mm], point by point.
 LoggedStrokes = list[list[list[int]]]
@@ -60,43 +64,51 @@ class TeachingSession:
     placed: tuple[Trajectory, ...] = ()
 
     @classmethod
-    def begin(cls, traits: PupilTraits, letter: str) -> Self:
-        """Return a session in which nothing was shown yet; a RecordingError: no such letter."""
+    def begin(cls, traits: PupilTraits | str | PathLike[str], letter: str) -> Self:
+        """Return a session in which nothing was shown yet; arguments as of `RobotPupil.load`."""
         pupil = RobotPupil.load(traits, letter)
-        return cls(traits, letter, met=(pupil,), far=(pupil.score().distance,))
+        return cls(pupil.memory.traits, letter, met=(pupil,), far=(pupil.score().distance,))
 
     def show(self, demonstration: LetterLike) -> Self:
         """Return the session with one turn more.
 
         Raises:
             LetterError: No strokes.
-            RecordingError: More turns than a session has.
+            RecordingError: More turns than a session has, more strokes than a letter, or a stroke
+                that takes too long or is far off the sheet.
         """
         must(len(self.turns) < MOST_TURNS, "turns", len(self.turns) + 1, f"at most {MOST_TURNS}")
-        turn = TeachingTurn([_log(each) for each in to_strokes(demonstration)])
+        strokes = to_strokes(demonstration)
+        must(len(strokes) <= MOST_INK, "strokes", len(strokes), f"at most {MOST_INK}")
+        turn = TeachingTurn([_log(each) for each in strokes])
         # What is learned is what the log holds.
-        shown = _strokes_of(turn.strokes)
-        pupil = self.met[-1].learn(shown)
-        far = self.far if self.turns else (self.met[0].score(shown).distance,)
-        next_one, seen = pupil.forget(), pupil.score(shown)
+        kept = _strokes_of(turn.strokes)
+        pupil = self.met[-1].learn(kept)
+        far = self.far if self.turns else (self.met[0].score(kept).distance,)
+        next_one, seen = pupil.forget(), pupil.score(kept)
         return replace(
             self,
             turns=(*self.turns, turn),
             shown=(*self.shown, pupil),
             met=(*self.met, next_one),
-            far=(*far, next_one.score(shown).distance),
+            far=(*far, next_one.score(kept).distance),
             learned=(*self.learned, seen.distance),
             good=(*self.good, is_good(seen)),
-            placed=tuple(replace(s, position=s.position - seen.shift) for s in shown),
+            placed=tuple(replace(s, position=s.position - seen.shift) for s in kept),
         )
 
     def answer(self, is_yes: bool) -> Self:
-        """Return the session with an answer to the question of the last turn."""
+        """Return the session with an answer to the question of the last turn.
+
+        Raises:
+            RecordingError: Neither True nor False.
+        """
+        must(isinstance(is_yes, bool | np.bool_), "answer", is_yes, "True or False")
         if not self.turns:
             return self
         next_one = self.shown[-1].answer(is_yes).forget()
         far = next_one.score(self.placed).distance
-        turns = (*self.turns[:-1], replace(self.turns[-1], answer=is_yes))
+        turns = (*self.turns[:-1], replace(self.turns[-1], answer=bool(is_yes)))
         return replace(self, turns=turns, met=(*self.met[:-1], next_one), far=(*self.far[:-1], far))
 
     @classmethod
@@ -142,31 +154,33 @@ class TeachingSession:
         """Return the session of a log.
 
         Raises:
-            RecordingError: It is none.
+            RecordingError: It is none, or holds more than a log does.
         """
         try:
-            must(content["format"] == FORMAT, "format", content["format"], FORMAT)
+            content = checked_object(content, FORMAT, (SESSION_VERSION,), SESSION_FIELDS)
             session = cls.begin(PupilTraits.of(content["pupil"]), content["letter"])
             for turn in content["turns"]:
+                must(set(turn) == {"strokes", "answer"}, "a turn", turn, "strokes and an answer")
                 session = session.show(_strokes_of(turn["strokes"]))
-                must(
-                    turn["answer"] in (True, False, None), "answer", turn["answer"], "true or false"
-                )
                 session = session if turn["answer"] is None else session.answer(turn["answer"])
         except (KeyError, TypeError, ValueError, IndexError, OverflowError) as error:
-            raise RecordingError(f"This is no log of teaching: {error!r:.100}") from None
+            raise RecordingError(f"This is no log of teaching: {shown(error)}") from None
         return session
 
 
 def _log(stroke: Trajectory) -> list[list[int]]:
     """Return a stroke in whole numbers; points at one moment become the later one."""
-    t = np.rint(stroke.t / TICK).astype(int)
-    xy = np.rint(stroke.position / GRAIN).astype(int)
-    last = np.append(np.diff(t) > 0, True)
-    return np.column_stack([t, xy])[last].tolist()
+    seconds = round(stroke.duration, 1)
+    must(seconds <= LONGEST_PAD_STROKE, "time of a stroke", seconds, f"{LONGEST_PAD_STROKE} s")
+    rows = np.rint(np.column_stack([stroke.t / TICK, stroke.position / GRAIN]))
+    must(np.abs(rows).max() < MOST_TICKS, "a stroke", stroke, "near the sheet")
+    last = np.append(np.diff(rows[:, 0]) > 0, True)
+    return rows[last].astype(int).tolist()
 
 
 def _strokes_of(logged: Sequence[Sequence[Sequence[int]]]) -> tuple[Trajectory, ...]:
     """Return the strokes of a log."""
-    rows = [np.array(stroke, dtype=float) for stroke in logged]
+    rows = [np.array(stroke) for stroke in logged]
+    for each in rows:
+        must(each.dtype.kind == "i" and each.ndim == 2, "a stroke", each, "rows of whole numbers")
     return tuple(Trajectory(each[:, 0] * TICK, each[:, 1:] * GRAIN) for each in rows)

@@ -15,7 +15,7 @@ import numpy as np
 
 from dmp_teach.classroom.teaching.faults import SHAPE_FAULTS, WAY_FAULTS
 from dmp_teach.errors import RecordingError
-from dmp_teach.files import ASSETS, contents, is_number, loaded, must, write_whole
+from dmp_teach.files import ASSETS, checked_object, contents, is_number, loaded, must, write_whole
 from dmp_teach.scoring import Score
 
 PUPILS_FOLDER = ASSETS / "pupils"
@@ -87,6 +87,7 @@ class PupilTraits:
     @classmethod
     def of(cls, content: Mapping[str, Any]) -> Self:
         """Return the pupil of what a file holds; a RecordingError where it is none."""
+        content = checked_object(content, FORMAT, (PUPIL_VERSION,), FIELDS)
         values = {name: content[name] for name in FIELDS[2:]}
         must(isinstance(values["mixes_up"], list), "mixes_up", values["mixes_up"], "a list")
         return cls(**values)
