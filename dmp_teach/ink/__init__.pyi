@@ -1,3 +1,4 @@
+from .alphabet import DEFAULT_ALPHABET as DEFAULT_ALPHABET
 from .alphabet import SIGNS as SIGNS
 from .alphabet import alphabets as alphabets
 from .alphabet import characters as characters

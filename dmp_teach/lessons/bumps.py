@@ -8,7 +8,7 @@ from functools import lru_cache
 import numpy as np
 
 from dmp_teach.dmp import Settings, textbook
-from dmp_teach.ink import recording_of
+from dmp_teach.lessons.drawing import lesson_letter
 from dmp_teach.letters import Letter
 from dmp_teach.trajectory import Array, rms
 
@@ -69,7 +69,7 @@ class Bumps:
 def learn_bumps(character: str) -> Bumps:
     """Learn a letter by locally weighted regression."""
     settings = Settings.star(n_kernels=BUMP_NUMBER, kernel="mollifier", kernel_width=1.6)
-    letter = Letter.learn(recording_of(character), settings)
+    letter = Letter.learn(lesson_letter(character), settings)
     [stroke], [primitive] = letter.strokes, letter.primitives
     t = primitive.times - primitive.times[0]
     x = primitive.kernels.phase.at(1 - t / primitive.duration)

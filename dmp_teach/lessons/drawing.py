@@ -12,7 +12,7 @@ import numpy as np
 from dmp_teach.classroom import Affine, Drawing
 from dmp_teach.dmp import DMP, Settings
 from dmp_teach.errors import SettingWarning
-from dmp_teach.ink import recording_of
+from dmp_teach.ink import DEFAULT_ALPHABET, Recording, recording_of
 from dmp_teach.letters import Letter, rms_distance
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Array, Trajectory
@@ -37,13 +37,23 @@ def millimetres(metres: float, limit: float = math.inf) -> str:
     return tell_number(mm, limit, 2 if mm < 0.995 else 1 if mm < 9.95 else 0)
 
 
+def lesson_letter(character: str, alphabet: str | None = None) -> Recording:
+    """Return a letter of an alphabet as lessons can take it: with our strokes.
+
+    Lessons name strokes, such as the bar of a D. A school's own letter is taken where it is one
+    stroke, as ours is; else ours.
+    """
+    own, ours = (recording_of(character, each) for each in (alphabet, DEFAULT_ALPHABET))
+    return own if len(own.strokes()) == len(ours.strokes()) == 1 else ours
+
+
 @lru_cache(maxsize=2048)
 def learn_letter(character: str, settings: Settings, rate: int | None = None) -> Letter:
     """Learn a letter of our alphabet; what its settings warn of, the lesson says itself.
 
     With a rate it is first sampled so often a second.
     """
-    strokes = recording_of(character).strokes()
+    strokes = lesson_letter(character).strokes()
     if rate is not None:
         strokes = tuple(_resample(stroke, rate) for stroke in strokes)
     with warnings.catch_warnings(action="ignore", category=SettingWarning):

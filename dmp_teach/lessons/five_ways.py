@@ -9,8 +9,7 @@ from functools import lru_cache
 import numpy as np
 
 from dmp_teach.classroom import Affine, Drawing
-from dmp_teach.ink import recording_of
-from dmp_teach.lessons.drawing import sheet_box, tell_number
+from dmp_teach.lessons.drawing import lesson_letter, sheet_box, tell_number
 from dmp_teach.lessons.goals import CM
 from dmp_teach.studies import (
     WAYS,
@@ -52,13 +51,13 @@ def ways_here() -> dict[str, type[Way]]:
 @lru_cache(maxsize=32)
 def takes_of(character: str, hand: int) -> tuple[Trajectory, ...]:
     """Return takes of a letter of one stroke, as a hand writes it again and again."""
-    return draw_takes(recording_of(character).strokes()[0], TAKES_AT_HAND, hand)
+    return draw_takes(lesson_letter(character).strokes()[0], TAKES_AT_HAND, hand)
 
 
 @lru_cache(maxsize=16)
 def meant_by(character: str) -> Array:
     """Return the letter that takes are tries of, at equal parts of its duration [m]."""
-    return even_path(recording_of(character).strokes()[0])
+    return even_path(lesson_letter(character).strokes()[0])
 
 
 @lru_cache(maxsize=512)

@@ -10,7 +10,7 @@ import numpy as np
 
 from dmp_teach.classroom import Affine, Answer, Drawing
 from dmp_teach.dmp import DMP, Settings, Stepper
-from dmp_teach.ink import recording_of
+from dmp_teach.ink import DEFAULT_ALPHABET, recording_of
 from dmp_teach.lessons.drawing import tell_number
 from dmp_teach.studies import share_of_same_way
 from dmp_teach.texts import gettext as _
@@ -33,7 +33,8 @@ GOAL_RULES = {
 @lru_cache(maxsize=16)
 def strokes_of(character: str) -> tuple[Trajectory, ...]:
     """Return the person's letter."""
-    return recording_of(character).strokes()
+    # Lessons on goals are about where these letters begin and end.
+    return recording_of(character, DEFAULT_ALPHABET).strokes()
 
 
 @lru_cache(maxsize=64)

@@ -12,7 +12,8 @@ import numpy as np
 
 from dmp_teach.errors import TeachError
 from dmp_teach.formats import read_recording
-from dmp_teach.ink import alphabets, recording_of
+from dmp_teach.ink import alphabets
+from dmp_teach.lessons.drawing import lesson_letter
 from dmp_teach.trajectory import Array, Trajectory
 
 FOLDER_VARIABLE = "DMP_TEACH_RECORDINGS"
@@ -78,7 +79,7 @@ def make_writers(character: str) -> Writers:
     names = alphabets()
     hands = []
     for number in range(MADE_WRITERS):
-        [stroke] = recording_of(character, names[number % len(names)]).strokes()
+        [stroke] = lesson_letter(character, names[number % len(names)]).strokes()
         hands.append(_centred(_written_by_another(stroke, random)))
     return Writers(character, tuple(hands), are_real=False)
 

@@ -24,7 +24,6 @@ from dmp_teach.classroom import (
     exactly,
 )
 from dmp_teach.dmp import Settings
-from dmp_teach.ink import recording_of
 from dmp_teach.lessons.drawing import (
     GOAL_KNOBS,
     draw_bumps,
@@ -33,6 +32,7 @@ from dmp_teach.lessons.drawing import (
     error_of,
     goal_ring,
     learn_letter,
+    lesson_letter,
     millimetres,
     paths_of,
 )
@@ -57,7 +57,7 @@ def learn_with(character: str, number: int, width: float = 1.0) -> Letter:
 
 def most_kernels(character: str) -> int:
     """Return how many kernels a letter can have at most: one for each sample of a stroke."""
-    return min(map(len, recording_of(character).strokes()))
+    return min(map(len, lesson_letter(character).strokes()))
 
 
 def error_with(character: str, number: float, width: float = 1.0) -> float:
@@ -76,7 +76,7 @@ class StartHere(Lesson):
         kind = NEW_LETTERS[0 if random is None else random.integers(len(NEW_LETTERS))]
         self.limit = LINE_LIMITS[0 if random is None else random.integers(len(LINE_LIMITS))]
         self.source, self.new, self.share = kind
-        self.stem, bowl = paths_of(recording_of(self.source).strokes())
+        self.stem, bowl = paths_of(lesson_letter(self.source).strokes())
         self.end = self.stem[-1] + self.share * (self.stem[0] - self.stem[-1])
         x, y = (round(float(each), 1) for each in (self.end - bowl[-1]) / CM)
         self.start = {"letter": "a", "n_kernels": FEW, "kernel_width": 1.0}

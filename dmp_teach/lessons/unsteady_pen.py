@@ -6,7 +6,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from dmp_teach.ink import Recording, recording_of
+from dmp_teach.ink import Recording
+from dmp_teach.lessons.drawing import lesson_letter
 from dmp_teach.segmentation import lowpass_hertz
 from dmp_teach.trajectory import Array
 
@@ -69,7 +70,7 @@ def disturb(character: str, lift_height: float, random: np.random.Generator) -> 
         lift_height: How high the pen is lifted [m].
         random: Places the knock and the trembling.
     """
-    steady = recording_of(character)
+    steady = lesson_letter(character)
     first, second = strokes = steady.strokes()
     short, long = sorted(strokes, key=lambda each: each.duration)
     t, knock_at = steady.t, short.t[0] + random.uniform(0.4, 0.6) * short.duration

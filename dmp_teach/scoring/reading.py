@@ -7,7 +7,7 @@ from unicodedata import normalize
 
 import numpy as np
 
-from dmp_teach.ink import alphabets, characters, recording_of
+from dmp_teach.ink import alphabets, characters, recording_of, signs
 from dmp_teach.scoring.arguments import LetterLike
 from dmp_teach.scoring.distances import Compared, compared, distances_from
 
@@ -58,5 +58,7 @@ def _alphabet() -> tuple[tuple[str, ...], Compared]:
 
 @cache
 def _hands(character: str) -> Compared:
-    """Return a letter of every hand, to be compared."""
-    return compared([recording_of(character, hand) for hand in alphabets()])
+    """Return a letter of every hand that has it, to be compared."""
+    letter = normalize("NFC", character)
+    hands = [hand for hand in alphabets() if letter in (*characters(hand), *signs(hand))]
+    return compared([recording_of(letter, hand) for hand in hands])
