@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
+from typing import cast
 
 import numpy as np
 
@@ -99,7 +100,8 @@ class StrokeVerdict:
 
 def check_strict(strict: object) -> None:
     """Raise a LetterError unless these are some of `MATTERS`."""
-    if not isinstance(strict, Collection) or isinstance(strict, str) or set(strict) - set(MATTERS):
+    is_text = isinstance(strict, str) or not isinstance(strict, Collection)
+    if is_text or not all(each in MATTERS for each in cast(Collection[object], strict)):
         raise LetterError(f"strict is {strict!r}, but must be some of {MATTERS}.")
 
 
