@@ -20,6 +20,7 @@ from dmp_teach.classroom import (
     Task,
     at_most,
     between,
+    exactly,
 )
 from dmp_teach.lessons.drawing import tell_number
 from dmp_teach.lessons.new_letters_pictures import draw_blind, draw_letter, draw_speed, draw_whose
@@ -100,7 +101,7 @@ class NewLetters(Lesson):
             ),
             Task(
                 _("Take a third stroke from the shelf, and drag its ring. Can you make an R? A B?"),
-                lambda v: v["third"] in ("stem", "bowl") and v["goal_y"] >= 4,
+                lambda v: v["third"] != "none" and np.hypot(v["third_x"], v["third_y"]) > 1,
             ),
             Task(
                 _("Go from hand 1 to hand 2, and beyond 100 %. Whose bowl is it half way?"),
@@ -150,7 +151,9 @@ class NewLetters(Lesson):
         """Return where the bowl meets the stem, how that leans, and where the third ends."""
         made = NewLetter(answer)
         up = made.meeting[1]
+        wanted, took = (2 if third == "none" else 3 for third in (self.third, made.third))
         asked = [
+            exactly(_("strokes"), took, wanted),
             at_most(_("bowl to stem"), made.gap, MOST_GAP, "mm"),
             between(_("they meet at"), 100 * up, LOWEST, HIGHEST, "%"),
             between(_("lean"), made.lean, self.lean - 1, self.lean + 1, "°"),
@@ -161,15 +164,15 @@ class NewLetters(Lesson):
         return asked
 
     def _miss(self, made: NewLetter) -> float:
-        """Return how far the third stroke ends from its place [m]; without one, all the way."""
-        if made.third == "none":
+        """Return how far the third stroke ends from its place [m]; without it, all the way."""
+        if made.third != self.third:
             return float(np.linalg.norm(made.lifted[BOWL][-1] - made.foot))
         return float(np.linalg.norm(made.third_miss))
 
     def mistakes(self, answer: Answer) -> Sequence[tuple[bool, str]]:
         """Return what is open, too low or high, too many, or leans otherwise."""
         made = NewLetter(answer)
-        met, height, leans, *_end = (each.is_met for each in self.conditions(answer))
+        _count, met, height, leans, *_end = (each.is_met for each in self.conditions(answer))
         up = made.meeting[1]
         x, y = (0, 0) if made.third == "none" else 1000 * made.third_miss
         facts = {
@@ -241,18 +244,18 @@ class NewLetters(Lesson):
 
     def tell_bet(self, bet: KeptBet) -> str:
         """Return whose it is, and whom two ways of making it are given to."""
-        words = _(
-            "It is hand {whose}’s. Its ink points {a:.0f}° away from hand 1’s, on average, and "
-            "{b:.0f}° from hand 2’s: who measures would say hand {taken}. If the robot turns and "
-            "scales the bowl instead (similarity), they would say hand {alike}."
-        )
-        shown = self.shown
-        a, b = shown.differences["DMP*"]
-        near = shown.nearest
-        taken = {"taken": near["DMP*"], "alike": near["similarity"]}
+        near = self.shown.nearest
+        facts = {"whose": self.whose, "taken": near["DMP*"], "alike": near["similarity"]}
+        words = _("It was hand {whose}’s, and measured it looks like hand {taken}’s, too. ")
+        if self.whose != near["DMP*"]:
+            words = _(
+                "It was hand {whose}’s. Measured, it looks more like hand {taken}’s: moving the "
+                "end bent it. "
+            )
+        words += _("Turned and scaled instead (similarity), it looks like hand {alike}’s.")
         said = {"1": _("You said hand 1."), "2": _("You said hand 2.")}
         begin = said.get(str(bet), _("You said: nobody can tell."))
-        return f"{begin} {words.format(whose=self.whose, a=a, b=b, **taken)}"
+        return f"{begin} {words.format(**facts)}"
 
     def draw(self, state: LessonState) -> Picture:
         """Draw two hands and a bowl, or the new letter; and whose it is, or how fast the pen is."""
@@ -261,7 +264,7 @@ class NewLetters(Lesson):
             is_seen = state.is_revealed
             plots = {"whose": draw_whose(shown if is_seen else None)}
             sheet = draw_blind(shown, self.whose if is_seen else None)
-            return Picture(_ask(is_seen), sheet, plots, shown.strokes)
+            return Picture(_ask(is_seen, state.bet), sheet, plots, shown.strokes)
         made = NewLetter(state.values)
         is_joined = state.values["way"] == "joined"
         plots = {"speed": draw_speed(made)} if is_joined else {"whose": draw_whose(made)}
@@ -275,10 +278,11 @@ def _where(aside: float, above: float) -> str:
     return _("right of") if aside > 0 else _("left of")
 
 
-def _ask(is_seen: bool) -> dict[str, str]:
+def _ask(is_seen: bool, bet: KeptBet | None) -> dict[str, str]:
     """Return what is said of the bowl at the beginning."""
     text = _("The two hands differ in how they lean, and in how round they are. ")
-    strong = _("Can a new letter show whose it is?") if is_seen else _("Bet first.")
+    after = _("Can a new letter show whose it is?") if is_seen else ""
+    strong = _("Bet first.") if bet is None else after
     return {"number": "", "unit": "", "text": text, "strong": strong, "after": ""}
 
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from dmp_teach.classroom import Affine, Drawing
 from dmp_teach.lessons.goals import CM
-from dmp_teach.lessons.two_hands import BOWL, HANDS, NewLetter, follow, learn_hands, speed_of
+from dmp_teach.lessons.two_hands import BOWL, NewLetter, follow, learn_hands, speed_of
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Array
 
@@ -57,7 +57,7 @@ def draw_letter(made: NewLetter) -> Drawing:
     letters = learn_hands().letters
     inks = [{"points": s.position, "kind": "hand"} for each in letters for s in each.strokes]
     tops = [letter.strokes[0].position[0] for letter in letters]
-    words = [_word(top, str(n)) for n, top in enumerate(tops[: len(HANDS)], 1)]
+    words = [_word(top, name) for top, name in zip(tops, (_("hand 1"), _("hand 2")), strict=False)]
     labels = [_("bowl’s end"), _("third end")]
     rings = [
         _ring(goal, label, knob)
@@ -65,7 +65,7 @@ def draw_letter(made: NewLetter) -> Drawing:
     ]
     return {
         "caption": _("On paper"),
-        "note": _("dotted: the D of hands 1 and 2"),
+        "note": _("dotted: both hands") if count == 1 else _("rings: 1 bowl’s end, 2 third end"),
         "title": _("The new letter, over the D of both hands."),
         "box": BOX,
         "extras": inks,
@@ -100,11 +100,12 @@ def draw_whose(made: NewLetter | None) -> Drawing:
     }
     if made is None:
         return plot
+    hands = _("hand 1"), _("hand 2")
     rows = zip((1.0, 0.0), made.differences.values(), strict=True)
     dots = [
-        {"at": [min(each, MOST_DEGREES), height + lift], "kind": "robot", "label": str(n)}
+        {"at": [min(each, MOST_DEGREES), height + lift], "kind": "robot", "label": hand}
         for height, apart in rows
-        for n, each, lift in zip((1, 2), apart, (0.16, -0.16), strict=True)
+        for hand, each, lift in zip(hands, apart, (0.16, -0.16), strict=True)
     ]
     return plot | {"note": _("at the left: most alike"), "dots": dots}
 
