@@ -57,7 +57,8 @@ def draw_letter(made: NewLetter) -> Drawing:
     letters = learn_hands().letters
     inks = [{"points": s.position, "kind": "hand"} for each in letters for s in each.strokes]
     tops = [letter.strokes[0].position[0] for letter in letters]
-    words = [_word(top, name) for top, name in zip(tops, (_("hand 1"), _("hand 2")), strict=False)]
+    # The tops are nearer than the words are long.
+    words = [_word(tops[0] - [0.02, 0], _("hand 1")), _word(tops[1], _("hand 2"))]
     labels = [_("bowl’s end"), _("third end")]
     rings = [
         _ring(goal, label, knob)
