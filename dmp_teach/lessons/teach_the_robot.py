@@ -27,7 +27,7 @@ from dmp_teach.classroom import (
     known_pupils,
 )
 from dmp_teach.ink import recording_of
-from dmp_teach.lessons.drawing import millimetres, paths_of, tell_number
+from dmp_teach.lessons.drawing import paths_of, tell_number
 from dmp_teach.lessons.teaching_pictures import (
     MOST_FAR,
     TURNS,
@@ -37,6 +37,7 @@ from dmp_teach.lessons.teaching_pictures import (
     draw_pupil,
     meet_pupil,
     say_of_pupil,
+    say_of_session,
 )
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Array
@@ -115,9 +116,9 @@ class TeachTheRobot(TeachingLesson):
     def bet(self) -> DrawnBet:
         """How far off the letter is, as often as it was shown."""
         words = _(
-            "This is how {pupil} the robot writes {letter}. It is shown the letter six times, and "
-            "each time {pace} % of the difference is gone. But it forgets. Draw how far off it is "
-            "each time it comes back."
+            "This is how {pupil} the robot writes {letter}. It is shown the letter six times. The "
+            "mirror image turns round at once; of the rest {pace} % is gone each time. But it "
+            "forgets. Draw how far off it is each time it comes back."
         )
         truth = self._forecast(FIRST_PUPIL)
         handles = np.array([[turn, 0.7 * truth[0]] for turn in range(1, TURNS + 1)])
@@ -131,6 +132,10 @@ class TeachTheRobot(TeachingLesson):
         session = self.session
         turns = session.turns if session else ()
         show = _("Write a good {letter} on the sheet and press “Show it”. Does its line move?")
+        if not self.takes_ink:
+            show = _(
+                "Writing needs a notebook: open the lesson there to show the robot a {letter}."
+            )
         return (
             Task(show.format(letter=self.letter), lambda _v: bool(turns)),
             Task(
@@ -230,15 +235,20 @@ class TeachTheRobot(TeachingLesson):
             "{forgetting} % of what it knew, and the next time half as much: what is taught twice "
             "stays."
         )
-        return words.format(turn=self._lapse, **answer)
+        told = words.format(turn=self._lapse, **self.solution)
+        if answer == self.solution:
+            return told
+        near = _("You said {pace:g} % and {forgetting:g} %, which is near enough.")
+        return f"{told} {near.format(**answer)}"
 
     def tell_bet(self, bet: KeptBet) -> str:
         """Return how far the drawn line is from the truth, and where it rose."""
         truth, lapse = self._forecast(FIRST_PUPIL), self._lapse
         off = float(np.mean(np.abs(np.array(bet)[:, 1] - truth[1:])))
         words = _(
-            "After one turn it was {one} mm off. After turn {turn} it had forgotten {forgetting} % "
-            "and came back {then} mm off. Each forgetting after that takes half as much. Your "
+            "Your bet on {pupil}: after one turn it was {one} mm off, for the mirror image had "
+            "turned round at once. After turn {turn} it had forgotten {forgetting} % and came back "
+            "{then} mm off, mirrored again. Each forgetting after that takes half as much. Your "
             "line is {off} mm away, on average."
         )
         facts = {"one": tell_number(truth[1]), "then": tell_number(truth[lapse])}
@@ -274,21 +284,15 @@ class TeachTheRobot(TeachingLesson):
     def _draw_session(self, values: Answer) -> Picture:
         """Draw the pupil as it is now, what is on the sheet, and how far off it was each turn."""
         session = self.session_with(values)
-        pupil, far = session.met[-1], list(session.far)
-        question = ""
-        if session.asks:
-            # What it forgets shows after the answer.
-            pupil, far[-1] = session.shown[-1], session.learned[-1]
-            question = str(pupil.question)
-        now = 1000 * np.array(far)
+        pupil, now = session.met[-1], 1000 * np.array(session.far)
         dots = [distance_dot(turn, each, "robot") for turn, each in enumerate(now)]
-        lines = [distance_line(self._forecast(values), "child", _("by the book"))]
-        lines += [distance_line(now, "robot", session.traits.name)] if len(now) > 1 else []
+        lines = [distance_line(self._forecast(values), "child")]
+        lines += [distance_line(now, "robot")] if len(now) > 1 else []
         note = _("dots: yours; line: {pupil}’s").format(pupil=session.traits.name)
+        caption = _("Write here") if self.takes_ink else _("Writing needs a notebook")
         # What was shown stays until somebody writes again.
-        ink = self.ink or (session.placed)
-        sheet = draw_pupil(pupil, paths_of(ink), _("Write here"), note)
-        plot = draw_distances(lines, dots, _("as you have taught it"))
-        says = {"number": millimetres(far[-1]), "unit": _("mm off"), "text": f"{pupil.says} "}
-        says |= {"strong": question, "after": ""}
-        return Picture(says, sheet, {"far": plot}, pupil.written.write())
+        ink = self.ink or session.placed
+        sheet = draw_pupil(pupil, paths_of(ink), caption, note)
+        told = _("line with dots: as you taught it; without: by the book")
+        plot = draw_distances(lines, dots, told)
+        return Picture(say_of_session(session), sheet, {"far": plot}, pupil.written.write())

@@ -7,7 +7,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from dmp_teach.classroom import Drawing, RobotPupil, known_pupils
+from dmp_teach.classroom import Drawing, RobotPupil, TeachingSession, known_pupils
 from dmp_teach.lessons.drawing import millimetres, paths_of
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Array
@@ -77,3 +77,16 @@ def say_of_pupil(far: float, pupil: RobotPupil) -> dict[str, str]:
     )
     words = {"text": said, "strong": pupil.score().sentence, "after": ""}
     return {"number": millimetres(far / 1000), "unit": _("mm off"), **words}
+
+
+def say_of_session(session: TeachingSession) -> dict[str, str]:
+    """Return how far off a pupil is as it comes to the next turn, what it says and what it asks."""
+    pupil, question = session.met[-1], ""
+    says = pupil.says
+    if session.asks:
+        last = session.shown[-1]
+        was = _("You brought me to {mm} mm.").format(mm=millimetres(session.learned[-1]))
+        says = f"{was} {says}" if pupil.memory.lost else last.says
+        question = str(last.question)
+    words = {"text": f"{says} ", "strong": question, "after": ""}
+    return {"number": millimetres(session.far[-1]), "unit": _("mm off"), **words}

@@ -103,3 +103,21 @@ def test_the_record_is_not_of_the_first_pupil_and_only_its_own_line_fits_well(pu
 def test_a_mistake_is_called_what_it_is(change, words):
     lesson = TeachTheRobot()
     assert words in lesson.check(lesson.solution | change).reason
+
+
+def test_praise_tells_the_record_as_it_is_and_what_was_said():
+    lesson = TeachTheRobot()
+    said = lesson.check(lesson.solution | {"pace": lesson.solution["pace"] - 5})
+    assert said.done
+    assert "45 % of the difference" in said.reason
+    assert "You said 40 %" in said.reason
+
+
+def test_what_is_forgotten_is_seen_before_a_question_is_answered(panel):
+    for _ in range(4):
+        panel.show_book()
+        if panel.session.met[-1].memory.lost:
+            break
+    assert panel.teaching["asks"]
+    assert "forgotten" in panel.message["text"]
+    assert float(panel.message["number"]) > 1000 * panel.session.learned[-1] + 1

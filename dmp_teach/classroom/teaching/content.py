@@ -15,6 +15,8 @@ class TeachingContent(LessonContent):
     letter: str
     session: TeachingSession | None = None
     ink: tuple[Trajectory, ...] = ()
+    # A page of its own has no kernel to write to.
+    takes_ink = True
     # A pupil that gets wrong what was weakest in what was shown last by hand.
     echo = PupilTraits("Echo", {"lean": 25.0})
 

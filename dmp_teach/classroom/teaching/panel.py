@@ -131,7 +131,9 @@ class TeachingPanel(LessonPanel):
     # Any: JSON for the browser.
     def _describe_page(self) -> dict[str, Any]:
         """Return the lesson as it begins, without the session: no ink is in a page."""
-        return describe_page(type(self.lesson)(self.lesson.pupil))
+        fresh = type(self.lesson)(self.lesson.pupil)
+        fresh.takes_ink = False
+        return describe_page(fresh)
 
     # Any: as in the base class.
     def _redraw(self, progress: dict[str, Any]) -> None:

@@ -188,7 +188,9 @@ def _describe_lesson(letter: str, seen: Score) -> str:
     if fault is None:
         return _("Mine looks like yours now: I have kept my {letter}.").format(letter=letter)
     mine, yours = _("yours"), _("your")
-    said = _("I looked at my {letter} beside yours. {difference} I tell myself: {advice}")
+    said = _(
+        "My {letter} before you showed me: “{difference}” I told myself: “{advice}” Now it is so."
+    )
     return said.format(
         letter=letter,
         difference=fault.wording.format(model=mine, models=mine),
