@@ -70,3 +70,16 @@ def test_every_file_that_the_readme_shows_or_links_is_there():
 def test_every_room_of_the_map_is_there():
     for name in re.findall(r"^\| `([\w/]+)`", README, re.MULTILINE):
         assert (ROOT / name).exists(), name
+
+
+def test_the_page_on_a_schools_letters_runs_as_it_stands(tmp_path, monkeypatch):
+    page = (ROOT / "docs" / "your_schools_letters.md").read_text(encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "my_school").mkdir()
+    teach.write_recording(teach.recording_of("a", "slanted"), tmp_path / "my_school" / "a_fox.json")
+    names: dict = {}
+    try:
+        for block in re.findall(r"```python\n(.*?)```", page, re.DOTALL):
+            exec(block, names)
+    finally:
+        teach.use_script(None)

@@ -38,6 +38,22 @@ def test_a_missed_stroke_is_told_at_the_lift_and_written_again_in_its_place():
     assert panel.lift == {"ghost": [], "robots": [], "missed": None}
 
 
+def test_a_letter_that_is_written_with_a_lift_keeps_both_strokes_and_is_told_so():
+    panel, (whole,) = pad("b"), recording_of("b").strokes()
+    foot = int(np.argmin(whole.position[: len(whole) // 2, 1]))
+    parts = [slice(foot + 1), slice(foot, None)]
+    for part in parts:
+        write(panel, Trajectory(whole.t[part], whole.position[part]))
+    assert len(panel.recording.strokes()) == 2
+    assert "Lift the pen less often" in said(panel)
+    panel.start_again()
+    # A stem that was not right is written again, as a whole.
+    write(panel, Trajectory(whole.t[parts[0]], whole.position[parts[0]]))
+    write(panel, whole)
+    assert len(panel.recording.strokes()) == 1
+    assert "looks the same" in said(panel)
+
+
 def test_after_two_misses_the_stroke_is_shown_and_after_four_the_robot_writes_it():
     panel, (stem, bar) = pad("t"), recording_of("t").strokes()
     write(panel, stem)

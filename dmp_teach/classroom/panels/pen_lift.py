@@ -9,12 +9,14 @@ import numpy as np
 
 from dmp_teach.errors import LetterError
 from dmp_teach.ink import PadStroke, Recording, check_hand
-from dmp_teach.scoring import StrokeVerdict, check_strict, judge_stroke
+from dmp_teach.scoring import StrokeVerdict, check_strict, judge_stroke, letter_distance
 from dmp_teach.trajectory import Array, Trajectory
 
 # So many misses of one stroke, and it is shown as a ghost, or written by the robot.
 MISSES_TO_SHOW = 2
 MISSES_TO_WRITE = 4
+LIFT_WITHIN = 0.1
+"""How long a lift takes that is none, when two strokes are judged as one [s]."""
 
 
 class PenLift:
@@ -50,7 +52,8 @@ class PenLift:
             return strokes
         if before and last is not None and not last.good:
             again = self._judge((*before[:-1], stroke))
-            if again is not None and again.due == last.due and again.stroke == last.due:
+            is_same = again is not None and again.due == last.due and again.stroke == last.due
+            if is_same and not self._is_lifted(before[-1].path, stroke.path, last.due):
                 strokes = (*before[:-1], stroke)
         verdict = self.verdict = self._judge(strokes)
         if verdict is None:
@@ -64,6 +67,13 @@ class PenLift:
         del self._misses[verdict.due]
         self.verdict = None
         return self._write(strokes[:-1], verdict.due, stroke.path.t[0])
+
+    def _is_lifted(self, first: Trajectory, then: Trajectory, number: int) -> bool:
+        """Return whether two strokes together are nearer to the one that is due than the second."""
+        due = [self._model[number]]
+        t = np.append(first.t, first.t[-1] + LIFT_WITHIN + then.t - then.t[0])
+        whole = Trajectory(t, np.concatenate([first.position, then.position]))
+        return letter_distance([whole], due) < letter_distance([then], due)
 
     def _judge(self, strokes: Sequence[PadStroke]) -> StrokeVerdict | None:
         """Return the verdict on the last stroke; None where there are only dots."""
