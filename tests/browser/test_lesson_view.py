@@ -48,9 +48,13 @@ def test_a_lesson_wakes_by_itself_and_stands_alone_until_the_menus_are_wanted(
     assert page.locator(JUPYTERS).locator("visible=true").count() == 0
 
 
-def test_a_panel_lives_on_when_its_page_is_loaded_anew(lesson, ask):
+def test_a_panel_lives_on_when_its_page_is_loaded_anew(lesson, ask, shot):
     page = lesson(START)
     page.wait_for_selector(PANEL, timeout=PATIENCE)
+    happened = page.get_by_role("heading", name="What happened")
+    happened.wait_for(state="hidden")
+    page.locator("[data-dt-why]").scroll_into_view_if_needed()
+    shot(page, "lesson_view_why")
     page.get_by_role("radio", name="about 40", exact=True).check(force=True)
     page.wait_for_function(
         "!document.querySelector('.dt-card .dt-main').getAttribute('aria-disabled')"
@@ -60,6 +64,8 @@ def test_a_panel_lives_on_when_its_page_is_loaded_anew(lesson, ask):
     page.wait_for_selector(PANEL, timeout=PATIENCE)
     assert page.get_by_role("radio", name="about 40", exact=True).is_checked()
     assert ask(page, "len(Out)") == "1"
+    page.get_by_role("button", name="Lay the truth over it").click()
+    happened.wait_for()
 
 
 def test_a_link_opens_a_lesson_in_which_only_a_press_runs_what_is_not_ours(lesson, ask):

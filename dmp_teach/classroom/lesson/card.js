@@ -63,7 +63,9 @@ export class Card {
   show(/** @type {Values} */ progress, /** @type {Values} */ card) {
     const { step, verdict } = progress;
     const isDone = Boolean(verdict?.done);
-    change(this.node, { class: `dt-card dt-${isDone ? "passed" : step}` });
+    const isHidden = step === "bet" && !progress.revealed;
+    const hides = isHidden ? " dt-hides" : "";
+    change(this.node, { class: `dt-card dt-${isDone ? "passed" : step}${hides}` });
     /** @type {Record<string, (progress: Values, card: Values) => Element[]>} */
     const draws = { bet: this.drawBet, try: this.drawTry, challenge: this.drawChallenge };
     const focused = /** @type {HTMLElement} */ (document.activeElement);

@@ -22,8 +22,9 @@ const LESSON = /^(\d\d)_(\w+)\.ipynb$/;
 // The mark of the cell with links to all lessons, for Jupyter without this extension.
 const STRIP = "dmp_teach";
 
-// The cell that says how to run the next one.
+// The cell that says how to run the next one, and the one that tells what the bet is about.
 const BEGIN = "begin";
+const WHY = "why";
 
 const config = JSON.parse(document.getElementById("jupyter-config-data")?.textContent || "{}");
 
@@ -64,6 +65,8 @@ async function wake({ commands }, notebook) {
   // In sight are the lesson's words and its panel; the code comes back with the menus.
   cell.node.dataset.dtPanel = "";
   content.widgets.find((/** @type {any} */ each) => each.model.id === BEGIN)?.hide();
+  const why = content.widgets.find((/** @type {any} */ each) => each.model.id === WHY);
+  if (why) why.node.dataset.dtWhy = t("What happened is told here, once the truth is laid over your bet.");
   const reply = await kernel.requestExecute({ code: "", silent: true }).done;
   if (reply.content.execution_count > 0 && cell.model.outputs.length) return;
   content.activeCellIndex = content.widgets.indexOf(cell);
@@ -192,9 +195,12 @@ const STYLE = `
 .dt-lesson-bar .dt-next::after { content: "→" / ""; }
 .dt-lesson-bar [aria-current] { color: #fff; background: #005a8f; font-weight: 600; }
 .dt-lesson-bar [aria-pressed="true"] { background: var(--jp-layout-color3); }
-[data-dt-waking]::after { content: attr(data-dt-waking); display: block;
+.jp-Notebook:has(.dt-hides) [data-dt-why] > * { display: none; }
+.jp-Notebook:has(.dt-hides) [data-dt-why]::after { content: attr(data-dt-why); }
+:is([data-dt-waking], .jp-Notebook:has(.dt-hides) [data-dt-why])::after { display: block;
   padding: 12px var(--jp-code-padding) 12px calc(var(--jp-cell-prompt-width) + 20px);
   font: 16px var(--jp-ui-font-family); color: var(--jp-ui-font-color1); }
+[data-dt-waking]::after { content: attr(data-dt-waking); }
 [data-dt-lesson] :is(.jp-cell-toolbar, .jp-Notebook-footer) { display: none; }
 [data-dt-lesson] .jp-Collapser { visibility: hidden; }
 [data-dt-lesson] [data-dt-panel] :is(.jp-Cell-inputWrapper, .jp-OutputPrompt) { display: none; }
