@@ -95,7 +95,11 @@ def draw_writing(motion: Motion | Run, camera: str = "over the shoulder") -> Fig
 def _plot_from_above(panel: Axes, reach: ReachMap) -> None:
     """Plot the robot from above, looking up the panel, and a mark at each page's centre."""
     right = "page's centre to the robot's right [m]"
-    style_axes(panel, right, "page's centre ahead of the robot [m]", "Seen from above")
+    page = reach.pages[0][0]
+    steep = page.normal[2]
+    thing = "table" if steep > 0.9 else "board" if steep < 0.1 else "slanted desk"
+    title = f"A {thing}, seen from above"
+    style_axes(panel, right, "page's centre ahead of the robot [m]", title)
     panel.set_aspect("equal", adjustable="box")
     for links in ROBOT_PARTS:
         outline = outline_from_above(links)
@@ -106,7 +110,6 @@ def _plot_from_above(panel: Axes, reach: ReachMap) -> None:
     panel.plot(-y, x, color=TEXT_COLOR, **look)
     _name_place(panel, "where the arm begins", (-y, x), (0.36, -0.12))
     _plot_marks(panel, reach, *np.meshgrid(-reach.across, reach.x, indexing="ij"))
-    page = reach.pages[0][0]
     usual = page.moved(getattr(Page, page.kind)().X_world_page[:3, 3] - page.X_world_page[:3, 3])
     corners = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1], [-1, -1]]) / 2
     outline = usual.to_world(corners * page.size)
