@@ -23,6 +23,8 @@ VIOLATIONS = """async () => {
     const found = await axe.run(document.querySelector(".dt-lesson"), {runOnly: rules});
     return found.violations.map(v => `${v.id}: ${v.nodes.map(n => n.html.slice(0, 120))}`);
 }"""
+HANDLES = """() => [...document.querySelectorAll(".dt-handle")].map(
+    each => each.getAttribute("aria-valuetext"))"""
 KEPT = "() => Object.entries(sessionStorage).find(([name]) => name.includes(' 03 '))[1]"
 FITS = """() => {
     const seen = document.querySelector(".jp-WindowedPanel-outer, .jp-Notebook");
@@ -148,8 +150,9 @@ def test_the_robot_writes_what_was_found(lesson, shot):
     assert int(page.locator(".dt-scene").get_attribute("data-dt-ink")) > 0
 
 
-def test_a_bet_and_the_knobs_outlive_a_restart_and_a_reload(lesson):
+def test_a_bet_and_the_knobs_outlive_a_restart_till_they_are_forgotten(lesson):
     page = lesson("03")
+    places = page.evaluate(HANDLES)
     bet(page, teach.lesson("03").bet.described())
     press(page, "Lay the truth over it")
     page.get_by_role("button", name="Now try it").click()
@@ -169,6 +172,10 @@ def test_a_bet_and_the_knobs_outlive_a_restart_and_a_reload(lesson):
         "() => Object.entries(sessionStorage).find(([k]) => k.includes(' 03 '))[1]"
     )
     assert json.loads(again) == json.loads(kept)
+    press(page, "Forget my work")
+    press(page, "Yes, forget it")
+    page.locator(".dt-handle").first.wait_for()
+    assert page.evaluate(HANDLES) == places
 
 
 def test_a_goal_that_is_dragged_asks_the_kernel_once(lesson):

@@ -47,7 +47,10 @@ export function renderLesson({ model, el, host, signal }, extend) {
       tellWork(model, parts);
     },
     older: () => drawOlder(model, parts),
-    scene: showScene,
+    scene: () => {
+      if (!model.get("scene")) parts.stage.showRobot(false);
+      showScene();
+    },
     status: () => put(parts.status, model.get("status")),
   });
   const stopWatching = watch(model, root, parts);
@@ -189,7 +192,8 @@ export class LessonView {
       onClick: () => {
         yes.hidden = true;
         this.work.forget();
-        forget.focus();
+        forget.focus({ preventScroll: true });
+        this.parts.head.scrollIntoView();
       },
     });
     yes.hidden = true;

@@ -30,6 +30,7 @@ export class Stage {
     /** @type {number[][] | null} the bet in the hand, where it is drawn */
     this.bet = null;
     this.isMoved = false;
+    this.isKept = false;
     this.isRevealed = false;
     this.isBetting = true;
     this.picture = {};
@@ -86,10 +87,12 @@ export class Stage {
     if (Array.isArray(progress.bet)) {
       this.bet = progress.bet;
       this.isMoved = true;
-    } else if (!progress.bet && (!this.bet || !this.isBetting)) {
+    } else if (!this.bet || !this.isBetting || this.isKept) {
+      // What was kept is forgotten; a bet in the hand stays.
       this.bet = bet.handles;
       this.isMoved = false;
     }
+    this.isKept = Array.isArray(progress.bet);
   }
 
   /**
