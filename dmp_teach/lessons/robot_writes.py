@@ -22,8 +22,9 @@ from dmp_teach.classroom import (
     at_least,
     at_most,
     between,
-    exactly,
+    holds,
 )
+from dmp_teach.errors import ReachError
 from dmp_teach.lessons.goals import CM
 from dmp_teach.lessons.page_plan import (
     FIRST_AHEAD,
@@ -46,10 +47,12 @@ from dmp_teach.lessons.writing_setup import (
     MOST_BUSY,
     MOST_MISSING,
     WritingSetup,
+    causes,
     kinds,
+    tell_push,
     write_letter,
 )
-from dmp_teach.robot import USUAL_PAGES, Page, known_reach
+from dmp_teach.robot import USUAL_PAGES, Page, Run, known_reach
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Trajectory
 
@@ -119,14 +122,15 @@ class RobotWrites(Lesson):
     def tasks(self) -> Sequence[Task]:
         """What to try."""
         return (
-            Task(_("Let the robot write. It cannot: take its cure."), by_robot=True),
+            Task(_("Let the robot write. It cannot: take its advice."), by_robot=True),
             Task(
-                _("Move the page 100 cm ahead: table or board?"),
+                _("Move the page to 100 cm ahead: table or board?"),
                 lambda v: v["where"] == "board" and v["ahead"] == 100,
             ),
             Task(
-                _("Physics with real motors: which pen breaks?"),
-                lambda v: v["physics"] == "real" and v["pen"] == "sprung",
+                _("Physics with real motors: let the robot write. Which pen breaks?"),
+                lambda v: v["physics"] == "real" and v["pen"] == "rigid",
+                by_robot=True,
             ),
         )
 
@@ -156,7 +160,10 @@ class RobotWrites(Lesson):
         )
         solved = {name: self.solution[name] for name in ("ahead", "press")}
         return (
-            _("Find the blue part of the map that is not pale. Then look at the two curves."),
+            _(
+                "Find the blue part of the map that is not pale. Then look at the two curves: if "
+                "you see the robot there, press “How it works”."
+            ),
             _("In the middle of the blue, joints have time. And only a spring gives way."),
             last.format(**self._wanted, **solved),
         )
@@ -164,23 +171,18 @@ class RobotWrites(Lesson):
     def conditions(self, answer: Answer) -> Sequence[Condition]:
         """Return where the page is, whether it is reached, and what joints and pen do."""
         setup = WritingSetup(answer)
-        joint = (
-            at_most(_("joint"), setup.percent, MOST_BUSY, "%")
-            if setup.is_reached
-            else exactly(_("pages in reach"), 0, 1)
-        )
         side = _("left") if self.side < 0 else _("right")
         return [
             at_least(side, self.side * setup.right, self.aside, "cm"),
             between(_("force"), setup.force, LEAST_FORCE, MOST_FORCE, "N"),
-            joint,
+            holds(_("all corners in reach"), setup.is_reached),
+            *([at_most(_("joint"), setup.percent, MOST_BUSY, "%")] if setup.is_reached else []),
             at_least(_("pen"), setup.speed, self.speed, "cm/s"),
-            at_most(_("corner off by"), setup.residual, MOST_MISSING, "mm"),
         ]
 
     def mistakes(self, answer: Answer) -> Sequence[tuple[bool, str]]:
         """Return what is wrong with the place, the pen or the speed."""
-        setup, causes = WritingSetup(answer), self._causes
+        setup, words = WritingSetup(answer), causes()
         is_rigid, force = setup.pen == "rigid", setup.force
         found = [
             (setup.residual > MOST_MISSING, "far"),
@@ -195,42 +197,9 @@ class RobotWrites(Lesson):
             (setup.percent > MOST_BUSY, "hurry"),
             (setup.speed < self.speed, "slow"),
         ]
-        facts = setup.facts | self._wanted
-        return [(is_made, causes[name].format(**facts)) for is_made, name in found]
-
-    @property
-    def _causes(self) -> dict[str, str]:
-        """What is said of each mistake."""
-        return {
-            "far": _(
-                "{place} on a {is_on}, a corner of the page stays {mm} mm out of the arm’s reach."
-            ),
-            "own way": _(
-                "{place} on a {is_on}, the pen could touch each corner, but not one after the "
-                "other: the arm is in its own way."
-            ),
-            "where": _("The page is on a {is_on}, {ahead} cm ahead. It is to be on a {where}."),
-            "side": _("{place}: that is not yet {aside} cm to the {side}."),
-            "no ink": _("Pressed in {press} mm, a rigid pen just misses the paper: no ink."),
-            "rigid": _(
-                "A rigid pen cannot give way: pressed in {press} mm, it pushes with about {n} N. "
-                "{breaks:g} N break a pen, and {high:g} N are enough."
-            ),
-            "soft": _("Pressed in {press} mm, the pen pushes with {n} N. It needs {low:g} N."),
-            "at its end": _(
-                "Pressed in {press} mm, the spring is at its end, which comes at {travel:g} mm: "
-                "now the arm itself pushes, with about {n} N."
-            ),
-            "hard": _(
-                "Pressed in {press} mm, the pen pushes with {n} N. More than {high:g} N hurt the "
-                "paper."
-            ),
-            "hurry": _(
-                "With {v} cm/s, somewhere on this page a joint needs {percent} % of its fastest "
-                "turn. Above {busy} % the robot slows down by itself."
-            ),
-            "slow": _("{v} cm/s is too slow: it is to be {speed} cm/s or more."),
-        }
+        is_side = _("left") if (setup.right or self.side) < 0 else _("right")
+        facts = setup.facts | self._wanted | {"cm": abs(setup.right), "is_side": is_side}
+        return [(is_made, words[name].format(**facts)) for is_made, name in found]
 
     def praise(self, answer: Answer) -> str:
         """Return what was found."""
@@ -245,7 +214,8 @@ class RobotWrites(Lesson):
         words = _(
             "You drew the border {said:.0f} cm ahead; it is {true:.0f} cm ahead. On average your "
             "line is {off:.0f} cm from it. All four corners must be in reach, and the pen must "
-            "stand upright on the paper."
+            "stand upright on the paper. Nearer than 30 cm nobody looked: so the map is cut off "
+            "there."
         )
         said, true, off = compare_borders(np.array(bet), border_of("table"))
         return words.format(said=said, true=true, off=off)
@@ -255,6 +225,19 @@ class RobotWrites(Lesson):
         x, y = page.X_world_page[:2, 3]
         right, ahead = nearest_at_ease(known_reach(str(values["where"])), -y, x)
         return values | {"right": right, "ahead": ahead}
+
+    def tell_refusal(self, values: Answer, error: ReachError) -> str:
+        """Return what is wrong with the page, and where the robot would write."""
+        setup, there = WritingSetup(values), WritingSetup(self.values_on(error.cure, values))
+        cause = causes()["own way" if setup.residual <= MOST_MISSING else "far"]
+        if setup.is_reached:
+            cause = _("{place} on a {is_on}, the arm does not get through the whole letter.")
+        advice = _("A place where it can write: {place}.")
+        return f"{cause.format(**setup.facts)} {advice.format(**there.facts)}"
+
+    def tell_run(self, run: Run) -> str:
+        """Return how hard the pen was pushed, and what became of it."""
+        return tell_push(run.greatest_force, run.pen)
 
     def draw(self, state: LessonState) -> Picture:
         """Draw the page over the map of reach, and what pen and joints do."""

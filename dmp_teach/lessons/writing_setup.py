@@ -66,7 +66,7 @@ class WritingSetup:
     @property
     def is_reached(self) -> bool:
         """Whether the arm writes on all of the page."""
-        return bool(np.isfinite(self.effort))
+        return bool(np.isfinite(self.effort)) and self.residual <= MOST_MISSING
 
     @property
     def percent(self) -> float:
@@ -119,7 +119,7 @@ class WritingSetup:
     def say(self) -> dict[str, str]:
         """Return the number, and the sentence."""
         number, unit = "{percent}", _("% of its fastest turn")
-        text = _("All of the page is in reach, and the busiest joint needs so much. ")
+        text = _("is what the busiest joint needs. All of the page is in reach. ")
         if self.residual > MOST_MISSING:
             number, unit = "{mm}", _("mm out of reach")
             text, strong = _("That is the worst corner of this page. "), _("The arm is too short.")
@@ -134,7 +134,53 @@ class WritingSetup:
         elif self.force == 0:
             strong = _("But the pen does not touch the paper.")
         else:
-            strong = _("Now look at the pen: it presses with {n} N.")
+            strong = _("Now look at the pen: it presses with {n} N, even if it stands still.")
         says = {"number": number, "text": text, "strong": strong}
         told = {name: words.format(**self.facts) for name, words in says.items()}
         return told | {"unit": unit, "after": ""}
+
+
+def causes() -> dict[str, str]:
+    """Return what is said of each mistake."""
+    return {
+        "far": _(
+            "{place} on a {is_on}, a corner of the page stays {mm} mm out of the arm’s reach."
+        ),
+        "own way": _(
+            "{place} on a {is_on}, the pen could touch each corner, but not one after the "
+            "other: the arm is in its own way."
+        ),
+        "where": _("The page is on a {is_on}, {ahead} cm ahead. It is to be on a {where}."),
+        "side": _(
+            "The middle of the page is {cm:g} cm to the {is_side}. {aside} cm to the {side} are "
+            "needed."
+        ),
+        "no ink": _("Pressed in {press} mm, a rigid pen just misses the paper: no ink."),
+        "rigid": _(
+            "A rigid pen cannot give way: pressed in {press} mm, it pushes with about {n} N. "
+            "{breaks:g} N break a pen, and {high:g} N are enough."
+        ),
+        "soft": _("Pressed in {press} mm, the pen pushes with {n} N. It needs {low:g} N."),
+        "at its end": _(
+            "Pressed in {press} mm, the spring is at its end, which comes at {travel:g} mm: "
+            "now the arm itself pushes, with about {n} N."
+        ),
+        "hard": _(
+            "Pressed in {press} mm, the pen pushes with {n} N. More than {high:g} N hurt the paper."
+        ),
+        "hurry": _(
+            "With {v} cm/s, somewhere on this page a joint needs {percent} % of its fastest "
+            "turn. Above {busy} % the robot slows down by itself."
+        ),
+        "slow": _("{v} cm/s is too slow: it is to be {speed} cm/s or more."),
+    }
+
+
+def tell_push(force: float, pen: str) -> str:
+    """Return how hard a pen was pushed while it wrote [N], and what became of it."""
+    words = _("The pen was pushed with up to {n} N: it stays whole.")
+    if force > BREAKING_FORCE:
+        words = _("The pen was pushed with up to {n} N. A real one breaks at {breaks:g} N.")
+        if pen == "rigid":
+            words += " " + _("Now try the pen with a spring.")
+    return words.format(n=tell_number(force, BREAKING_FORCE, 0), breaks=BREAKING_FORCE)

@@ -71,6 +71,10 @@ def test_the_robot_writes_where_the_page_is_set_or_moves_the_knobs_to_its_cure()
     panel.go("try")
     panel.write()
     assert panel.work["state"] == "cannot"
+    told = panel.work["strong"] + panel.work["text"]
+    assert panel.message["number"] in told
+    assert "80 cm ahead" in told
+    assert "Page." not in told
     assert panel.progress["done"] == []
     send(panel, {"kind": "cure"})
     assert panel.motion.page.X_world_page[0, 3] == pytest.approx(panel.values["ahead"] / 100)
@@ -96,3 +100,4 @@ def test_pens_press_as_in_the_simulation(where):
             assert run.force_band == pytest.approx([setup.force] * 2, abs=0.05)
         else:
             assert min(run.greatest_force, setup.force) > BREAKING_FORCE
+            assert "breaks at 10 N" in teach.lesson("08").tell_run(run)

@@ -167,10 +167,7 @@ def test_a_page_6_mm_too_low_gets_no_ink():
     assert np.isnan(run.shape_error)
     (sentence,) = run.findings
     assert sentence.startswith("No ink: the pen's tip stayed 1.")
-    assert sentence.endswith(
-        "2.0 mm over the paper. Plan again for the page as it lies: "
-        "Fetch().write(strokes, run.page)."
-    )
+    assert sentence.endswith("2.0 mm over the paper. Plan again for the page as it lies.")
     assert "no ink" in repr(run)
 
 
@@ -207,7 +204,7 @@ def test_a_rigid_pen_would_break():
     assert sentence.startswith(
         f"The pen would break: it is pushed with {run.greatest_force:.0f} N, and 10 N are enough"
     )
-    assert sentence.endswith('use pen="sprung".')
+    assert sentence.endswith("use the pen with a spring.")
 
 
 def test_real_motors_give_no_more_than_they_have_and_ideal_ones_what_is_needed():

@@ -75,7 +75,8 @@ export class Card {
     const { offsetHeight, style } = this.node;
     const room = this.words.querySelector(".dt-reason") ? `${offsetHeight}px` : style.minHeight;
     style.minHeight = step === "challenge" && !verdict ? room : "";
-    this.words.replaceChildren(...draws[step].call(this, progress, card));
+    const run = card.run ? [make("p", { class: "dt-reason" }, card.run)] : [];
+    this.words.replaceChildren(...draws[step].call(this, progress, card), ...run);
     /** @type {HTMLElement | null} */
     const first = this.buttons.querySelector(".dt-button:not([hidden])");
     // Even a button that is back at once may have lost the focus.

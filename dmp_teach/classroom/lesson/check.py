@@ -88,6 +88,26 @@ class Condition:
         return words.format(name=name, shown=self.shown, rule=self.rule)
 
 
+@dataclass(frozen=True)
+class Fact(Condition):
+    """A condition that holds, 1, or does not, 0: there is no number to show."""
+
+    @property
+    def shown(self) -> str:
+        """Whether it holds."""
+        return _("yes") if self.is_met else _("no")
+
+    @property
+    def rule(self) -> str:
+        """Nothing more: its name says it."""
+        return ""
+
+    @property
+    def shortfall(self) -> str:
+        """That it does not hold."""
+        return f"{self.name[:1].upper()}{self.name[1:]}: {self.shown}."
+
+
 def _side(value: float, limit: float) -> int:
     """Return whether a value is above a limit, 1, on it, 0, or below it, -1."""
     return (value > limit) - (value < limit)
@@ -126,6 +146,11 @@ def between(name: str, value: Measured, low: float, high: float, unit: str = "")
 def exactly(name: str, value: Measured, wanted: float, unit: str = "") -> Condition:
     """Return the condition that a number is the wanted one."""
     return Condition(name, value, wanted, wanted, unit)
+
+
+def holds(name: str, is_so: bool) -> Condition:
+    """Return the condition that something is so."""
+    return Fact(name, float(is_so), 1.0, 1.0)
 
 
 @dataclass(frozen=True)

@@ -14,9 +14,9 @@ from dmp_teach.classroom.lesson.check import Answer, Condition, Verdict, judge
 from dmp_teach.classroom.lesson.knobs import Knobs, check_answer
 from dmp_teach.classroom.panels.messages import Message
 from dmp_teach.classroom.panels.planning import Physics
-from dmp_teach.errors import SettingError, shown
+from dmp_teach.errors import ReachError, SettingError, shown
 from dmp_teach.ink import check_pseudonym
-from dmp_teach.robot import Page
+from dmp_teach.robot import Page, Run
 from dmp_teach.trajectory import Array, Trajectory
 
 
@@ -78,11 +78,11 @@ class Task:
     Args:
         text: What to do, and what to look for.
         is_done: Called with what is set.
-        by_robot: It is done when the robot has written.
+        by_robot: It is done only when the robot has written what is set.
     """
 
     text: str
-    is_done: Callable[[Answer], bool] = lambda _answer: False
+    is_done: Callable[[Answer], bool] = lambda _answer: True
     by_robot: bool = False
 
 
@@ -167,6 +167,14 @@ class LessonContent:
     def values_on(self, page: Page, values: Answer) -> Answer:
         """Return what is to be set so that the robot writes on a page that cures a fault."""
         return values
+
+    def tell_refusal(self, values: Answer, error: ReachError) -> str:
+        """Return why the robot cannot write on a page, and where it could: its cure is a page."""
+        return str(error)
+
+    def tell_run(self, run: Run) -> str:
+        """Return what physics made of the letter, where that is the lesson's matter."""
+        return ""
 
     def conditions(self, answer: Answer) -> Sequence[Condition]:
         """Return what the challenge asks for, each with the number of this answer."""

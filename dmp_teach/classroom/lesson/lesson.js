@@ -90,7 +90,10 @@ export class LessonView {
       ],
       onChange: (step) => send({ kind: "step", step }),
     });
-    const write = () => letRobotWrite(model, this.parts);
+    const write = () => {
+      this.stage.showRobot(true);
+      letRobotWrite(model, this.parts);
+    };
     const card = new Card(this.spec, { send, write, bet: () => this.stage.bet });
     this.stage = new Stage(this.spec, robot, {
       onBet: (bet) => send({ kind: "bet", bet }),

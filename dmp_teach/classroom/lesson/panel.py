@@ -13,15 +13,11 @@ from dmp_teach.classroom.lesson.bets import KeptBet, LessonState
 from dmp_teach.classroom.lesson.check import Answer, Verdict
 from dmp_teach.classroom.lesson.content import LessonContent, Picture
 from dmp_teach.classroom.lesson.knobs import check_answer
-from dmp_teach.classroom.lesson.packing import (
-    describe_card,
-    describe_lesson,
-    describe_page,
-    pack,
-)
+from dmp_teach.classroom.lesson.packing import describe_card, describe_lesson, describe_page, pack
 from dmp_teach.classroom.lesson.progress import (
     LESSON_STEPS,
     LessonProgress,
+    add_done,
     begin_progress,
     take_up,
 )
@@ -32,7 +28,7 @@ from dmp_teach.classroom.panels.robot_panel import RobotPanel
 from dmp_teach.classroom.panels.saved_attempts import find_free_pseudonym
 from dmp_teach.classroom.panels.sheets import SHEET_OF_ANY_LETTER
 from dmp_teach.classroom.panels.still import Still
-from dmp_teach.errors import SettingError, TeachError
+from dmp_teach.errors import ReachError, SettingError, TeachError
 from dmp_teach.files import join_modules, join_styles
 from dmp_teach.robot import Motion, Page, Run
 from dmp_teach.texts import gettext as _
@@ -53,7 +49,7 @@ class LessonPanel(RobotPanel, PanelPage):
     """A lesson as a pupil sees it.
 
     `values` are the knobs, which may be set from Python, too; `answer` is what `teach.check` takes.
-    The browser keeps `progress` while the page is open; the kernel keeps it while it lives.
+    Browser and kernel keep `progress` while they live.
     """
 
     _esm = join_modules(_HERE / "lesson.js")
@@ -235,17 +231,25 @@ class LessonPanel(RobotPanel, PanelPage):
             return
         if self.progress["step"] != "bet":
             self._tried = [*self._tried, dict(self.values)][-MOST_TRIED:]
-        done = set(self._progress()["done"])
-        if self._progress()["step"] == "try":
-            done |= {i for i, task in enumerate(self.lesson.tasks) if task.is_done(self.values)}
-        self._change(done=sorted(done), verdict=None)
+        done = add_done(self.lesson, self._progress(), self.values, by_robot=False)
+        self._change(done=done, verdict=None)
 
     def _show_result(self, result: object) -> None:
         """Show the motion, and tick what the robot was to do; or say what it cannot."""
+        if isinstance(result, ReachError) and result.cure:
+            result = ReachError(self.lesson.tell_refusal(self._written, result), cure=result.cure)
         super()._show_result(result)
-        if isinstance(result, Motion | Run) and self.progress["step"] == "try":
-            written = {i for i, task in enumerate(self.lesson.tasks) if task.by_robot}
-            self._change(done=sorted(written.union(self.progress["done"])))
+        if isinstance(result, Motion | Run):
+            self._change(done=add_done(self.lesson, self._progress(), self._written, by_robot=True))
+        if isinstance(result, Run) and not self.older:
+            self.card = self.card | {"run": self.lesson.tell_run(result)}
+            self.drawing += 1
+
+    def write(self) -> None:
+        """Let the robot write what is seen; tasks are about that."""
+        if self.work["state"] != "working":
+            self._written = dict(self.values)
+        super().write()
 
     def _move_page(self, page: Page) -> None:
         """Turn the lesson's knobs to a page that works."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from dmp_teach.classroom.lesson.check import Answer
 from dmp_teach.classroom.lesson.content import LessonContent
 from dmp_teach.classroom.lesson.knobs import check_answer
 from dmp_teach.errors import SettingError, shown
@@ -23,6 +24,15 @@ def begin_progress() -> LessonProgress:
     """
     fresh: LessonProgress = {"step": "bet", "bet": None, "revealed": False, "done": [], "hints": 0}
     return fresh | {"misses": 0, "verdict": None, "passed": None, "saved_as": None}
+
+
+def add_done(
+    lesson: LessonContent, progress: LessonProgress, values: Answer, by_robot: bool
+) -> list[int]:
+    """Return the tasks that are done, with those that values do; or that the robot has written."""
+    tasks = enumerate(lesson.tasks if progress["step"] == "try" else ())
+    new = (i for i, task in tasks if task.by_robot == by_robot and task.is_done(values))
+    return sorted({*progress["done"], *new})
 
 
 def take_up(lesson: LessonContent, work: object) -> tuple[LessonProgress, dict[str, Any]]:

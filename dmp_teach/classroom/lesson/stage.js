@@ -60,7 +60,7 @@ export class Stage {
       kind: "dt-choice dt-views",
       options: [
         { value: "plots", label: t("How it works") },
-        { value: "robot", label: t("At the table") },
+        { value: "robot", label: t("The robot") },
       ],
       onChange: (which) => this.showRobot(which === "robot"),
     });

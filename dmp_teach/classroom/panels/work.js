@@ -14,6 +14,8 @@ import { button, ICONS, icon } from "./controls.js";
 export function drawWork(/** @type {Model} */ model, /** @type {Parts} */ parts) {
   const [work, host] = [model.get("work"), parts.work];
   host.hidden = work.state === "idle";
+  // No robot is seen at a page that it does not reach; its place is kept.
+  parts.robotHost.classList.toggle("dt-away", Boolean(work.cure));
   host.className = `dt-work ${work.state === "cannot" ? "dt-cannot" : ""}`;
   change(parts.write, { "aria-disabled": work.state === "working" ? "true" : null });
   if (work.state === "working") showSteps(model, parts, work);

@@ -13,7 +13,7 @@ from dmp_teach.robot.reach.posture import (
     find_posture,
     list_rim_places,
 )
-from dmp_teach.robot.reach.suggest import Area, Suggestion, suggest_page, whole_area
+from dmp_teach.robot.reach.suggest import Area, suggest_page, whole_area
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Array
 
@@ -54,8 +54,10 @@ def check_reach(solver: Solver, page: Page, ink: Array) -> tuple[Array, tuple[st
             # It is only the rest of the page for which the arm must stand so.
             posture = find_posture(solver, page, *area, quick=True)
         else:
-            warning = _strained(suggestion)
-            notes.append(warning)
+            strained = _strained(suggestion.moved)
+            warning = f"{strained} {suggestion}"
+            # A note is read by who does not type, too.
+            notes.append(strained)
     if odd:
         notes.append(f"the page {odd}; was it meant so?")
     return posture.q, tuple(notes), warning
@@ -70,11 +72,15 @@ def measure_misses(solver: Solver, page: Page, area: Area, among: str = "") -> d
     }
 
 
-def _strained(suggestion: Suggestion) -> str:
+def _strained(moved: float) -> str:
     """Warn before the arm is straight."""
-    moved = 1000 * suggestion.moved
-    there = "" if np.isnan(moved) else f"; {moved:.0f} mm from here it is at ease"
-    return f"the arm is nearly stretched out here, where its joints must hurry{there}. {suggestion}"
+    if np.isnan(moved):
+        return _("the arm is nearly stretched out here, where its joints must hurry.")
+    words = _(
+        "the arm is nearly stretched out here, where its joints must hurry; {mm:.0f} mm from here "
+        "it is at ease."
+    )
+    return words.format(mm=1000 * moved)
 
 
 def _oddity(page: Page) -> str:

@@ -26,7 +26,7 @@ BREAKING_FORCE = 10.0
 _SPARE = 0.01
 # Ink that is this far from the letter on average is worth a word [m].
 _ASTRAY = 0.002
-_PLAN_AGAIN = "Plan again for the page as it lies: Fetch().write(strokes, run.page)."
+_PLAN_AGAIN = "Plan again for the page as it lies."
 
 
 @dataclass(frozen=True, eq=False)
@@ -203,11 +203,11 @@ def _describe_force(run: Run) -> Iterator[str]:
     if run.pen == "rigid" and most > BREAKING_FORCE:
         yield (
             f"The pen would break: it is pushed with {most:.0f} N, and {BREAKING_FORCE:.0f} N are "
-            'enough to break one. A rigid pen cannot give way: use pen="sprung".'
+            "enough to break one. A rigid pen cannot give way: use the pen with a spring."
         )
     elif hard.any() and hard.mean() >= _SPARE:
         where = describe_part(run.letter[: len(hard)], hard)
-        cure = 'Use pen="sprung".' if run.pen == "rigid" else _PLAN_AGAIN
+        cure = "Use the pen with a spring." if run.pen == "rigid" else _PLAN_AGAIN
         fate = f", and {BREAKING_FORCE:.0f} N would break the pen" if most > BREAKING_FORCE else ""
         yield (
             f"Pressed too hard, {where}: up to {most:.1f} N, where {FORCE_BAND[1]} N are "
