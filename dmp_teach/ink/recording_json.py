@@ -99,11 +99,11 @@ def recording_to_json(recording: Recording) -> str:
     return "{\n" + ",\n".join(lines) + ',\n"samples": [\n' + samples + "\n]\n}\n"
 
 
-def check_pseudonym(writer: str | None) -> None:
-    """Raise a RecordingError that says what a pseudonym is, unless the writer is one."""
+def check_pseudonym(writer: str | None, name: str = "writer") -> None:
+    """Raise a RecordingError that says what a pseudonym is, unless the writer is one, or None."""
     fits = writer is None or (isinstance(writer, str) and is_pseudonym(writer))
     rule = "a pseudonym such as 'w01', 'pupil-3' or 'fox', or null: no name, no date"
-    must(fits, "writer", writer, rule)
+    must(fits, name, writer, rule)
 
 
 # Any: JSON, in which every field is checked before it is used; so in the functions below.

@@ -8,6 +8,7 @@ from .model.proximity import Proximity as Proximity
 from .model.urdf import Visual as Visual
 from .motion import Motion as Motion
 from .page import Page as Page
+from .page import check_page as check_page
 from .reach.known import KNOWN_REACH as KNOWN_REACH
 from .reach.known import USUAL_PAGES as USUAL_PAGES
 from .reach.known import known_reach as known_reach

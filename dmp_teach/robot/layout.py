@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from dmp_teach.errors import PageError, TrajectoryError, kind_of
-from dmp_teach.robot.page import Page, check_finite
+from dmp_teach.robot.page import Page, check_finite, check_page
 from dmp_teach.trajectory import Array, Trajectory, all_points
 
 PAGE_MARGIN = 0.005
@@ -36,10 +36,7 @@ def lay_out(
         TrajectoryError: No strokes, something that is no stroke, three dimensions, or a jump.
         PageError: No page, ink that does not fit, or `at` or `size` that cannot be.
     """
-    if not isinstance(page, Page):
-        raise PageError(
-            f"page is {page!r}, but must be a Page, such as Page.table() or Page.board()."
-        )
+    check_page(page)
     strokes = check_strokes(strokes)
     points = all_points(strokes)
     low, high = points.min(axis=0), points.max(axis=0)

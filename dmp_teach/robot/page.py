@@ -232,6 +232,14 @@ def _angle(name: str, value: float) -> float:
     return angle
 
 
+def check_page(page: object) -> None:
+    """Raise a PageError unless it is a page."""
+    if not isinstance(page, Page):
+        raise PageError(
+            f"page is {page!r}, but must be a Page, such as Page.table() or Page.board()."
+        )
+
+
 def check_finite(name: str, value: float, meaning: str) -> float:
     """Return a finite number, or raise a PageError that says what it should be."""
     try:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable
 from typing import Any, Protocol, cast
 
+import numpy as np
+
 from dmp_teach.errors import LetterError, kind_of
 from dmp_teach.trajectory import Trajectory, path_length
 
@@ -22,6 +24,8 @@ class Writes(Protocol):
     def write(self) -> Iterable[Trajectory]:
         """Return the strokes, in the order of writing."""
 
+
+LARGEST_INK = 1e9  # farther from 0, and squares of squares overflow [m]
 
 LetterLike = HasStrokes | Writes | Trajectory | Iterable[Trajectory]
 """A `Recording`, a `Letter` (what it writes) or strokes."""
@@ -42,7 +46,8 @@ def to_strokes(letter: LetterLike, name: str = "letter") -> tuple[Trajectory, ..
     """Return the strokes of a recording, a letter or a sequence of strokes, in writing order.
 
     Raises:
-        LetterError: Something else, nothing, strokes that are not flat, or a letter without length.
+        LetterError: Something else, nothing, strokes that are not flat or too far away, or a
+            letter without length.
     """
     strokes = list_strokes(letter)
     wrong = [each for each in strokes if not isinstance(each, Trajectory)]
@@ -56,6 +61,10 @@ def to_strokes(letter: LetterLike, name: str = "letter") -> tuple[Trajectory, ..
             raise LetterError(
                 f"Stroke {k} of {name} has {stroke.dimensions} dimensions, but ink has 2, "
                 "right and up; leave out the height, or give the recording."
+            )
+        if (reach := float(np.abs(stroke.position).max())) > LARGEST_INK:
+            raise LetterError(
+                f"Stroke {k} of {name} reaches to {reach:.3g}, but positions are in metres."
             )
     if not max(path_length(stroke.position) for stroke in strokes) > 0:
         raise LetterError(

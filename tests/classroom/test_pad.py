@@ -14,7 +14,7 @@ from traitlets import TraitError
 import dmp_teach
 from dmp_teach.classroom.panels.kept import forget
 from dmp_teach.classroom.panels.pad import pad
-from dmp_teach.errors import RecordingError, TeachError
+from dmp_teach.errors import PageError, RecordingError, TeachError
 from dmp_teach.ink.alphabet import recording_of
 from dmp_teach.ink.recording_json import read_json, recording_to_json, write_json
 from dmp_teach.trajectory import Trajectory
@@ -367,6 +367,8 @@ def test_another_writer_takes_the_next_free_pseudonym_unless_given_one(folder):
         assert panel.save().name == name
     with pytest.raises(RecordingError, match="pseudonym"):
         pad(writer="Anna Meyer")
+    with pytest.raises(PageError, match="page is 5"):
+        pad(page=5)
 
 
 @pytest.mark.parametrize(

@@ -107,7 +107,7 @@ def test_a_teacher_says_what_is_judged():
     panel = pad("t", strict=("size",))
     write(panel, Trajectory(stem.t, stem.position * 0.5))
     assert said(panel).startswith("It is half as large as the robot’s.")
-    for strict in ("start", ("beauty",), None):
+    for strict in ("start", ("beauty",), [[]], None):
         with pytest.raises(LetterError, match="strict is"):
             pad("t", strict=strict)
 

@@ -73,7 +73,7 @@ def test_a_file_that_is_not_ours_is_told_and_left_alone(folder, content):
 
 
 def test_a_pupil_is_a_pseudonym():
-    with pytest.raises(teach.TeachError, match="Anna Schmidt"):
+    with pytest.raises(teach.TeachError, match="pupil is 'Anna Schmidt'"):
         teach.lesson("03", pupil="Anna Schmidt")
 
 

@@ -136,3 +136,5 @@ def test_a_known_map_is_what_the_solver_finds(name):
 def test_a_map_that_is_not_known_is_refused_by_name():
     with pytest.raises(PageError, match="'table', 'desk', 'board'"):
         known_reach("ceiling")
+    with pytest.raises(PageError, match="no known map of"):
+        known_reach([])

@@ -380,6 +380,7 @@ def test_the_hands_of_other_writers_are_close_in_shape():
         ("a", "but is a str"),
         (Trajectory([0, 1], np.zeros((2, 2))), "written is a dot: the pen never moves"),
         (Trajectory([0, 1], np.ones((2, 3))), "Stroke 0 of written has 3 dimensions"),
+        (Trajectory([0, 1], [[0, 0], [1e300, 0]]), "Stroke 0 of written reaches to 1e\\+300"),
     ],
 )
 def test_what_is_no_writing_has_no_score(written, words):

@@ -101,8 +101,7 @@ class LessonContent:
     slug: str
 
     def __init__(self, pupil: str | None = None):
-        if pupil is not None:
-            check_pseudonym(pupil)
+        check_pseudonym(pupil, "pupil")
         self.pupil = pupil
         seed = crc32(f"{self.key} {self.pupil or ''}".encode())
         self.vary(None if pupil is None else np.random.default_rng(seed))

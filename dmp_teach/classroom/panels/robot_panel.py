@@ -19,7 +19,7 @@ from dmp_teach.classroom.panels.still import Still
 from dmp_teach.errors import RecordingError, TeachError
 from dmp_teach.formats import known_formats, read_recording
 from dmp_teach.ink import Recording, characters
-from dmp_teach.robot import Motion, Page, Run
+from dmp_teach.robot import Motion, Page, Run, check_page
 from dmp_teach.texts import gettext as _
 from dmp_teach.texts import javascript_texts
 from dmp_teach.trajectory import Trajectory
@@ -97,6 +97,7 @@ class RobotPanel(UnsavedWidget):
     # Any: values of traits.
     def __init__(self, page: Page | None = None, **traits: Any):
         self.page = Page.table() if page is None else page
+        check_page(self.page)
         self.motion: Motion | None = None
         self._physics: Physics | None = None
         self._job: Job | None = None

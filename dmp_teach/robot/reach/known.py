@@ -24,7 +24,6 @@ KNOWN_REACH = ASSETS / "reach.json"
 residual [mm]."""
 
 
-@cache
 def known_reach(name: str) -> ReachMap:
     """Return the map, seen from above, of where a usual page can lie.
 
@@ -36,9 +35,15 @@ def known_reach(name: str) -> ReachMap:
     Raises:
         PageError: Another name.
     """
-    if name not in USUAL_PAGES:
+    if not isinstance(name, str) or name not in USUAL_PAGES:
         names = ", ".join(map(repr, USUAL_PAGES))
         raise PageError(f"There is no known map of {name!r:.40}; there are: {names}.")
+    return _read_known(name)
+
+
+@cache
+def _read_known(name: str) -> ReachMap:
+    """Return a map of the file."""
     known = json.loads(KNOWN_REACH.read_text(encoding="utf-8"))
     x, y = (np.array(known[axis]) for axis in "xy")
     effort, residual = (np.array(known[name][what]) for what in ("effort", "residual"))

@@ -11,7 +11,7 @@ import numpy as np
 from dmp_teach.errors import PageError
 from dmp_teach.robot.arm import get_solver
 from dmp_teach.robot.motion import BoolArray
-from dmp_teach.robot.page import A4, Page
+from dmp_teach.robot.page import A4, Page, check_page
 from dmp_teach.robot.reach.check import measure_misses
 from dmp_teach.robot.reach.posture import STRAINED_EFFORT, find_posture
 from dmp_teach.robot.reach.suggest import whole_area
@@ -135,10 +135,7 @@ def reach_around(
         MissingPartError: PlaCo is not on this platform.
     """
     page = Page.table() if page is None else page
-    if not isinstance(page, Page):
-        raise PageError(
-            f"page is {page!r}, but must be a Page, such as Page.table() or Page.board()."
-        )
+    check_page(page)
     distances = _axis("x", x, _DISTANCES)
     sides = _axis("y", y, _SIDES)
     ahead, left, _ = page.X_world_page[:3, 3]
