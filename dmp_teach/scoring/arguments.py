@@ -25,7 +25,7 @@ class Writes(Protocol):
         """Return the strokes, in the order of writing."""
 
 
-LARGEST_INK = 1e9  # farther from 0, and squares of squares overflow [m]
+FARTHEST_POINT = 1e9  # farther from 0, and squares of squares overflow [m]
 
 LetterLike = HasStrokes | Writes | Trajectory | Iterable[Trajectory]
 """A `Recording`, a `Letter` (what it writes) or strokes."""
@@ -62,7 +62,7 @@ def to_strokes(letter: LetterLike, name: str = "letter") -> tuple[Trajectory, ..
                 f"Stroke {k} of {name} has {stroke.dimensions} dimensions, but ink has 2, "
                 "right and up; leave out the height, or give the recording."
             )
-        if (reach := float(np.abs(stroke.position).max())) > LARGEST_INK:
+        if (reach := float(np.abs(stroke.position).max())) > FARTHEST_POINT:
             raise LetterError(
                 f"Stroke {k} of {name} reaches to {reach:.3g}, but positions are in metres."
             )
