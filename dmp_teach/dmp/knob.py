@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 from collections.abc import Collection, Hashable
 from dataclasses import dataclass, field
+from numbers import Real
 from typing import Any
 
-from dmp_teach.errors import SettingError
+from dmp_teach.errors import SettingError, shown
 
 
 # Any: the values of settings are numbers, words, yes or no, or None.
@@ -46,27 +47,29 @@ class Knob:
         """
         if self.options:
             if isinstance(value, Hashable) and value in self.options:
-                return value
+                # 1 and np.True_ are found as True.
+                return next(each for each in self.options if each == value)
             names = ", ".join(map(repr, self.options))
-            raise SettingError(f"{self.name} is {value!r}, but it must be one of: {names}.")
-        if (value is None and self.optional) or (self.endless and value == math.inf):
+            raise SettingError(f"{self.name} is {shown(value)}, but it must be one of: {names}.")
+        if (value is None and self.optional) or (
+            self.endless and _is_number(value) and value == math.inf
+        ):
             return value
         limit = self.high if self.limit is None else self.limit
-        good = (
-            not isinstance(value, (str, bool)) and _is_number(value) and self.low <= value <= limit
-        )
+        good = _is_number(value) and self.low <= value <= limit
         if not good or (self.whole and value != int(value)):
             number = "a whole number between" if self.whole else "between"
-            raise SettingError(
-                f"{self.name} is {value!r}, but it must be {number} {self.low:g} and {limit:g}."
-            )
+            rule = f"{number} {self.low:g} and {limit:g}"
+            raise SettingError(f"{self.name} is {shown(value)}, but it must be {rule}.")
         return int(value) if self.whole else float(value)
 
 
 def _is_number(value: Any) -> bool:
+    """Return whether it is a number that a float holds, and not NaN."""
     try:
-        return not math.isnan(float(value))
-    except (TypeError, ValueError):
+        is_real = isinstance(value, Real) and not isinstance(value, bool)
+        return is_real and not math.isnan(value)
+    except OverflowError:
         return False
 
 

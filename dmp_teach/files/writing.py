@@ -54,11 +54,13 @@ def write_whole(path: str | os.PathLike, data: bytes, suffix: str) -> Path:
             os.fsync(file.fileno())
         os.chmod(partial, 0o666 & ~_umask())
         os.replace(partial, path)
-    except OSError as error:
+    # A ValueError is a name that no file can have.
+    except (OSError, ValueError) as error:
         if partial is not None and os.path.exists(partial):
             os.unlink(partial)
+        why = getattr(error, "strerror", error)
         raise PathError(
-            f"{str(path)!r} cannot be written: {error.strerror}. What was there is unchanged."
+            f"{str(path)!r} cannot be written: {why}. What was there is unchanged."
         ) from None
     return path
 

@@ -91,3 +91,6 @@ def test_a_recording_that_was_opened_in_the_browser_is_written_nowhere(tmp_path)
 def test_a_path_that_cannot_be_written_is_refused(tmp_path):
     with pytest.raises(PathError, match="must end with"):
         teach.explore().html(tmp_path / "a.txt")
+    with pytest.raises(PathError, match="null"):
+        teach.explore().html(tmp_path / "\0.html")
+    assert not list(tmp_path.iterdir())

@@ -4,6 +4,7 @@ import dataclasses
 import math
 import re
 
+import numpy as np
 import pytest
 
 from dmp_teach.dmp.settings import Settings, knob_of, knobs
@@ -54,6 +55,20 @@ def test_an_error_says_what_it_is_and_what_it_must_be():
     )
     with pytest.raises(SettingError, match=r"^kernel_width is None, but it must be between"):
         Settings(kernel_width=None)
+
+
+@pytest.mark.parametrize(
+    ("name", "value"),
+    [("alpha", 10**5000), ("kernel_width", np.array([1, 2])), ("damping", np.True_)],
+    ids=["alpha", "kernel_width", "damping"],
+)
+def test_what_is_no_number_is_refused_by_name(name, value):
+    with pytest.raises(SettingError, match=f"^{name} is"):
+        Settings.star(**{name: value})
+
+
+def test_a_choice_is_kept_as_the_option_that_it_is():
+    assert Settings.star(sharpen=np.True_).sharpen is True
 
 
 def test_an_unknown_setting_is_answered_with_those_that_exist():

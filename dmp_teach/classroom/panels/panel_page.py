@@ -29,7 +29,8 @@ class PanelPage:
         """Write the panel as one file that opens from disk, without network or kernel.
 
         Goals, bets and all else that the browser draws follow the hand; what needs a kernel is
-        seen and disabled. Nothing that a pupil has written is in it, nor a pseudonym.
+        seen and disabled. Nothing that was written or opened in the browser is in it, nor a
+        pseudonym; the recording of `explore(recording)`, which was chosen by name, is.
 
         Args:
             path: Where to, ending with .html; its folder must exist.
