@@ -15,7 +15,7 @@ from typing import Any, TextIO
 
 from tqdm.auto import tqdm
 
-from dmp_teach.errors import SettingWarning
+from dmp_teach.errors import SettingError, SettingWarning, kind_of
 
 Progress = Callable[[int, int], object]
 
@@ -31,7 +31,14 @@ def run(
     What still waits is cancelled when a piece raises. Warnings about settings are silenced: gaps
     between kernels are what is studied. `progress(done, total)` is called in this thread; it may
     raise to stop.
+
+    Raises:
+        SettingError: The executor cannot be given work, or the progress cannot be called.
     """
+    if executor is not None and not hasattr(executor, "submit"):
+        raise SettingError(f"executor is {kind_of(executor)}, but must be an Executor, or None.")
+    if progress is not None and not callable(progress):
+        raise SettingError(f"progress is {kind_of(progress)}, but must be a function, or None.")
     pieces = list(pieces)
     results: list = []
     with _quiet():

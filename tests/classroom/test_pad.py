@@ -293,6 +293,13 @@ def test_without_a_letter_the_robot_learns_whatever_is_written():
     assert free.motion is not None
 
 
+def test_a_stroke_that_is_refused_is_not_on_the_sheet(panel):
+    with pytest.raises(RecordingError, match="outside"):
+        panel.add_stroke(good(), outside=None)
+    with pytest.raises(RecordingError, match="Nothing is written"):
+        _ = panel.recording
+
+
 def test_before_anything_is_written_the_next_cells_are_told_so_and_the_robot_writes_its_own(panel):
     for name in ("recording", "letter", "score", "error"):
         with pytest.raises(RecordingError, match="Nothing is written on the pad yet"):

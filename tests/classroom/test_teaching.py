@@ -146,6 +146,7 @@ def test_five_pupils_come_with_it_in_at_most_twenty_lines_and_are_kept(tmp_path)
         ({"faults": {"lazy": 1}}, "lazy"),
         ({"faults": {"size": 9}}, "size"),
         ({"mixes_up": ["bdp"]}, "mixes_up"),
+        ({"mixes_up": None}, "mixes_up"),
         ({"pace": 0}, "pace"),
         ({"forgetting": "much"}, "forgetting"),
         ({"seed": -1}, "seed"),
@@ -208,6 +209,16 @@ def test_a_session_begins_with_a_name_and_takes_yes_and_no_alone(log):
         with pytest.raises(RecordingError, match="answer"):
             session.answer(odd)
     assert json.dumps(session.answer(np.True_).as_json())
+
+
+def test_a_pupil_is_a_key_and_without_a_letter_is_none():
+    assert len({PupilTraits("X", {"lean": 9.0}), PupilTraits("X", {"lean": 9.0})}) == 1
+    with pytest.raises(RecordingError, match="mixes_up"):
+        PupilTraits("X", mixes_up=None)
+    with pytest.raises(RecordingError, match="None"):
+        RobotPupil.load("Mia", None)
+    with pytest.raises(RecordingError, match="pupil"):
+        PupilTraits.of({})
 
 
 def test_nothing_is_learned_from_a_dot():

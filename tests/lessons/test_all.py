@@ -9,7 +9,7 @@ import pytest
 
 import dmp_teach as teach
 from dmp_teach.classroom import LessonState
-from dmp_teach.errors import SettingError
+from dmp_teach.errors import RecordingError, SettingError
 from dmp_teach.lessons import lessons
 
 KEYS = list(lessons())
@@ -196,6 +196,11 @@ def test_hints_are_counted_in_whole_numbers(hints):
 )
 def test_an_answer_that_cannot_be_printed_is_refused(answer):
     assert not teach.check("02", answer).done
+
+
+def test_a_lesson_shows_no_recording_of_ones_own():
+    with pytest.raises(RecordingError, match=r"explore\(recording\)"):
+        teach.lesson("03").panel().load(teach.recording_of("a"))
 
 
 def test_an_unknown_lesson_is_refused_by_name():

@@ -165,10 +165,25 @@ def test_all_ways_stand_in_one_table_and_one_figure(takes):
     assert len(figure.axes) == 10
     with pytest.raises(ViewError, match="1, 5"):
         teach.figures.draw_ways_to_learn(tried, numbers=(3,))
+    for odd in ((), 5):
+        with pytest.raises(ViewError, match="numbers"):
+            teach.figures.draw_ways_to_learn(tried, numbers=odd)
+
+
+@pytest.mark.parametrize("name", ["stroke", "fetch", "executor", "progress"])
+def test_what_a_comparison_cannot_use_is_refused_by_name(name):
+    with pytest.raises(SettingError, match=name):
+        compare_ways_to_learn(numbers=(1,), **{name: 0.5})
+
+
+@pytest.mark.parametrize("draw", [teach.figures.draw_ways_to_learn, teach.figures.draw_writing])
+def test_nothing_is_not_drawn(draw):
+    with pytest.raises(ViewError, match="None"):
+        draw(None)
 
 
 @ONE_LETTER
-@pytest.mark.parametrize("numbers", [(0,), (6,), (), (True, "a")])
+@pytest.mark.parametrize("numbers", [(0,), (6,), (), (True, "a"), (1.0,), (True,), 6, 1.0])
 def test_numbers_that_cannot_be_shown_are_refused(takes, numbers):
     with pytest.raises(SettingError, match="from 1 to 5"):
         compare_ways_to_learn(takes, numbers=numbers)

@@ -15,6 +15,7 @@ from dmp_teach.classroom.lesson.knobs import Knobs, check_answer
 from dmp_teach.classroom.panels.messages import Message
 from dmp_teach.classroom.panels.planning import Physics
 from dmp_teach.errors import ReachError, SettingError, shown
+from dmp_teach.files import is_whole
 from dmp_teach.ink import check_pseudonym
 from dmp_teach.robot import Page, Run
 from dmp_teach.trajectory import Array, Trajectory
@@ -201,7 +202,7 @@ class LessonContent:
         Raises:
             SettingError: The hints are no whole number. A bad answer raises nothing.
         """
-        if not isinstance(hints, int | np.integer):
+        if not is_whole(hints):
             raise SettingError(f"hints is {shown(hints)}, but must be a whole number.")
         hint = self.hints[min(max(hints, 0), 2)]
         if isinstance(answer, Mapping):

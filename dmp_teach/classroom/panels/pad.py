@@ -18,7 +18,7 @@ from dmp_teach.classroom.panels.robot_panel import RobotPanel, list_letter_choic
 from dmp_teach.classroom.panels.saved_attempts import SavedAttempts, list_files
 from dmp_teach.classroom.panels.still import Still
 from dmp_teach.errors import RecordingError
-from dmp_teach.files import join_modules, join_styles
+from dmp_teach.files import is_whole, join_modules, join_styles, must
 from dmp_teach.ink import (
     Recording,
     characters,
@@ -131,13 +131,13 @@ class Pad(Results, RobotPanel):
             RecordingError: Points that cannot be a stroke, or too many strokes; the sheet stays as
                 it is.
         """
+        must(is_whole(outside), "outside", outside, "a whole number")
         stroke = pad_stroke(points, pressed)
         now = self._attempts.now
-        if now is not None and not now.strokes:
+        before = now.strokes if now else ()
+        if now is not None and not before:
             # A recording from a file is an attempt of its own.
             self.start_again()
-            now = None
-        before = now.strokes if now else ()
         if len(before) >= MAX_STROKES:
             raise RecordingError(f"One letter has at most {MAX_STROKES} strokes: start again.")
         strokes = self._pen_lift.take(before, stroke)

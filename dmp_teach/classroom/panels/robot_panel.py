@@ -146,7 +146,7 @@ class RobotPanel(UnsavedWidget):
         """Show a recording of one's own.
 
         Raises:
-            RecordingError: It cannot be read, or has no stroke.
+            RecordingError: It cannot be read, has no stroke, or this panel has its own letters.
         """
         own = recording if isinstance(recording, Recording) else read_recording(recording)
         if not own.strokes():
@@ -154,8 +154,8 @@ class RobotPanel(UnsavedWidget):
         self._show_own(own)
 
     def _show_own(self, own: Recording) -> None:
-        """Show a recording that has strokes."""
-        raise NotImplementedError
+        """Show a recording that has strokes, where the panel can."""
+        raise RecordingError("This panel has its own letters; try explore(recording).")
 
     def write(self) -> None:
         """Let the robot write exactly what is seen."""

@@ -44,7 +44,7 @@ class PupilTraits:
     """
 
     name: str
-    faults: Mapping[str, float] = field(default_factory=dict)
+    faults: Mapping[str, float] = field(default_factory=dict, hash=False)
     mixes_up: tuple[str, ...] = ()
     pace: float = 0.5
     forgetting: float = 0.4
@@ -60,13 +60,14 @@ class PupilTraits:
             shape = SHAPE_FAULTS.get(name)
             low, high = (shape.low, shape.high) if shape else (1.0, 1.0)
             _must_be_within(name, amount, low, high)
-        pairs = tuple(self.mixes_up)
-        must(all(map(_is_pair, pairs)), "mixes_up", self.mixes_up, "a list of two letters each")
+        pairs = self.mixes_up
+        is_list = isinstance(pairs, list | tuple) and all(map(_is_pair, pairs))
+        must(is_list, "mixes_up", pairs, "a list of two letters each")
         _must_be_within("pace", self.pace, 0.05, 1.0)
         _must_be_within("forgetting", self.forgetting, 0.0, 1.0)
         must(type(self.seed) is int and 0 <= self.seed < 2**32, "seed", self.seed, "a whole number")
         object.__setattr__(self, "faults", MappingProxyType(dict(self.faults)))
-        object.__setattr__(self, "mixes_up", pairs)
+        object.__setattr__(self, "mixes_up", tuple(pairs))
 
     @classmethod
     def load(cls, path: str | PathLike[str]) -> Self:

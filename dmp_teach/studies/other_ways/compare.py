@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass, replace
 from time import perf_counter
@@ -11,7 +11,8 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from dmp_teach.dmp import check_point
-from dmp_teach.errors import SettingError, TeachError
+from dmp_teach.errors import SettingError, TeachError, kind_of, shown
+from dmp_teach.files import is_whole
 from dmp_teach.ink import recording_of
 from dmp_teach.robot import Fetch, Page
 from dmp_teach.studies.inputs import RecordingsLike, list_letters
@@ -120,7 +121,7 @@ class WaysTried(Tabled):
 
 def compare_ways_to_learn(
     takes: RecordingsLike = None,
-    numbers: Sequence[int] | None = None,
+    numbers: Sequence[int] | int | None = None,
     shift: ArrayLike = (0.1, 0.0),
     stroke: int = 0,
     fetch: Fetch | None = None,
@@ -145,19 +146,25 @@ def compare_ways_to_learn(
 
     Raises:
         SettingError: A number of demonstrations that there are not, or that leaves none to judge
-            by; no such stroke.
+            by; no such stroke; a robot that is no `Fetch`.
     """
+    if fetch is not None and not isinstance(fetch, Fetch):
+        raise SettingError(f"fetch is {kind_of(fetch)}, but must be a robot, as Fetch() gives it.")
     if takes is None:
+        _check_stroke(stroke, 1)
         model = recording_of("a").strokes()[0]
         paths, meant = draw_takes(model, TAKES_DRAWN), even_path(model)
         most = TAKES_DRAWN
     else:
         paths, meant = _lay_together(takes, stroke), None
         most = len(paths) - 1
-    wanted = [n for n in NUMBERS_SHOWN if n <= most] if numbers is None else list(numbers)
-    odd = [n for n in wanted if n not in range(1, most + 1)]
+    if numbers is None:
+        numbers = [n for n in NUMBERS_SHOWN if n <= most]
+    # One number alone is a list of it.
+    wanted = list(numbers) if isinstance(numbers, Iterable) else [numbers]
+    odd = [n for n in wanted if not is_whole(n) or not 1 <= n <= most]
     if odd or not wanted:
-        asked = f"{odd[0]!r} demonstrations" if odd else "no number of demonstrations"
+        asked = f"{shown(odd[0])} demonstrations" if odd else "no number of demonstrations"
         raise SettingError(
             f"numbers asks for {asked}, but there are {len(paths)} takes: from 1 to {most} can be "
             "shown."
@@ -220,13 +227,19 @@ def _lay_together(takes: RecordingsLike, stroke: int) -> tuple[Trajectory, ...]:
     """Return one stroke of every take, moved so that all have the middle of the first."""
     letters = list_letters(takes)
     least = min(len(each.strokes) for each in letters)
-    if stroke not in range(least):
-        raise SettingError(f"stroke is {stroke!r}, but every take has strokes 0 to {least - 1}.")
+    _check_stroke(stroke, least)
     paths = [each.strokes[stroke] for each in letters]
     middle = even_path(paths[0]).mean(axis=0)
     return tuple(
         Trajectory(each.t, each.position - even_path(each).mean(axis=0) + middle) for each in paths
     )
+
+
+def _check_stroke(stroke: int, count: int) -> None:
+    """Raise a SettingError unless there is such a stroke among so many."""
+    if not is_whole(stroke) or not 0 <= stroke < count:
+        last = count - 1
+        raise SettingError(f"stroke is {shown(stroke)}, but every take has strokes 0 to {last}.")
 
 
 def _written(tried: WayTried, fetch: Fetch) -> WayTried:

@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.image import imread
 
-from dmp_teach.errors import ViewError
+from dmp_teach.errors import ViewError, kind_of
 from dmp_teach.robot import (
     ROBOT_PARTS,
     TIP_TOLERANCE,
@@ -75,9 +75,12 @@ def draw_writing(motion: Motion | Run, camera: str = "over the shoulder") -> Fig
         camera: "whole robot", "over the shoulder" or "page from above".
 
     Raises:
+        ViewError: Neither a motion nor a run.
         SettingError: Another camera.
         MissingPartError: pybullet, which draws the frames, is not installed.
     """
+    if not isinstance(motion, Motion | Run):
+        raise ViewError(f"motion is {kind_of(motion)}, but must be a Motion or a Run.")
     run = motion if isinstance(motion, Run) else None
     stage = Stage(motion.motion if isinstance(motion, Run) else motion, run)
     rows, columns = 2, 3

@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from dmp_teach.errors import ViewError
+from dmp_teach.errors import ViewError, kind_of, shown
 from dmp_teach.studies import WaysTried, WayTried
 from dmp_teach.views.figures.figure_style import (
     RING_MARKER,
@@ -35,21 +35,23 @@ def draw_ways_to_learn(tried: WaysTried, numbers: Sequence[int] | None = None) -
         numbers: Of demonstrations, a row for each; the fewest and five, or the most, unless given.
 
     Raises:
-        ViewError: A number that was not tried.
+        ViewError: Something else, no number, or one that was not tried.
     """
+    if not isinstance(tried, WaysTried):
+        raise ViewError(f"tried is {kind_of(tried)}, but must be from compare_ways_to_learn().")
     known = sorted({len(each.takes) for each in tried.items})
     default = dict.fromkeys([known[0], 5 if 5 in known else known[-1]])
-    rows = list(default if numbers is None else numbers)
-    if not set(rows) <= set(known):
-        raise ViewError(f"numbers is {rows}, but {', '.join(map(str, known))} were tried.")
+    rows = list(default) if numbers is None else numbers
+    if not isinstance(rows, Sequence) or not rows or any(each not in known for each in rows):
+        raise ViewError(f"numbers is {shown(rows)}, but {', '.join(map(str, known))} were tried.")
     names = list(dict.fromkeys(each.way.name for each in tried.items))
     size = (2.75 * len(names), 2.3 * len(rows) + 0.6)
     figure, panels = new_figure(len(rows), len(names), *size, sharex=True, sharey=True)
     for each in tried.items:
         if len(each.takes) in rows:
             _plot_way(panels[rows.index(len(each.takes)), names.index(each.way.name)], each)
-    shown = [take.position for each in tried.items for take in each.takes]
-    seen = np.concatenate([*shown, *(each.goal[None] for each in tried.items)])
+    drawn = [take.position for each in tried.items for take in each.takes]
+    seen = np.concatenate([*drawn, *(each.goal[None] for each in tried.items)])
     low, high = seen.min(axis=0) - MOST_BEYOND / 3, seen.max(axis=0) + MOST_BEYOND / 3
     set_same_view(panels.flat, 1e3 * np.array([low, high]))
     add_legend_below(figure, panels[0, 0])
