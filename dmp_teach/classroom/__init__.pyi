@@ -27,6 +27,7 @@ from .panels.explore import explore as explore
 from .panels.pad import pad as pad
 from .panels.resting import RESTING_SCRIPT as RESTING_SCRIPT
 from .panels.sliders import sliders as sliders
+from .teaching.content import HABITS as HABITS
 from .teaching.forecast import forecast as forecast
 from .teaching.lesson import TeachingLesson as TeachingLesson
 from .teaching.pupil import RobotPupil as RobotPupil

@@ -9,6 +9,7 @@ from dataclasses import replace
 import numpy as np
 
 from dmp_teach.classroom import (
+    HABITS,
     Answer,
     Condition,
     DrawnBet,
@@ -72,8 +73,7 @@ class TeachTheRobot(TeachingLesson):
 
     def traits_of(self, values: Answer) -> PupilTraits:
         """Return the pupil that is set, which forgets when all pupils of this lesson do."""
-        is_echo = values["pupil"] == self.echo.name
-        traits = self.echo if is_echo else PupilTraits.load(values["pupil"])
+        traits = self.pupil_named(values["pupil"])
         shares = {name: round(values[name]) / 100 for name in ("pace", "forgetting")}
         return replace(traits, **shares, seed=self.seed)
 
@@ -102,14 +102,13 @@ class TeachTheRobot(TeachingLesson):
     @property
     def knobs(self) -> Knobs:
         """What a teacher can set: who the pupil is, its pace, its forgetting."""
-        names = {name: name for name in known_pupils()} | {self.echo.name: _("like you")}
+        names = {name: name for name in known_pupils()}
+        names[self.echo.name] = self.echo.name if self.has_guest else _("like you")
         pupils = OneOf(_("Pupil"), names)
-        percent = {"low": STEP, "high": 95, "step": STEP, "unit": "%"}
-        forgets = percent | {"low": 0, "high": 90}
         return {
             "pupil": pupils,
-            "pace": Slider(_("Learns in one turn"), _("pace"), **percent),  # type: ignore[arg-type]
-            "forgetting": Slider(_("Forgets on a bad day"), "", **forgets),  # type: ignore[arg-type]
+            "pace": Slider(_("Learns in one turn"), _("pace"), *HABITS["pace"], STEP, "%"),
+            "forgetting": Slider(_("Forgets on a bad day"), "", *HABITS["forgetting"], STEP, "%"),
         }
 
     @property
@@ -129,7 +128,7 @@ class TeachTheRobot(TeachingLesson):
     @property
     def tasks(self) -> Sequence[Task]:
         """What to try: show, answer, and show again."""
-        session = self.session
+        session = None if self.is_doubted else self.session
         turns = session.turns if session else ()
         show = _("Write a good {letter} on the sheet and press “Show it”. Does its line move?")
         if not self.takes_ink:
@@ -267,7 +266,7 @@ class TeachTheRobot(TeachingLesson):
         dots = [distance_dot(turn, far, "truth") for turn, far in enumerate(self.record)]
         line = self._forecast(values)
         note = _("dots: the record; line: yours")
-        plot = draw_distances([distance_line(line, "robot")], dots, note)
+        plot = draw_distances([distance_line(line, "robot")], dots, note, hides_bet=True)
         return Picture(say_of_pupil(line[0], mine), sheet, {"far": plot}, mine.written.write())
 
     def _draw_bet(self, is_revealed: bool) -> Picture:
@@ -293,6 +292,6 @@ class TeachTheRobot(TeachingLesson):
         # What was shown stays until somebody writes again.
         ink = self.ink or session.placed
         sheet = draw_pupil(pupil, paths_of(ink), caption, note)
-        told = _("line with dots: as you taught it; without: by the book")
-        plot = draw_distances(lines, dots, told)
+        told = _("solid: as you taught it; dotted: by the book")
+        plot = draw_distances(lines, dots, told, values["pupil"] != FIRST_PUPIL["pupil"])
         return Picture(say_of_session(session), sheet, {"far": plot}, pupil.written.write())

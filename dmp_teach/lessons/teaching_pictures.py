@@ -46,12 +46,15 @@ def draw_pupil(pupil: RobotPupil, dots: Sequence[Array], caption: str, note: str
     }
 
 
-def draw_distances(lines: Sequence[Drawing], dots: Sequence[Drawing], note: str) -> Drawing:
-    """Draw distances over turns."""
+def draw_distances(
+    lines: Sequence[Drawing], dots: Sequence[Drawing], note: str, hides_bet: bool = False
+) -> Drawing:
+    """Draw distances over turns, without the bet where it was on another pupil."""
     turns = max(TURNS, len(dots) - 1)
     return {
         "caption": _("How far off it is"),
         "note": note,
+        "hides_bet": hides_bet,
         "x": {"label": _("times it was shown"), "low": 0.0, "high": float(turns)},
         "y": {"label": "mm", "low": 0.0, "high": MOST_FAR},
         "lines": list(lines),

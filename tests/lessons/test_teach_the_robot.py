@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import dmp_teach as teach
-from dmp_teach.classroom import forecast
+from dmp_teach.classroom import PupilTraits, forecast
 from dmp_teach.errors import LetterError, RecordingError
 from dmp_teach.lessons.teach_the_robot import TURNS, TeachTheRobot
 
@@ -19,11 +19,11 @@ def panel():
     return panel
 
 
-def write(panel):
-    """Write our own b with a mouse."""
-    [stroke] = teach.recording_of("b").strokes()
-    pressure = np.full((len(stroke), 1), 0.5)
-    panel.add_stroke(np.hstack([stroke.t[:, None], stroke.position, pressure])[::4])
+def write(panel, letter="b", size=1.0):
+    """Write a letter of ours with a mouse."""
+    for stroke in teach.recording_of(letter).strokes():
+        pressure = np.full((len(stroke), 1), 0.5)
+        panel.add_stroke(np.hstack([stroke.t[:, None], size * stroke.position, pressure])[::4])
 
 
 def test_a_pupil_is_taught_asks_forgets_and_is_taught_again(panel):
@@ -121,3 +121,43 @@ def test_what_is_forgotten_is_seen_before_a_question_is_answered(panel):
     assert panel.teaching["asks"]
     assert "forgotten" in panel.message["text"]
     assert float(panel.message["number"]) > 1000 * panel.session.learned[-1] + 1
+
+
+def test_a_slip_of_the_pen_is_refused_and_another_letter_ticks_nothing(panel):
+    write(panel, size=0.05)
+    with pytest.raises(LetterError, match="dot"):
+        panel.show()
+    assert panel.session.turns == ()
+    panel.undo()
+    write(panel, "X")
+    panel.show()
+    assert (panel.progress["done"], len(panel.session.turns)) == ([], 1)
+    assert "cannot read b" in panel.status
+
+
+def test_who_is_chosen_to_be_taught_sets_its_own_pace_and_a_challenge_keeps_it(panel):
+    panel.values = panel.values | {"pupil": "Leo"}
+    leo = {"pupil": "Leo", "pace": 50, "forgetting": 20}
+    assert panel.values == leo
+    panel.go("challenge")
+    panel.values = panel.values | {"pupil": "Ida"}
+    assert panel.values == leo | {"pupil": "Ida"}
+
+
+def test_a_pupil_of_a_teachers_own_is_taught_in_the_panel_and_stays():
+    lesson = teach.lesson("09", pupil="w03")
+    lesson.echo = PupilTraits("Tom", {"lean": 20.0}, pace=1.0, forgetting=0.1)
+    assert lesson.knobs["pupil"].options["Tom"] == "Tom"
+    panel = lesson.panel()
+    panel.go("try")
+    write(panel, lesson.letter)
+    panel.show()
+    panel.values = panel.values | {"pupil": "Tom"}
+    assert panel.values == {"pupil": "Tom", "pace": 95, "forgetting": 10}
+    assert panel.session.traits.faults == {"lean": 20.0}
+    panel.forget()
+
+
+def test_an_unknown_pupil_is_answered_with_the_known_ones():
+    with pytest.raises(RecordingError, match="Bo, Ida, Leo, Mia, Zoe"):
+        PupilTraits.load("Tom")

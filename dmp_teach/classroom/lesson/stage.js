@@ -159,7 +159,7 @@ export class Stage {
   }
 
   drawPlot(/** @type {string} */ name, /** @type {Values} */ drawing) {
-    const { caption, note, ...scene } = drawing;
+    const { caption, note, hides_bet, ...scene } = drawing;
     let one = this.plots[name];
     if (!one) {
       const words = captionOf();
@@ -174,7 +174,7 @@ export class Stage {
     }
     one.words.show(caption, note);
     const { bet, ...handles } = this.handlesOf(name);
-    const kept = bet ? [{ points: bet, kind: "bet", label: t("your bet") }] : [];
+    const kept = bet && !hides_bet ? [{ points: bet, kind: "bet", label: t("your bet") }] : [];
     const lines = [...(scene.lines ?? []), ...kept];
     one.plot.draw(/** @type {any} */ ({ title: caption, ...scene, ...handles, lines }));
   }

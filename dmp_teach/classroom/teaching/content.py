@@ -8,6 +8,9 @@ from dmp_teach.classroom.teaching.session import TeachingSession
 from dmp_teach.classroom.teaching.traits import PupilTraits
 from dmp_teach.trajectory import Trajectory
 
+# What can be set of a pupil [%].
+HABITS = {"pace": (5, 95), "forgetting": (0, 90)}
+
 
 class TeachingContent(LessonContent):
     """A lesson with a session, which its panel goes on with; a check needs none."""
@@ -17,6 +20,8 @@ class TeachingContent(LessonContent):
     ink: tuple[Trajectory, ...] = ()
     # A page of its own has no kernel to write to.
     takes_ink = True
+    # Whether what was shown last does not look like the letter.
+    is_doubted = False
     # A pupil that gets wrong what was weakest in what was shown last by hand.
     echo = PupilTraits("Echo", {"lean": 25.0})
 
@@ -24,9 +29,27 @@ class TeachingContent(LessonContent):
         """Return what the pupil is like that is set."""
         raise NotImplementedError
 
+    @property
+    def has_guest(self) -> bool:
+        """Whether a pupil of a teacher's own has taken the place of the echo."""
+        return self.echo.name != TeachingContent.echo.name
+
+    def pupil_named(self, name: str) -> PupilTraits:
+        """Return the pupil of this name as it comes."""
+        return self.echo if name == self.echo.name else PupilTraits.load(name)
+
+    def habits_of(self, name: str) -> Answer:
+        """Return the pace and the forgetting of the pupil of this name [%], as can be set."""
+        traits = self.pupil_named(name)
+        return {
+            habit: min(max(round(100 * getattr(traits, habit)), low), high)
+            for habit, (low, high) in HABITS.items()
+        }
+
     def session_with(self, values: Answer) -> TeachingSession:
         """Return the session with the pupil that is set; another pupil begins another one."""
         traits = self.traits_of(values)
         if self.session is None or self.session.traits != traits:
             self.session, self.ink = TeachingSession.begin(traits, self.letter), ()
+            self.is_doubted = False
         return self.session

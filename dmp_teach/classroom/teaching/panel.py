@@ -17,11 +17,13 @@ from dmp_teach.classroom.teaching.traits import PupilTraits
 from dmp_teach.errors import LetterError, RecordingError, TeachError
 from dmp_teach.files import join_modules, join_styles
 from dmp_teach.ink import PadStroke, pad_recording, pad_stroke, recording_of
-from dmp_teach.scoring import score
+from dmp_teach.scoring import read_letter, score, size_of
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Trajectory
 
 _HERE = Path(__file__).parent
+# What is smaller than this part of our own letter is a slip of the pen.
+SMALLEST_SHARE = 0.15
 
 
 class TeachingPanel(LessonPanel):
@@ -47,14 +49,17 @@ class TeachingPanel(LessonPanel):
         """Show the pupil what is on the sheet, and take an empty one.
 
         Raises:
-            LetterError: Nothing is written, or only dots.
+            LetterError: Nothing is written, or no more than a dot.
         """
         if not self._pen:
             raise LetterError(_("There is nothing on the sheet yet: write the letter first."))
         shown = pad_recording(self._pen).strokes()
-        if self.values["pupil"] != self.lesson.echo.name:
-            seen = score(shown, recording_of(self.lesson.letter))
-            self.lesson.echo = PupilTraits.like(seen, self.lesson.echo.name)
+        book = recording_of(self.lesson.letter)
+        if size_of(shown) < SMALLEST_SHARE * size_of(book.strokes()):
+            words = _("That is hardly more than a dot. Press Undo, and write {letter} larger.")
+            raise LetterError(words.format(letter=self.lesson.letter))
+        if self.values["pupil"] != self.lesson.echo.name and not self.lesson.has_guest:
+            self.lesson.echo = PupilTraits.like(score(shown, book), self.lesson.echo.name)
         self._teach(shown)
 
     def show_book(self) -> None:
@@ -82,6 +87,17 @@ class TeachingPanel(LessonPanel):
         del self._pen[-1:]
         self._draw_ink()
 
+    # Any: as traitlets calls it.
+    @traitlets.observe("values")
+    def _try_values(self, change: Any) -> None:
+        """Set pace and forgetting to those of a pupil that was chosen, and draw."""
+        old, new = change["old"], change["new"]
+        chosen = [name for name in new if old and old[name] != new[name]]
+        if self.progress and self.progress["step"] == "try" and chosen == ["pupil"]:
+            # Which calls this again.
+            self.values = new | self.lesson.habits_of(new["pupil"])
+        super()._try_values(change)
+
     def forget(self) -> None:
         """Begin afresh, and leave nothing of what was written."""
         self._pen, self.lesson.session, self.lesson.ink = [], None, ()
@@ -90,6 +106,7 @@ class TeachingPanel(LessonPanel):
     def _teach(self, shown: tuple[Trajectory, ...]) -> None:
         """Let the pupil learn, and take an empty sheet."""
         self.lesson.session = self.session.show(shown)
+        self.lesson.is_doubted = read_letter(shown, self.lesson.letter) is not None
         self._pen = []
         self.lesson.ink = ()
         self._after_turn()
@@ -97,7 +114,8 @@ class TeachingPanel(LessonPanel):
     def _after_turn(self) -> None:
         """Tick what is done, and draw."""
         done = {i for i, task in enumerate(self.lesson.tasks) if task.is_done(self.values)}
-        self.status = ""
+        words = _("I learned that, but I cannot read {letter} in it. Is it one?")
+        self.status = words.format(letter=self.lesson.letter) if self.lesson.is_doubted else ""
         self._change(done=sorted(done.union(self._progress()["done"])))
 
     def _draw_ink(self) -> None:

@@ -189,7 +189,8 @@ def _describe_lesson(letter: str, seen: Score) -> str:
         return _("Mine looks like yours now: I have kept my {letter}.").format(letter=letter)
     mine, yours = _("yours"), _("your")
     said = _(
-        "My {letter} before you showed me: “{difference}” I told myself: “{advice}” Now it is so."
+        "My {letter} before you showed me: “{difference}” I told myself: “{advice}” "
+        "Now I write it like this."
     )
     return said.format(
         letter=letter,

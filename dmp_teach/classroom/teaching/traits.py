@@ -78,6 +78,9 @@ class PupilTraits:
         """
         if isinstance(path, str) and path in known_pupils():
             path = PUPILS_FOLDER / f"{path.lower()}.json"
+        elif isinstance(path, str) and path.isalpha() and not Path(path).exists():
+            names = ", ".join(known_pupils())
+            raise RecordingError(f"There is no pupil {path!r:.40}: ours are {names}; or a file.")
         data, name = contents(path)
         try:
             return cls.of(loaded(data, FORMAT, (PUPIL_VERSION,), FIELDS))
