@@ -66,7 +66,8 @@ async function wake({ commands }, notebook) {
   cell.node.dataset.dtPanel = "";
   content.widgets.find((/** @type {any} */ each) => each.model.id === BEGIN)?.hide();
   const why = content.widgets.find((/** @type {any} */ each) => each.model.id === WHY);
-  if (why) why.node.dataset.dtWhy = t("What happened is told here, once the truth is laid over your bet.");
+  if (why)
+    why.node.dataset.dtWhy = t("What happened is told here, once the truth is laid over your bet.");
   const reply = await kernel.requestExecute({ code: "", silent: true }).done;
   if (reply.content.execution_count > 0 && cell.model.outputs.length) return;
   content.activeCellIndex = content.widgets.indexOf(cell);
