@@ -33,7 +33,7 @@ def test_the_example_turns_green_and_shows_only_what_the_teacher_chose(open_note
     check.press("Enter")
     page.wait_for_selector(".dt-challenge .dt-passed")
     said = card.locator(".dt-ask").inner_text()
-    assert said.endswith("You did it: the e 0.4 mm, bumps 14.")
+    assert said.endswith("You did it: the e 0.38 mm, bumps 14.")
     assert ask(page, "card.progress['passed'], panel.answer['n_kernels']") == "(True, 14)"
     card.scroll_into_view_if_needed()
     shot(page, "own_green")

@@ -84,8 +84,8 @@ def test_no_string_is_left_behind_and_no_box_overflows(open_notebook, lab, shot)
         assert "\n".join(page.evaluate(CROWDED)) == "", size
 
 
-# Units are the same in every language, and so are the paper's names.
-UNITS = re.compile(r"(?<!\w)(mm|cm|ms|/s|DMP|Δw)(?!\w)")
+# Units are the same in every language, and so are the paper's names and those of robot pupils.
+UNITS = re.compile(r"(?<!\w)(mm|cm|ms|/s|DMP|Δw|Δz|Bo|Ida|Leo|Mia|Zoe)(?!\w)")
 LESSONS = """import dmp_teach as teach
 from dmp_teach.lessons import lessons
 teach.set_language("pseudo")

@@ -53,7 +53,7 @@ def test_the_example_goes_from_misses_and_a_hint_to_the_green_card(panel, make):
     send(card, {"kind": "check"})
     assert card.progress["verdict"] == {
         "done": True,
-        "reason": "You did it: the e 0.4 mm, bumps 14.",
+        "reason": "You did it: the e 0.38 mm, bumps 14.",
     }
     assert [row[-1] for row in card.card["rows"]] == [True, True]
     assert not card.card["offersHint"]

@@ -95,6 +95,21 @@ export function drawLines(group, view, lines) {
 }
 
 /**
+ * Where words stay on a picture of a width [px]: shifted, and narrowed where they are longer.
+ * @param {number} width
+ * @param {{ x: number, y: number, "text-anchor": string }} place
+ * @param {string} words
+ */
+function keptOnPicture(width, place, words) {
+  const room = width - 8;
+  const wide = Math.min(8.5 * words.length, room);
+  const before = { start: 0, middle: wide / 2, end: wide }[place["text-anchor"]] ?? 0;
+  const left = within(place.x - before, 4, 4 + room - wide);
+  const narrowed = wide < room ? {} : { textLength: room, lengthAdjust: "spacingAndGlyphs" };
+  return { ...place, x: left + before, ...narrowed };
+}
+
+/**
  * What lines are, where they end; above it where there is no room beside.
  * @param {View & { w: number }} view
  * @param {Scene["lines"]} lines
@@ -111,7 +126,8 @@ export function labelsOf(view, lines) {
   return named.map(({ label, kind }, i) => {
     const x = Math.min(ends[i][0], right) + (isInside ? -2 : 10);
     const place = { x, y: heights[i] + 5, "text-anchor": isInside ? "end" : "start" };
-    return make("text", { class: `dt-end dt-of-${kind}`, ...place }, label);
+    const look = { class: `dt-end dt-of-${kind}`, ...keptOnPicture(view.w, place, label) };
+    return make("text", look, label);
   });
 }
 
@@ -144,7 +160,8 @@ export function dotsOf(view, { y, dots = [], lines = [], handles = [] }) {
       kind === "word"
         ? { x: cx, y: cy + 5, "text-anchor": "middle" }
         : labelPlace(screen, [cx, cy], drawn, 8.5 * label.length);
-    return [dot, make("text", { class: `dt-end dt-of-${kind}`, ...place }, label)];
+    const look = { class: `dt-end dt-of-${kind}`, ...keptOnPicture(view.w, place, label) };
+    return [dot, make("text", look, label)];
   });
 }
 
