@@ -35,6 +35,14 @@ def arc_lengths(path: Array) -> Array:
     return np.concatenate([[0.0], np.cumsum(np.sqrt(np.einsum("td,td->t", step, step)))])
 
 
+def interpolate_points(at: Array, known: Array | NDArray[np.int_] | range, points: Array) -> Array:
+    """Return points (T, D), known at increasing times or ways (T,), at others (K,): shape (K, D).
+
+    Beyond the ends the first and the last stay.
+    """
+    return np.column_stack([np.interp(at, known, axis) for axis in points.T])
+
+
 def rms(apart: Array) -> float:
     """Return the root mean square length of the rows of `apart` (T, D)."""
     return float(np.sqrt((apart**2).sum(axis=1).mean()))
@@ -94,6 +102,12 @@ class Trajectory:
 def all_points(strokes: Iterable[Trajectory]) -> Array:
     """Return the points of strokes, one after the other, shape (T, D) [m]."""
     return np.concatenate([stroke.position for stroke in strokes])
+
+
+def resample_in_time(movement: Trajectory, samples: int) -> Trajectory:
+    """Return a movement at so many samples, evenly spaced over its duration."""
+    t = np.linspace(movement.t[0], movement.t[-1], samples)
+    return Trajectory(t, interpolate_points(t, movement.t, movement.position))
 
 
 def from_rollout(t: Array, position: Array) -> Trajectory:

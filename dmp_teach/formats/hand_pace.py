@@ -12,7 +12,7 @@ import numpy as np
 import scipy
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.trajectory import Array, arc_lengths, path_length
+from dmp_teach.trajectory import Array, arc_lengths, interpolate_points, path_length
 
 HAND_RATE = 120.0  # samples a second
 HAND_PACE = 1.5  # letter sizes a second, on an arc whose radius is a quarter of the size
@@ -68,10 +68,10 @@ def _written(points: Array, size: float) -> tuple[Array, Array]:
     s = np.linspace(
         0.0, length, int(np.clip(length / size * PIECES_PER_SIZE, 24, MOST_PIECES_OF_STROKE)) + 1
     )
-    speed = _speed(np.column_stack([np.interp(s, way, axis) for axis in points.T[:2]]), s[1], size)
+    speed = _speed(interpolate_points(s, way, points[:, :2]), s[1], size)
     moments = np.concatenate([[0.0], np.cumsum(2 * s[1] / (speed[1:] + speed[:-1]))])
     t, along = _smooth(moments, s)
-    return t, np.column_stack([np.interp(along, way, axis) for axis in points.T])
+    return t, interpolate_points(along, way, points)
 
 
 def _speed(even: Array, ds: float, size: float) -> Array:

@@ -28,7 +28,7 @@ from dmp_teach.ink import (
     install_script,
     recording_of,
 )
-from dmp_teach.trajectory import Array
+from dmp_teach.trajectory import Array, all_points
 
 LABEL = "{http://www.inkscape.org/namespaces/inkscape}label"
 FARTHEST_INK = 0.5  # how far from its corner the ink of a letter may be, made as high as ours [m]
@@ -155,7 +155,7 @@ def _placed(letters: dict[str, Recording]) -> dict[str, Recording]:
 
 def _box(recording: Recording) -> Array:
     """Return the lowest and the highest corner of the ink, shape (2, 2) [m]."""
-    ink = np.concatenate([stroke.position for stroke in recording.strokes()])
+    ink = all_points(recording.strokes())
     return np.stack([ink.min(axis=0), ink.max(axis=0)])
 
 

@@ -15,7 +15,7 @@ from dmp_teach.errors import SettingWarning
 from dmp_teach.ink import DEFAULT_ALPHABET, Recording, recording_of
 from dmp_teach.letters import Letter, rms_distance
 from dmp_teach.texts import gettext as _
-from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.trajectory import Array, Trajectory, resample_in_time
 
 # So many points draw one bump.
 BUMP_POINTS = 24
@@ -55,16 +55,11 @@ def learn_letter(character: str, settings: Settings, rate: int | None = None) ->
     """
     strokes = lesson_letter(character).strokes()
     if rate is not None:
-        strokes = tuple(_resample(stroke, rate) for stroke in strokes)
+        strokes = tuple(
+            resample_in_time(stroke, round(stroke.duration * rate) + 1) for stroke in strokes
+        )
     with warnings.catch_warnings(action="ignore", category=SettingWarning):
         return Letter.learn(strokes, settings)
-
-
-def _resample(stroke: Trajectory, rate: int) -> Trajectory:
-    """Return a stroke with so many samples a second."""
-    t = np.linspace(stroke.t[0], stroke.t[-1], round(stroke.duration * rate) + 1)
-    axes = [np.interp(t, stroke.t, axis) for axis in stroke.position.T]
-    return Trajectory(t, np.column_stack(axes))
 
 
 # A slider asks for all of a curve at every move.

@@ -14,7 +14,7 @@ from dmp_teach.ink import DEFAULT_ALPHABET, recording_of
 from dmp_teach.lessons.drawing import tell_number
 from dmp_teach.studies import share_of_same_way
 from dmp_teach.texts import gettext as _
-from dmp_teach.trajectory import Array, Trajectory, arc_lengths
+from dmp_teach.trajectory import Array, Trajectory, arc_lengths, interpolate_points
 
 CM = 0.01
 ACROSS, AWAY, UP = 12.0, 4.0, 6.0
@@ -202,12 +202,9 @@ class MovedLetter:
 
 def mean_distance(drawn: Array, path: Array) -> float:
     """Return how far a drawn line is from a path on average, at equal parts of their ways [m]."""
-    ways = (arc_lengths(line) for line in (drawn, path))
     u = np.linspace(0, 1, 100)
-    a, b = (
-        np.column_stack([np.interp(u * way[-1], way, axis) for axis in line.T])
-        for line, way in zip((drawn, path), ways, strict=True)
-    )
+    ways = [(arc_lengths(line), line) for line in (drawn, path)]
+    a, b = (interpolate_points(u * way[-1], way, line) for way, line in ways)
     return float(np.linalg.norm(a - b, axis=1).mean())
 
 

@@ -11,7 +11,7 @@ from dmp_teach.classroom import Affine, Drawing
 from dmp_teach.lessons.goals import CM
 from dmp_teach.robot import ROBOT_PARTS, USUAL_PAGES, ReachMap, known_reach, outline_from_above
 from dmp_teach.texts import gettext as _
-from dmp_teach.trajectory import Array
+from dmp_teach.trajectory import Array, interpolate_points
 
 # The knobs that move the page [cm]; the map has a place at each of their steps.
 FIRST_AHEAD, LAST_AHEAD, MOST_ASIDE, MAP_STEP = 30, 115, 90, 5
@@ -48,12 +48,7 @@ def border_of(where: str) -> Array:
 def compare_borders(drawn: Array, border: Array) -> tuple[float, float, float]:
     """Return how far ahead two borders are, and how far the first is from the second [cm]."""
     lines = [
-        np.column_stack(
-            [
-                np.interp(np.linspace(0, len(line) - 1, 200), range(len(line)), axis)
-                for axis in line.T
-            ]
-        )
+        interpolate_points(np.linspace(0, len(line) - 1, 200), range(len(line)), line)
         for line in (drawn, border)
     ]
     said, true = (float(line[np.abs(line[:, 0]).argmin(), 1]) for line in lines)

@@ -13,7 +13,7 @@ from dmp_teach.scoring.advice import advise
 from dmp_teach.scoring.phrases import Position
 from dmp_teach.scoring.wording import word_difference
 from dmp_teach.texts import gettext as _
-from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.trajectory import Array, Trajectory, all_points
 
 DIFFERENCE_STEPS = {
     # Parts of the letter's size: the line of a pen, in a letter as large as a hand.
@@ -100,7 +100,7 @@ def name_start(stroke: int, strokes: Sequence[Trajectory]) -> dict[str, Any]:
 
 def position_in(point: Array, strokes: Sequence[Trajectory]) -> Position:
     """Return where a point lies in the box of strokes; the middle of a side that is very short."""
-    ink = np.concatenate([stroke.position for stroke in strokes])
+    ink = all_points(strokes)
     low, size = ink.min(axis=0), np.ptp(ink, axis=0)
     x, y = np.divide(point - low, size, out=np.full(2, 0.5), where=size > 0.25 * size.max())
     return float(x), float(y)

@@ -10,7 +10,7 @@ import numpy as np
 import scipy
 
 from dmp_teach.scoring.resampling import POINTS_FOR_SLANT, resample_path
-from dmp_teach.trajectory import Array, Trajectory, path_length
+from dmp_teach.trajectory import Array, Trajectory, all_points, interpolate_points, path_length
 
 # The clock on which every movement is looked at [Hz].
 MOVEMENT_RATE = 100.0
@@ -63,7 +63,7 @@ def measure_movement(strokes: Sequence[Trajectory]) -> Movement:
     """Measure a writing; its strokes are 2-D, and at least one has a length."""
     moving = [stroke for stroke in strokes if path_length(stroke.position) > 0]
     velocities = [_velocity(stroke) for stroke in moving]
-    width, height = np.ptp(np.concatenate([stroke.position for stroke in strokes]), axis=0)
+    width, height = np.ptp(all_points(strokes), axis=0)
     durations = [stroke.duration for stroke in moving]
     jerks = [log_dimensionless_jerk(*each) for each in velocities]
     return Movement(
@@ -143,7 +143,7 @@ def _velocity(stroke: Trajectory) -> tuple[Array, float]:
     samples = int(min(stroke.duration * MOVEMENT_RATE, MOST_MOVEMENT_SAMPLES)) + 1
     samples = max(FEWEST_MOVEMENT_SAMPLES, samples)
     clock = stroke.t[0] + stroke.duration / (samples - 1) * np.arange(samples)
-    path = np.column_stack([np.interp(clock, stroke.t, axis) for axis in stroke.position.T])
+    path = interpolate_points(clock, stroke.t, stroke.position)
     path = scipy.signal.sosfiltfilt(_low_pass(), path, axis=0, padlen=min(30, samples - 1))
     dt = float(clock[1] - clock[0])
     return np.gradient(path, dt, axis=0), dt

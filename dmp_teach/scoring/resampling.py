@@ -8,7 +8,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from dmp_teach.trajectory import Array, Trajectory, arc_lengths, path_length
+from dmp_teach.trajectory import (
+    Array,
+    Trajectory,
+    all_points,
+    arc_lengths,
+    interpolate_points,
+    path_length,
+)
 
 # Points over all the ink of a letter, by their use: scores depend on these numbers.
 POINTS_TO_MATCH = 64
@@ -97,7 +104,7 @@ def resample_path(path: Array, count: int) -> tuple[Array, Array]:
     at = (np.arange(count) + 0.5) * way[-1] / count
     half = 0.5 * way[-1] / count
     wanted = np.concatenate([at, at - half, at + half])
-    found = np.column_stack([np.interp(wanted, way, axis) for axis in path.T])
+    found = interpolate_points(wanted, way, path)
     step = found[2 * count :] - found[count : 2 * count]
     norm = np.linalg.norm(step, axis=1, keepdims=True)
     return found[:count], np.divide(step, norm, out=np.zeros_like(step), where=norm > 0)
@@ -121,7 +128,7 @@ def squared_distances(a: Array, b: Array) -> Array:
 
 def size_of(strokes: Iterable[Trajectory]) -> float:
     """Return the larger side of the bounding box of strokes [m]."""
-    return float(np.ptp(np.concatenate([stroke.position for stroke in strokes]), axis=0).max())
+    return float(np.ptp(all_points(strokes), axis=0).max())
 
 
 def rms_radius(centred: Array) -> float:

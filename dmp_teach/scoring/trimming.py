@@ -14,7 +14,7 @@ import numpy as np
 
 from dmp_teach.scoring.linear_map import centre, solve_linear_map
 from dmp_teach.scoring.matching import Matching
-from dmp_teach.trajectory import Array
+from dmp_teach.trajectory import Array, interpolate_points
 
 # Of two fits that are as near, the one that changes the model less is taken.
 CHANGE_PENALTY = 0.0003
@@ -95,7 +95,7 @@ def _shorten(points: Array, first: bool, part: float) -> Array:
     """Return as many points evenly along points (P, D) without a part at an end."""
     at = np.linspace(part if first else 0.0, 1.0 if first else 1.0 - part, len(points))
     own = np.linspace(0.0, 1.0, len(points))
-    return np.column_stack([np.interp(at, own, axis) for axis in points.T])
+    return interpolate_points(at, own, points)
 
 
 def _trim_costs(rest: Array, mine: Array, yours: Array, size: float) -> Array:

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.filtering import lowpass
-from dmp_teach.trajectory import Array
+from dmp_teach.trajectory import Array, interpolate_points
 
 Spans = tuple[tuple[int, int], ...]
 """Strokes as pairs (start, end) of samples, the end not included."""
@@ -56,7 +56,7 @@ def to_even_clock(t: Array, position: Array) -> PenMotion:
         )
     clock = np.linspace(t[0], t[-1], max(2, samples))
     dt = float(clock[1] - clock[0])
-    even = np.column_stack([np.interp(clock, t, axis) for axis in position.T])
+    even = interpolate_points(clock, t, position)
     z, path = lowpass_hertz(even[:, 2], dt, 12.0), lowpass_hertz(even[:, :2], dt, 10.0)
     speed = np.linalg.norm(np.gradient(path, dt, axis=0), axis=1)
     return PenMotion(dt, even[:, 2], z, np.gradient(z, dt), speed, path)

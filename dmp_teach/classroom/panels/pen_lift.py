@@ -10,7 +10,7 @@ import numpy as np
 from dmp_teach.errors import LetterError
 from dmp_teach.ink import PadStroke, Recording, check_hand
 from dmp_teach.scoring import StrokeVerdict, check_strict, judge_stroke, letter_distance
-from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.trajectory import Array, Trajectory, all_points
 
 # So many misses of one stroke, and it is shown as a ghost, or written by the robot.
 MISSES_TO_SHOW = 2
@@ -98,7 +98,7 @@ class PenLift:
         if not count:
             return np.zeros(2)
         here, there = (
-            np.concatenate([path.position for path in paths[:count]])
+            all_points(paths[:count])
             for paths in ([stroke.path for stroke in strokes], self._model)
         )
         return (np.ptp(here, axis=0) - np.ptp(there, axis=0)) / 2 + here.min(0) - there.min(0)

@@ -10,7 +10,7 @@ import numpy as np
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.ink import Recording, recording_of
-from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.trajectory import Array, Trajectory, all_points
 
 SHEET_OF_ANY_LETTER = [-0.02, -0.06, 0.14, 0.15]
 """Left, bottom, right and top where no letter is chosen [m]; every sheet has these four."""
@@ -38,7 +38,7 @@ def check_character(character: object) -> str:
 
 def find_writing_lines() -> list[float]:
     """Return the heights that letters stand on, and that small ones reach [m]."""
-    return [0.0, float(_stack_points(recording_of("x").strokes())[:, 1].max())]
+    return [0.0, float(all_points(recording_of("x").strokes())[:, 1].max())]
 
 
 def fit_pad_sheet(strokes: Sequence[Trajectory]) -> list[float]:
@@ -46,12 +46,12 @@ def fit_pad_sheet(strokes: Sequence[Trajectory]) -> list[float]:
     if not strokes:
         return list(SHEET_OF_ANY_LETTER)
     lines = [[0.0, y] for y in find_writing_lines()]
-    return _add_margin(np.vstack([_stack_points(strokes), lines]), 0.02, 0.3)
+    return _add_margin(np.vstack([all_points(strokes), lines]), 0.02, 0.3)
 
 
 def fit_goal_sheet(strokes: Sequence[Trajectory]) -> list[float]:
     """Return a sheet for moving goals: a letter, and a margin to drag goals to [m]."""
-    return _add_margin(_stack_points(strokes), 0.015, 0.14)
+    return _add_margin(all_points(strokes), 0.015, 0.14)
 
 
 def place_on_sheet(recording: Recording, sheet: list[float]) -> Recording:
@@ -59,7 +59,7 @@ def place_on_sheet(recording: Recording, sheet: list[float]) -> Recording:
 
     Without a baseline it stands on its lowest point.
     """
-    points = _stack_points(recording.strokes())
+    points = all_points(recording.strokes())
     low = points.min(axis=0)
     high = points.max(axis=0)
     line = low[1] if recording.baseline is None else recording.baseline
@@ -69,7 +69,7 @@ def place_on_sheet(recording: Recording, sheet: list[float]) -> Recording:
 
 def extend_sheet(sheet: list[float], strokes: Sequence[Trajectory]) -> list[float]:
     """Return the sheet, larger where ink would lie beyond its edge."""
-    return _add_margin(np.vstack([_stack_points(strokes), [sheet[:2], sheet[2:]]]), 0.0, 0.0)
+    return _add_margin(np.vstack([all_points(strokes), [sheet[:2], sheet[2:]]]), 0.0, 0.0)
 
 
 def _add_margin(points: Array, least: float, share: float) -> list[float]:
@@ -78,8 +78,3 @@ def _add_margin(points: Array, least: float, share: float) -> list[float]:
     high = points.max(axis=0)
     margin = max(least, share * float((high - low).max()))
     return [float(v) for v in (*(low - margin), *(high + margin))]
-
-
-def _stack_points(strokes: Sequence[Trajectory]) -> Array:
-    """Return all points of strokes, shape (P, 2) [m]."""
-    return np.concatenate([stroke.position for stroke in strokes])

@@ -9,7 +9,7 @@ import numpy as np
 
 from dmp_teach.ink import recording_of
 from dmp_teach.scoring import size_of
-from dmp_teach.trajectory import Array, Trajectory, path_length
+from dmp_teach.trajectory import Array, Trajectory, interpolate_points, path_length
 
 PupilStrokes = tuple[Trajectory, ...]
 
@@ -168,7 +168,7 @@ def follow_way(points: Array, way: Array) -> Array:
 def _at(points: Array, places: Array) -> Array:
     """Return points (P, 2) between their rows, shape (T, 2)."""
     rows = np.arange(len(points))
-    return np.column_stack([np.interp(places, rows, axis) for axis in points.T])
+    return interpolate_points(places, rows, points)
 
 
 def _with(strokes: PupilStrokes, number: int, position: Array) -> PupilStrokes:

@@ -8,8 +8,6 @@ from functools import cached_property
 from os import PathLike
 from typing import Self
 
-import numpy as np
-
 from dmp_teach.classroom.teaching.faults import (
     WAY_FAULTS,
     PupilStrokes,
@@ -27,7 +25,7 @@ from dmp_teach.ink import recording_of
 from dmp_teach.letters import Letter
 from dmp_teach.scoring import LetterLike, Score, leading_fault, match_strokes, score, to_strokes
 from dmp_teach.texts import gettext as _
-from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.trajectory import Array, Trajectory, resample_in_time
 
 # So often a second a pupil's strokes are sampled, and never by fewer points.
 RATE, FEWEST_PUPIL_SAMPLES = 100, 40
@@ -214,9 +212,7 @@ def _imitate(strokes: Sequence[Trajectory]) -> tuple[DMP, ...]:
 
 def _even(stroke: Trajectory) -> Trajectory:
     """Return a stroke sampled evenly in time."""
-    number = max(FEWEST_PUPIL_SAMPLES, round(stroke.duration * RATE))
-    t = np.linspace(stroke.t[0], stroke.t[-1], number)
-    return Trajectory(t, np.column_stack([np.interp(t, stroke.t, x) for x in stroke.position.T]))
+    return resample_in_time(stroke, max(FEWEST_PUPIL_SAMPLES, round(stroke.duration * RATE)))
 
 
 def _rhythm_of(strokes: PupilStrokes) -> tuple[Array, ...]:

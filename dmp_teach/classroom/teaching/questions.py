@@ -9,7 +9,7 @@ import numpy as np
 
 from dmp_teach.scoring import place_in_words
 from dmp_teach.texts import gettext as _
-from dmp_teach.trajectory import Trajectory
+from dmp_teach.trajectory import Trajectory, all_points
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ def ask(shown: Sequence[Trajectory], seed: int, turn: int) -> Question:
     is_so, turn_of = bool(random.random() < 0.5), turn % 3
     if turn_of == 2:
         return _ask_number(len(shown), is_so)
-    points = np.concatenate([stroke.position for stroke in shown])
+    points = all_points(shown)
     low, high = points.min(axis=0), points.max(axis=0)
     end = shown[0].position[0] if turn_of == 0 else shown[-1].position[-1]
     x, y = (end - low) / np.maximum(high - low, 1e-9)

@@ -10,7 +10,7 @@ from dmp_teach.errors import RecordingError
 from dmp_teach.formats.flat_ink import LARGEST_INK
 from dmp_teach.formats.motive.markers import Pen, find_pen
 from dmp_teach.formats.motive.table import list_names, read_table
-from dmp_teach.trajectory import Array
+from dmp_teach.trajectory import Array, interpolate_points
 
 FEWEST_FRAMES = 20  # fewer samples are no letter
 SMALLEST_TAKE = 0.004  # no marker at a hand that writes moves less [m]
@@ -77,7 +77,7 @@ def read_take(data: bytes, marker: str | None, out: Array) -> Take:
         )
     first, last = seen[0], seen[-1]
     part, t = slice(first, last + 1), table.t
-    filled = np.column_stack([np.interp(t[part], t[seen], axis) for axis in points.T])
+    filled = interpolate_points(t[part], t[seen], points)
     is_seen = np.isin(np.arange(first, last + 1), seen)
     unseen = float(t[first] - t[0]), float(t[-1] - t[last])
     return Take(pen, t[part], filled, is_seen, frames[part], unseen)

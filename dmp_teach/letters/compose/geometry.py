@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from dmp_teach.trajectory import Array, Trajectory, arc_lengths, path_length
+from dmp_teach.trajectory import Array, Trajectory, arc_lengths, interpolate_points, path_length
 
 # A corner turns by more than this within this share of the stroke's size before and behind it.
 CORNER_ANGLE = np.radians(62)
@@ -31,7 +31,7 @@ def resample_evenly(path: Array, points: int) -> tuple[Array, Array]:
     """Resample a path (T, 2) at equal arc length: the points, and the fractional row of each."""
     arc = arc_lengths(path)
     even = np.linspace(0, arc[-1], points)
-    resampled = np.column_stack([np.interp(even, arc, axis) for axis in path.T])
+    resampled = interpolate_points(even, arc, path)
     return resampled, np.interp(even, arc, np.arange(len(arc)))
 
 

@@ -12,7 +12,7 @@ from dmp_teach.letters.text.connection_points import (
     headings,
     leaving_sample,
 )
-from dmp_teach.trajectory import Array, Trajectory, arc_lengths, path_length
+from dmp_teach.trajectory import Array, Trajectory, arc_lengths, interpolate_points, path_length
 
 # The heading in which a pen leaves the peak of a v or w.
 PEAK_EXIT_HEADING = np.radians(-38.0)
@@ -104,7 +104,7 @@ def _timed(
     s = np.linspace(0, 1, max(4, int(np.ceil(duration / step))) + 1)
     v, w = v * duration / q[-1], w * duration / q[-1]
     at = scipy.interpolate.BPoly.from_derivatives([0, 1], [[0, v, 0], [1, w, 0]])(s)
-    position = np.column_stack([np.interp(at * q[-1], q, axis) for axis in path.T])
+    position = interpolate_points(at * q[-1], q, path)
     return Trajectory(s * duration, position)
 
 

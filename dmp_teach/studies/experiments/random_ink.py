@@ -11,7 +11,7 @@ import numpy as np
 from dmp_teach.dmp import DMP, Settings, as_settings
 from dmp_teach.studies.parallel import Progress, run
 from dmp_teach.studies.tables import Columns, Tabled
-from dmp_teach.trajectory import Array, Trajectory, rms
+from dmp_teach.trajectory import Array, Trajectory, interpolate_points, rms
 
 INK_KINDS = ("waves", "closed", "corners", "straight")
 TURN_RATES = (0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0)
@@ -90,7 +90,7 @@ def draw_random_ink(kind: str, rate: float, rng: np.random.Generator) -> Traject
     elif kind == "corners":
         corners = np.cumsum(rng.normal(size=(turns + 1, 2)), axis=0)
         knots = np.arange(turns + 1)
-        path = np.column_stack([np.interp(eased * turns, knots, axis) for axis in corners.T])
+        path = interpolate_points(eased * turns, knots, corners)
     else:
         waves = np.arange(max(1, turns - 2), turns + 1)
         angle = 2 * np.pi * eased[:, None] * (waves / 2 if kind == "waves" else np.ceil(waves / 2))

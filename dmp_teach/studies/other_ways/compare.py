@@ -25,7 +25,7 @@ from dmp_teach.studies.other_ways.takes import draw_takes
 from dmp_teach.studies.other_ways.way import CUTS, Way, even_path
 from dmp_teach.studies.parallel import Progress, run
 from dmp_teach.studies.tables import Columns, Tabled
-from dmp_teach.trajectory import Array, Trajectory, rms
+from dmp_teach.trajectory import Array, Trajectory, interpolate_points, rms
 
 WAYS: Mapping[str, type[Way]] = {
     each.name: each for each in (StarWay, Mixture, HiddenMarkov, LearnedCost, Probabilistic)
@@ -90,7 +90,7 @@ class WayTried:
         """Return where the pen is at equal parts of the letter's duration (CUTS + 1, D) [m]."""
         t = movement.t - movement.t[0]
         even = np.linspace(0, self.way.duration, CUTS + 1)
-        return np.column_stack([np.interp(even, t, axis) for axis in movement.position.T])
+        return interpolate_points(even, t, movement.position)
 
 
 @dataclass(frozen=True, eq=False, repr=False)

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 
 from dmp_teach.dmp import check_point
 from dmp_teach.errors import MissingPartError, TrajectoryError, kind_of
-from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.trajectory import Array, Trajectory, resample_in_time
 
 CUTS = 120
 """In so many equal parts of its duration a demonstration is learned."""
@@ -164,8 +164,7 @@ def list_demonstrations(demonstrations: Iterable[Trajectory]) -> tuple[Trajector
 
 def even_path(movement: Trajectory, steps: int = CUTS) -> Array:
     """Return where a pen is at equal parts of its duration, shape (steps + 1, D) [m]."""
-    t = np.linspace(movement.t[0], movement.t[-1], steps + 1)
-    return np.column_stack([np.interp(t, movement.t, axis) for axis in movement.position.T])
+    return resample_in_time(movement, steps + 1).position
 
 
 def import_library(module: str, package: str) -> ModuleType:

@@ -11,7 +11,8 @@ from matplotlib.figure import Figure
 
 from dmp_teach.errors import RecordingError, kind_of
 from dmp_teach.ink import Recording, characters, recording_of
-from dmp_teach.trajectory import Array, arc_lengths
+from dmp_teach.letters import resample_evenly
+from dmp_teach.trajectory import Array, path_length
 from dmp_teach.views.figures.figure_style import DrawStyle, new_figure
 from dmp_teach.views.palette import GRID_COLOR, MUTED_COLOR, STROKE_COLORS, TEXT_COLOR
 
@@ -128,11 +129,10 @@ def _find_number_place(path: Array, taken: Array) -> Array:
 
 def _plot_arrows(panel: Axes, path: Array, color: str) -> None:
     """Plot heads of arrows along a stroke (T, 2) [inch], where it runs straight."""
-    way = arc_lengths(path)
-    length = way[-1]
+    length = path_length(path)
     if length < MAX_DOT_INK:
         return
-    even = np.column_stack([np.interp(np.linspace(0, length, 201), way, axis) for axis in path.T])
+    even = resample_evenly(path, 201)[0]
     chords = even[12:] - even[:-12]
     # The bend at even[12:-12].
     bend = np.linalg.norm(chords[12:] - chords[:-12], axis=1) / (0.06 * length)

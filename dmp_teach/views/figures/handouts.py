@@ -13,10 +13,17 @@ from matplotlib.figure import Figure
 from matplotlib.patches import Circle, FancyArrowPatch
 
 from dmp_teach.errors import ViewError, kind_of
-from dmp_teach.letters import Letter, rms_distance
+from dmp_teach.letters import Letter, resample_evenly, rms_distance
 from dmp_teach.scoring import LetterLike
 from dmp_teach.texts import gettext as _
-from dmp_teach.trajectory import Array, Trajectory, arc_lengths
+from dmp_teach.trajectory import (
+    Array,
+    Trajectory,
+    all_points,
+    arc_lengths,
+    interpolate_points,
+    path_length,
+)
 from dmp_teach.views.figures.figure_style import DrawStyle, PaperFigure
 from dmp_teach.views.palette import GRID_COLOR, MUTED_COLOR, PERSON_COLOR, ROBOT_COLOR, TEXT_COLOR
 from dmp_teach.views.stamp_code import stamp_squares
@@ -70,14 +77,15 @@ def draw_worksheet(
         robots = learned[row].write()
         places = [np.array([PAPER_MARGIN + (n + 0.5) * cell, middle]) for n in range(CELLS)]
         put = _placed(strokes, scale)
-        baseline = middle + float(put(np.zeros((1, 2)))[0, 1])
+        baseline = middle + put(np.zeros(2))[1]
         ends = [PAPER_MARGIN, width - PAPER_MARGIN]
         panel.plot(ends, [baseline, baseline], color=GRID_COLOR, linewidth=0.8)
-        _draw_ink(panel, [put(s.position) + places[0] for s in strokes], person)
-        _mark_strokes(panel, [put(s.position) + places[0] for s in strokes], person)
+        inks = [[put(s.position) + place for s in strokes] for place in places]
+        _draw_ink(panel, inks[0], person)
+        _mark_strokes(panel, inks[0], person)
         _draw_ink(panel, [put(s.position) + places[1] for s in robots], robot)
-        for place in places[2:4]:
-            _draw_dots(panel, [put(s.position) + place for s in strokes])
+        for ink in inks[2:4]:
+            _draw_dots(panel, ink)
     _draw_lines_to_fill(panel, width, 14.0)
     return figure
 
@@ -160,15 +168,15 @@ def _fitting_scale(
     strokes: Sequence[Trajectory], width: float, height: float = ROW_HEIGHT
 ) -> float:
     """Return how many mm of paper a metre of ink takes, so that it fits a cell [mm]."""
-    size = np.ptp(np.concatenate([s.position[:, :2] for s in strokes]), axis=0)
+    size = np.ptp(all_points(strokes), axis=0)
     return INK_SHARE * min(width / max(size[0], 1e-6), height / max(size[1], 1e-6))
 
 
 def _placed(about: Sequence[Trajectory], scale: float) -> Callable[[Array], Array]:
     """Return what brings points [m] to the middle of a cell [mm]."""
-    points = np.concatenate([s.position[:, :2] for s in about])
+    points = all_points(about)
     center = (points.min(axis=0) + points.max(axis=0)) / 2
-    return lambda path: scale * (path[:, :2] - center)
+    return lambda path: scale * (path - center)
 
 
 def _draw_ink(panel: Axes, paths: Sequence[Array], color: str, width: float = 2.4) -> None:
@@ -180,9 +188,7 @@ def _draw_ink(panel: Axes, paths: Sequence[Array], color: str, width: float = 2.
 def _draw_dots(panel: Axes, paths: Sequence[Array]) -> None:
     """Draw strokes as dots to be traced, with a ring where each begins."""
     for path in paths:
-        way = arc_lengths(path)
-        at = np.linspace(0, way[-1], max(2, round(way[-1] / DOT_SPACING) + 1))
-        dots = np.column_stack([np.interp(at, way, axis) for axis in path.T])
+        dots, _rows = resample_evenly(path, max(2, round(path_length(path) / DOT_SPACING) + 1))
         panel.plot(*dots.T, ".", color=MUTED_COLOR, markersize=3)
         panel.add_patch(
             Circle((path[0, 0], path[0, 1]), DISC, fill=False, color=MUTED_COLOR, linewidth=1)
@@ -204,7 +210,7 @@ def _mark_strokes(panel: Axes, paths: Sequence[Array], color: str) -> None:
         panel.text(disc[0], disc[1], str(number), **look)
         if way[-1] > 2 * ARROW_LENGTH:
             at = ARROW_AT * way[-1] + np.array([0.0, ARROW_LENGTH])
-            begin, end = np.column_stack([np.interp(at, way, axis) for axis in path.T]).tolist()
+            begin, end = interpolate_points(at, way, path).tolist()
             look = {"arrowstyle": "-|>", "mutation_scale": 13, "color": TEXT_COLOR, "linewidth": 0}
             panel.add_patch(FancyArrowPatch(begin, end, shrinkA=0, shrinkB=0, zorder=3, **look))
 

@@ -6,8 +6,9 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from dmp_teach.letters import resample_evenly
 from dmp_teach.studies import GoalPaths, MadeLetter, MadeLetters, Redrawings, Redrawn
-from dmp_teach.trajectory import Array, all_points, arc_lengths
+from dmp_teach.trajectory import Array, all_points, path_length
 from dmp_teach.views.figures.figure_style import (
     RING_MARKER,
     DrawStyle,
@@ -184,10 +185,8 @@ def _plot_redrawn(panel: Axes, item: Redrawn) -> None:
 
 def _space_dots(path: Array) -> Array:
     """Return points of a path [mm] at equal arc lengths, 3 % of its size apart."""
-    way = arc_lengths(path)
-    count = max(2, round(way[-1] / max(np.ptp(path, axis=0).max() * 0.03, 1e-9)))
-    even = np.linspace(0, way[-1], count)
-    return np.column_stack([np.interp(even, way, axis) for axis in path.T])
+    spacing = max(np.ptp(path, axis=0).max() * 0.03, 1e-9)
+    return resample_evenly(path, max(2, round(path_length(path) / spacing)))[0]
 
 
 def _leaves(path: Array, shown: Array) -> bool:

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from dmp_teach.robot import Model, Motion
-from dmp_teach.trajectory import Array
+from dmp_teach.trajectory import Array, interpolate_points
 
 KEYS_PER_SECOND = 15
 
@@ -60,9 +60,7 @@ def _halve_to_tolerance(
 
 def _interpolate_joints(motion: Motion, rows: NDArray[np.int_]) -> Array:
     """Return joints that move evenly from key to key, at every sample (T, J) [rad, m]."""
-    return np.column_stack(
-        [np.interp(motion.t, motion.t[rows], column) for column in motion.q[rows].T]
-    )
+    return interpolate_points(motion.t, motion.t[rows], motion.q[rows])
 
 
 def _place_probes(model: Model, motion: Motion, q: Array) -> Array:
