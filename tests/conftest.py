@@ -8,6 +8,8 @@ import pytest
 # So that a failing law says which letters fail.
 pytest.register_assert_rewrite("tests.laws")
 
+# As in a notebook that our launcher serves: pictures of ink are drawn below cells.
+os.environ["DMP_TEACH_PICTURES_STAY_OUT"] = "1"
 STRICT = os.environ.get("CI", "").lower() == "true"
 FEW = 5
 NOT_QUICK = {"benchmarks", "browser", "classroom", "launcher"}

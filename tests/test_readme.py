@@ -76,7 +76,7 @@ def test_the_page_on_a_schools_letters_runs_as_it_stands(tmp_path, monkeypatch):
     page = (ROOT / "docs" / "your_schools_letters.md").read_text(encoding="utf-8")
     monkeypatch.chdir(tmp_path)
     (tmp_path / "my_school").mkdir()
-    teach.write_recording(teach.recording_of("a", "slanted"), tmp_path / "my_school" / "a_fox.json")
+    teach.write_recording(teach.recording_of("a", "slanted"), tmp_path / "my_school" / "a_w01.json")
     names: dict = {}
     try:
         for block in re.findall(r"```python\n(.*?)```", page, re.DOTALL):

@@ -79,9 +79,10 @@ class Plan:
 
         At another pace than 1 its speed is pace y', its acceleration pace^2 y'': without that a
         spring whose clock is slow would leave the path, and the clock would never recover.
+        After the end nothing waits, and the pen goes to its goal, which its path may miss.
         """
         u = self.input_at(clock)
-        if pace == 1:
+        if pace == 1 or clock >= len(self.inputs):
             return u
         y = self.path_at(clock)
         moving = self.spring.alpha * (self.path_at(clock + 1) - y) * self.spring.steps
@@ -187,6 +188,10 @@ class Stepper:
 
     def led(self, goal: ArrayLike) -> Self:
         """Return the same pen with another goal (D,) [m] from now on.
+
+        Place, speed and clock stay; the acceleration steps by what the equation's input for this
+        goal has more at this clock. A pen that learns late of a far goal is still on its way when
+        its clock is at the end: its next steps take it there.
 
         Raises:
             TrajectoryError: As `DMP.rollout`.

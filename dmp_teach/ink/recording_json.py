@@ -102,7 +102,7 @@ def recording_to_json(recording: Recording) -> str:
 def check_pseudonym(writer: str | None, name: str = "writer") -> None:
     """Raise a RecordingError that says what a pseudonym is, unless the writer is one, or None."""
     fits = writer is None or (isinstance(writer, str) and is_pseudonym(writer))
-    rule = "a pseudonym such as 'w01', 'pupil-3' or 'fox', or null: no name, no date"
+    rule = "a pseudonym such as 'w01' or 'pupil-3', or null: no name, no date"
     must(fits, name, writer, rule)
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Iterable
 from html import escape
 
@@ -11,6 +12,8 @@ from dmp_teach.trajectory import Array, Trajectory
 
 INK_CLASS = "dmp-teach-ink"
 """The class of every picture: by it our launcher's server leaves them out of a saved notebook."""
+PICTURES_STAY_OUT = "DMP_TEACH_PICTURES_STAY_OUT"
+"""The environment variable that says that a server does so; nothing is drawn for any other."""
 
 # Colours of the panels, see `tokens.css`.
 PERSON_INK = "#d55e00"
@@ -43,10 +46,11 @@ def draw_svg(
         baseline: The y of the line that the letter stands on [m], or None.
 
     Returns:
-        The text of the picture; None where there is no ink on a page.
+        The text of the picture; None where there is no ink on a page, and where a notebook that is
+        saved would keep it.
     """
     paths = [stroke.position[:, :2] for stroke in strokes]
-    if not paths or any(path.shape[1] < 2 for path in paths):
+    if PICTURES_STAY_OUT not in os.environ or not paths or any(path.shape[1] < 2 for path in paths):
         return None
     points = np.concatenate(paths)
     low, high = points.min(axis=0), points.max(axis=0)

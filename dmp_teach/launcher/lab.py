@@ -172,6 +172,8 @@ def lab_environment(state, token):
         IPYTHONDIR=str(Path(str(state)) / "ipython"),
         # What a browser sets need not be told back to it.
         JUPYTER_WIDGETS_ECHO="0",
+        # Its name is in `svg_repr.py`; here nothing of the package can be imported.
+        DMP_TEACH_PICTURES_STAY_OUT="1",
     )
 
 

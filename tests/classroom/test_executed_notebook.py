@@ -29,6 +29,7 @@ panel.bet(np.add(panel.lesson.bet.handles, 0.1234567).tolist())
 panel.reveal()
 panel""",
 }
+VALUES = "ink", "teach.Letter.learn(ink)"
 KNOBS = {"asked", "values", "character", "letter", "n_kernels", "kernel_width", "stroke"}
 KNOBS |= {"goal_shifts", "goal_x", "goal_y"}
 
@@ -36,10 +37,14 @@ KNOBS |= {"goal_shifts", "goal_x", "goal_y"}
 @pytest.fixture(scope="module")
 def saved(tmp_path_factory):
     """A notebook that nbclient has run, with what it keeps of widgets."""
-    cells = [nbformat.v4.new_code_cell(source) for source in (SETUP, *CELLS.values())]
+    monkeypatch = pytest.MonkeyPatch()
+    monkeypatch.delenv("DMP_TEACH_PICTURES_STAY_OUT")
+    sources = SETUP, *CELLS.values(), *VALUES
+    cells = [nbformat.v4.new_code_cell(source) for source in sources]
     notebook = nbformat.v4.new_notebook(cells=cells)
     folder = {"metadata": {"path": str(tmp_path_factory.mktemp("run"))}}
     NotebookClient(notebook, timeout=120, store_widget_state=True, resources=folder).execute()
+    monkeypatch.undo()
     return notebook
 
 
@@ -54,6 +59,8 @@ def test_of_panels_it_keeps_script_look_and_knobs_alone(saved):
 
 def test_no_ink_no_bet_and_no_pseudonym_is_in_it(saved):
     text = nbformat.writes(saved)
+    assert '"image/svg+xml"' not in text
+    assert "Letter(" in text
     assert "w07" not in text
     for kind in ("<f4", "<f8"):
         packed = INK.strokes()[0].position.astype(kind).tobytes()

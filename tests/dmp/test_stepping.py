@@ -96,6 +96,29 @@ def test_a_goal_that_moves_on_the_way_changes_the_rest_alone_and_in_proportion(d
     assert np.abs((far - at_rest) - 3 * (near - at_rest)).max() <= 1e-9 * np.abs(far).max()
 
 
+@few
+@given(letters(), st.sampled_from(KINDS), st.floats(0.0, 1.2), st.none() | st.floats(0.003, 0.1))
+def test_a_goal_may_move_at_any_step_and_is_reached_with_no_more_than_the_laws_own_jump(
+    demo, kind, when, patience
+):
+    p = DMP.imitate(demo, kind)
+    goal, pen = p.goal + np.resize((0.03, -0.1), len(p.goal)), Stepper.begin(p, patience=patience)
+    while pen.clock < when * p.steps:
+        pen = pen.step()
+    led = pen.led(goal)
+    assert np.array_equal([led.position, led.velocity], [pen.position, pen.velocity])
+    if patience is None:
+        law = (led.plan.input_at(pen.clock) - pen.plan.input_at(pen.clock)) / p.duration**2
+        h = p.duration / p.steps
+        jump = (led.step().velocity - pen.step().velocity) / h
+        assert np.linalg.norm(jump) <= (1 + 1e-6) * np.linalg.norm(law)
+    for _ in range(20_000):
+        led = led.step()
+        if led.over and np.abs(led.position - goal).max() < 1e-5:
+            break
+    assert np.abs(led.position - goal).max() < 1e-5
+
+
 def test_every_step_is_a_new_value():
     pen = Stepper.begin(DMP.imitate(letter()))
     later = pen.step(push=(1.0, 0.0))

@@ -13,7 +13,7 @@ from dmp_teach.errors import RecordingError, SettingError
 from dmp_teach.lessons import lessons
 
 KEYS = list(lessons())
-PUPILS = [None, "w01", "w07", "w23", "fox", "pupil-3", "w31"]
+PUPILS = [None, "w01", "w07", "w23", "b_2", "pupil-3", "w31"]
 NONSENSE = [None, 3, "width", [], {}, {"x": 1}, {1: 2}, object(), float("nan"), b"", [("a", 1)]]
 NUMBER = re.compile(r"\d")
 
