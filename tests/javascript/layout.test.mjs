@@ -29,6 +29,21 @@ test("the whole box is seen, and up is up", () => {
   assert.deepEqual(VIEW.px([0, -0.1]), [150, 200]);
 });
 
+test("paper is turned with the clock, and ink stays where it is on the paper", () => {
+  const box = [-0.1, -0.1, 0.1, 0.1];
+  const turned = viewOf(box, [300, 200], Math.PI / 6);
+  for (const place of [
+    [0.01, 0.02],
+    [-0.04, 0.09],
+  ]) {
+    assert.ok(apart(turned.metres(turned.px(place)), place) < 1e-12);
+  }
+  const [[x0, y0], [x1, y1]] = [turned.px([0, 0]), turned.px([0.05, 0])];
+  assert.ok(Math.abs(Math.atan2(y1 - y0, x1 - x0) - Math.PI / 6) < 1e-9);
+  assert.ok(Math.abs(apart([x0, y0], [x1, y1]) - 0.05 * turned.k) < 1e-9);
+  assert.equal(turned.k, viewOf(box, [300, 200]).k);
+});
+
 test("the ruler has whole centimetres and is long enough to be read", () => {
   for (const k of [100, 700, 3000, 9000]) {
     const cm = rulerLength({ k });

@@ -16,20 +16,33 @@ const AROUND = Array.from({ length: 16 }, (_, i) => [
 ]);
 
 /**
- * How a sheet of a size [px] shows a box of metres, in its middle and as large as it can be.
+ * How a sheet of a size [px] shows a box of metres, in its middle and as large as it can be; of a
+ * box that is turned the corners may be cut off.
  * @param {number[]} box left, bottom, right, top [m]
  * @param {number[]} size [px]
+ * @param {number} turn with the clock [rad]
  * @returns {View}
  */
-export function viewOf([x0, y0, x1, y1], [w, h]) {
-  const k = Math.min(w / (x1 - x0), h / (y1 - y0));
+export function viewOf([x0, y0, x1, y1], [w, h], turn = 0) {
+  const [cos, sin] = [Math.cos(turn), Math.sin(turn)];
+  const [wide, high] = [x1 - x0, y1 - y0];
+  const k = Math.min(
+    w / Math.hypot(wide * cos, high * sin),
+    h / Math.hypot(wide * sin, high * cos),
+  );
   const middle = [(x0 + x1) / 2, (y0 + y1) / 2];
   return {
     w,
     h,
     k,
-    px: ([x, y]) => [w / 2 + (x - middle[0]) * k, h / 2 - (y - middle[1]) * k],
-    metres: ([x, y]) => [middle[0] + (x - w / 2) / k, middle[1] - (y - h / 2) / k],
+    px: ([x, y]) => {
+      const [right, down] = [(x - middle[0]) * k, (middle[1] - y) * k];
+      return [w / 2 + right * cos - down * sin, h / 2 + right * sin + down * cos];
+    },
+    metres: ([x, y]) => {
+      const [right, down] = [(x - w / 2) / k, (y - h / 2) / k];
+      return [middle[0] + right * cos + down * sin, middle[1] + right * sin - down * cos];
+    },
   };
 }
 

@@ -21,6 +21,9 @@ import { momentOf, playLetter } from "./sheets.js";
 
 const CALM = "(prefers-reduced-motion: reduce)";
 const STILLS = 4;
+// [s] So long the two strokes are at least under way, and then seen whole.
+const LEAST_WAY = 2;
+const SEEN_WHOLE = 0.8;
 
 /**
  * What lies on the child's sheet: its own ink, the robot's strokes in it, and the ghost.
@@ -45,8 +48,9 @@ export function drawWhy(/** @type {Model} */ model, /** @type {LiftParts} */ par
 }
 
 /**
- * Play the stroke that was expected and the one that was written, side by side on one clock; people
- * who ask for less movement get a moment a press.
+ * Play the stroke that was expected and the one that was written, side by side on one clock: as the
+ * hand wrote, or slower where that was too quick to see. People who ask for less movement get a
+ * moment a press.
  * @param {Model} model
  * @param {LiftParts} parts
  */
@@ -88,7 +92,9 @@ export function playWhy(model, parts) {
     endShow(parts);
     parts.drawPad();
   };
-  parts.playing = { stop: playLetter([[end]], draw, done) };
+  const way = Math.max(LEAST_WAY, end);
+  const drawAt = (/** @type {number} */ moment) => draw((moment * end) / way);
+  parts.playing = { stop: playLetter([[way + SEEN_WHOLE]], drawAt, done) };
   parts.root.setAttribute("data-dt-showing", "true");
   parts.robotCaption.textContent = t("watch where it starts, and yours beside it");
 }

@@ -53,7 +53,9 @@ def pad(
         character: The letter to begin with; None for any letter, compared with nothing.
         page: Where the robot writes; None for a sheet of A4 on the table.
         writer: A pseudonym such as "w01" for what is saved; None takes the first that is free.
-        hand: "left" for a pad the other way round, and bars from right to left, as that of a t.
+        hand: "left" for bars from right to left, as that of a t, on a pad the other way round whose
+            paper is turned with the clock by 30 degrees: so left-handers are taught to lay it, for
+            then the hand stays below the line, and neither hides nor smears what is written.
         strict: What is judged at each lift of the pen, of "start", "direction", "order", "place"
             and "size".
 

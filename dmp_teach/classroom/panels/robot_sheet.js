@@ -5,7 +5,7 @@ import { change, choice, make } from "../../views/dom.js";
 import { t, tn } from "../../views/texts.js";
 import { button, ICONS, icon, put } from "./controls.js";
 import { letRobotWrite, strokesOf } from "./robot.js";
-import { momentOf, playLetter, stillsOf, writingSheet } from "./sheets.js";
+import { momentOf, playLetter, stillsOf, turnFor, writingSheet } from "./sheets.js";
 
 /** @typedef {import("../../views/dom.js").Model} Model */
 /** @typedef {import("./layout.js").Place} Place */
@@ -22,7 +22,7 @@ const CALM = "(prefers-reduced-motion: reduce)";
 
 /** Where the robot shows its own letter, or what it has learned. */
 export function robotSheet(/** @type {Model} */ model, /** @type {SheetParts} */ parts) {
-  const sheet = writingSheet();
+  const sheet = writingSheet({ turn: turnFor(model.get("hand")) });
   const caption = make("p", { class: "dt-told", role: "status" });
   const show = button(t("Show it"), { main: true, onClick: () => showIt(model, parts) });
   const letItWrite = () => {
