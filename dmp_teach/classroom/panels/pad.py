@@ -19,13 +19,7 @@ from dmp_teach.classroom.panels.saved_attempts import SavedAttempts, list_files
 from dmp_teach.classroom.panels.still import Still
 from dmp_teach.errors import RecordingError
 from dmp_teach.files import is_whole, join_modules, join_styles, must
-from dmp_teach.ink import (
-    Recording,
-    characters,
-    check_pseudonym,
-    pad_stroke,
-    recording_of,
-)
+from dmp_teach.ink import Recording, characters, check_pseudonym, pad_stroke, recording_of
 from dmp_teach.robot import Page
 from dmp_teach.scoring import MATTERS
 from dmp_teach.texts import gettext as _
