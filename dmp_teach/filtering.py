@@ -56,34 +56,39 @@ def _block_responses(recursion: tuple[float, ...]) -> tuple[Array, Array]:
     return forced, pushed @ forced
 
 
-def lowpass(values: Array, cutoff: float, padding: int) -> Array:
-    """Filter forwards and backwards with a second-order Butterworth filter, without a delay.
+def lowpass(values: Array, cutoff: float, padding: int, order: int = 2) -> Array:
+    """Filter forwards and backwards with a Butterworth filter of even order, without a delay.
 
-    The coefficients come from the bilinear transform: with k = tan(pi cutoff) and
-    q = 1 / (1 + sqrt(2) k + k^2),
+    A pair of poles each has a section of second order, whose coefficients come from the bilinear
+    transform: with k = tan(pi cutoff), d = 2 sin(pi (n + 1/2) / order) for n = 0, 1 ... and
+    q = 1 / (1 + d k + k^2),
 
-        b = k^2 q [1, 2, 1],   a = [1, 2 (k^2 - 1) q, (1 - sqrt(2) k + k^2) q]
+        b = k^2 q [1, 2, 1],   a = [1, 2 (k^2 - 1) q, (1 - d k + k^2) q]
 
     Args:
         values: Samples, shape (T,) or (T, D).
         cutoff: Where the filter has fallen to half of the power [cycles a sample].
         padding: How many samples of the odd extension are filtered before and after.
+        order: Of the filter in one direction.
 
     Returns:
         The filtered samples, of the same shape.
     """
     k = math.tan(math.pi * cutoff)
-    q = 1 / (1 + math.sqrt(2) * k + k * k)
-    recursion = (2 * (k * k - 1) * q, (1 - math.sqrt(2) * k + k * k) * q)
     x = extend_oddly(values, padding).T
     for _ in range(2):
         # The filter starts as if the first value had stood there for ever.
         first = x[..., :1]
         x = x - first
-        drive = x.copy()
-        drive[..., 1:] += 2 * x[..., :-1]
-        drive[..., 2:] += x[..., :-2]
-        x = (first + filter_recursively(recursion, k * k * q * drive))[..., ::-1]
+        for pair in range(order // 2):
+            d = 2 * math.sin(math.pi * (pair + 0.5) / order)
+            q = 1 / (1 + d * k + k * k)
+            drive = x.copy()
+            drive[..., 1:] += 2 * x[..., :-1]
+            drive[..., 2:] += x[..., :-2]
+            recursion = (2 * (k * k - 1) * q, (1 - d * k + k * k) * q)
+            x = filter_recursively(recursion, k * k * q * drive)
+        x = (first + x)[..., ::-1]
     return x[..., padding : x.shape[-1] - padding].T
 
 

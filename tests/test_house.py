@@ -187,6 +187,7 @@ SLOW = "scipy.signal scipy.stats scipy.interpolate scipy.optimize scipy.spatial 
     [
         ("teach.Letter.learn(teach.recording_of('a')).write()", f"{SLOW} ipywidgets"),
         ("teach.check('03', teach.lesson('03').solution)", f"{SLOW} ipywidgets"),
+        ("teach.check('09', teach.lesson('09').start)", f"{SLOW} dmp_teach.lessons.bump_width"),
         ("teach.explore()", SLOW),
     ],
 )

@@ -1,24 +1,34 @@
-"""Every lesson by its number: a module of this room that defines one is found."""
+"""Every lesson by its number. Only the module of the one that is asked for is imported."""
 
 from __future__ import annotations
 
-from functools import cache
 from importlib import import_module
-from pkgutil import iter_modules
 
 from dmp_teach.classroom import Lesson, Verdict
 from dmp_teach.errors import SettingError, shown
 
 _PACKAGE = __name__.rpartition(".")[0]
+# The modules of the lessons, from number "00".
+_ORDER = [
+    "start_here",
+    "spring_to_goal",
+    "teach_a_letter",
+    "bump_width",
+    "how_many_bumps",
+    "move_goal",
+    "pen_up",
+    "new_letters",
+    "robot_writes",
+    "teach_the_robot",
+    "be_a_scientist",
+    "reading_a_paper",
+    "other_ways",
+]
 
 
-@cache
-def lessons() -> dict[str, type[Lesson]]:
-    """Return every lesson by its number, such as "03", in order."""
-    package = import_module(_PACKAGE)
-    for module in iter_modules(package.__path__):
-        import_module(f"{_PACKAGE}.{module.name}")
-    return {each.key: each for each in sorted(_all(Lesson), key=lambda each: each.key)}
+def lessons() -> dict[str, str]:
+    """Return the name of every lesson by its number, such as "03", in order."""
+    return {f"{number:02d}": name for number, name in enumerate(_ORDER)}
 
 
 def lesson(key: str, pupil: str | None = None) -> Lesson:
@@ -35,10 +45,10 @@ def lesson(key: str, pupil: str | None = None) -> Lesson:
         SettingError: There is no such lesson.
         RecordingError: The pupil is no pseudonym.
     """
-    for each in lessons().values():
-        if key in (each.key, each.slug):
-            return each(pupil)
-    known = ", ".join(f"{each.key!r} ({each.slug})" for each in lessons().values())
+    for number, name in lessons().items():
+        if key in (number, name):
+            return _import_lesson(name)(pupil)
+    known = ", ".join(f"{number!r} ({name})" for number, name in lessons().items())
     raise SettingError(f"There is no lesson {shown(key)}; there are: {known}.")
 
 
@@ -60,7 +70,7 @@ def check(key: str, answer: object, pupil: str | None = None, hints: int = 0) ->
     return lesson(key, pupil).check(answer, hints)
 
 
-def _all(kind: type[Lesson]) -> list[type[Lesson]]:
-    """Return every subclass that has a number, and theirs."""
-    below = [kind, *(each for sub in kind.__subclasses__() for each in _all(sub))]
-    return [each for each in below if hasattr(each, "key")]
+def _import_lesson(name: str) -> type[Lesson]:
+    """Return the lesson of a module: its class with a key."""
+    module = vars(import_module(f"{_PACKAGE}.{name}")).values()
+    return next(each for each in module if isinstance(each, type) and hasattr(each, "key"))

@@ -56,7 +56,6 @@ class BeAScientist(Lesson):
     """One example is no proof: count writers, see the spread, change one thing at a time."""
 
     key = "10"
-    slug = "be_a_scientist"
 
     def vary(self, random: np.random.Generator | None) -> None:
         """Choose the letter, the claims and their order, and the one with few writers."""

@@ -65,7 +65,6 @@ class BumpWidth(Lesson):
     """A width that touches, between gaps and mush."""
 
     key = "03"
-    slug = "bump_width"
 
     def vary(self, random: np.random.Generator | None) -> None:
         """Choose the two letters and the shape of the bumps."""

@@ -65,7 +65,6 @@ class HowManyBumps(Lesson):
     """Each doubling leaves a third to a quarter of the error; what counts is kernels a second."""
 
     key = "04"
-    slug = "how_many_bumps"
 
     def vary(self, random: np.random.Generator | None) -> None:
         """Choose the letter, and how near is near enough."""

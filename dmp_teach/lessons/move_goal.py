@@ -51,7 +51,6 @@ class MoveGoal(Lesson):
     """A rule that keeps the shape, beside one that mirrors it and one that turns it."""
 
     key = "05"
-    slug = "move_goal"
 
     def vary(self, random: np.random.Generator | None) -> None:
         """Choose the letter, and whether its goal is to go up or down."""

@@ -37,7 +37,6 @@ class NewLetters(Lesson):
     """A D becomes a P, an R or a B by other goals, between two hands."""
 
     key = "07"
-    slug = "new_letters"
 
     def vary(self, random: np.random.Generator | None) -> None:
         """Choose the letter to make, its lean, and whose bowl is shown first."""

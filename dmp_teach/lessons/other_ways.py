@@ -50,7 +50,6 @@ class OtherWays(Lesson):
     """One demonstration or many, a moved goal, and how much must be stored: no way wins all."""
 
     key = "12"
-    slug = "other_ways"
 
     def vary(self, random: np.random.Generator | None) -> None:
         """Choose the letter, whose hand, and how near is near enough."""

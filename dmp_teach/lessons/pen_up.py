@@ -40,7 +40,6 @@ class PenUp(Lesson):
     """A lift is fast and high: what trembles or is knocked is low, what tilts is slow."""
 
     key = "06"
-    slug = "pen_up"
 
     def vary(self, random: np.random.Generator | None) -> None:
         """Choose the letter, how high the pen is lifted, and what else happens."""

@@ -55,7 +55,6 @@ class ReadingAPaper(Lesson):
     """A paper that is built word for word does not work, and three of its words are to blame."""
 
     key = "11"
-    slug = "reading_a_paper"
 
     def vary(self, random: np.random.Generator | None) -> None:
         """Choose the letter; its limit is what the best three changes reach."""

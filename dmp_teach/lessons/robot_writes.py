@@ -64,7 +64,6 @@ class RobotWrites(Lesson):
     """A page lies where all of it is in reach, and a spring in the pen gives way."""
 
     key = "08"
-    slug = "robot_writes"
 
     def vary(self, random: np.random.Generator | None) -> None:
         """Choose the letter, where the page must be, and how fast the pen."""

@@ -51,7 +51,6 @@ class SpringToGoal(Lesson):
     """A pull and a brake: the pen arrives wherever the goal is."""
 
     key = "01"
-    slug = "spring_to_goal"
 
     def vary(self, random: np.random.Generator | None) -> None:
         """Choose the time in which the pen must arrive, and where the ring is."""

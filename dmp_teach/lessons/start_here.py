@@ -69,7 +69,6 @@ class StartHere(Lesson):
     """Bumps until the line sits on the dots, then a goal that makes another letter."""
 
     key = "00"
-    slug = "start_here"
 
     def vary(self, random: np.random.Generator | None) -> None:
         """Choose what is made of what, and how near the line must be."""

@@ -43,7 +43,6 @@ class TeachALetter(Lesson):
     """One weight is heard from its bump on, and the goal has the last word."""
 
     key = "02"
-    slug = "teach_a_letter"
 
     def vary(self, random: np.random.Generator | None) -> None:
         """Choose the letter, and which weight is spoilt and by how much."""

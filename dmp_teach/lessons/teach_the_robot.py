@@ -55,7 +55,6 @@ class TeachTheRobot(TeachingLesson):
     """A pupil is known by how its letter comes nearer, and by what it forgets."""
 
     key = "09"
-    slug = "teach_the_robot"
 
     def vary(self, random: np.random.Generator | None) -> None:
         """Choose the letter, when the pupils forget, and who is in the record."""

@@ -3,19 +3,21 @@
 A pair of strokes costs the squared distances of its points to the nearest point of the other
 stroke (the modified Hausdorff distance of Dubuisson and Jain 1994, squared, with the direction of
 the ink as a third coordinate); a stroke without a partner costs a fixed distance. The cheapest
-assignment is found exactly (Crouse 2016: `scipy.optimize.linear_sum_assignment`). Where one stroke
-does the work of two, the two are one group.
+assignment is found exactly (Crouse 2016: `scipy.optimize.linear_sum_assignment`, which takes long
+to import: those of a few strokes are all tried). Where one stroke does the work of two, the two
+are one group.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import combinations
+from itertools import combinations, permutations
 
 import numpy as np
 import scipy
 
 from dmp_teach.scoring.resampling import Resampled, squared_distances
+from dmp_teach.trajectory import Array
 
 # Cost of a stroke without a partner: as a sixteenth of the letter a third of it away [radii^2].
 UNMATCHED_COST = 4.0
@@ -31,6 +33,8 @@ LARGEST_LENGTH_RATIO = 1.5
 SHARED_WORK = 0.55
 # Two pairs are one, cut at other places, if that leaves less than this of what they cost.
 LARGEST_MERGED_COST = 0.25
+# With up to so many strokes every assignment is tried, 24 at most.
+MOST_STROKES_TRIED = 4
 
 Group = tuple[tuple[int, ...], tuple[int, ...]]
 """Strokes of the one writing, and of the other, that are the same part of the letter."""
@@ -45,6 +49,19 @@ def group_strokes(ink: Resampled, other: Resampled) -> tuple[float, list[Group]]
     best, *rest = sorted(groups, key=lambda group: costs.of(group) if all(group) else np.inf)
     groups = [best, *(part for group in rest for part in costs.part(group))]
     return sum(costs.of(group) for group in groups), groups
+
+
+def _assign(cost: Array) -> list[tuple[int, int]]:
+    """Return the rows and columns of the cheapest assignment."""
+    if cost.shape[0] > cost.shape[1]:
+        return [(row, column) for column, row in _assign(cost.T)]
+    rows, columns = map(range, cost.shape)
+    if len(columns) > MOST_STROKES_TRIED:
+        found = scipy.optimize.linear_sum_assignment(cost)
+        return [(int(row), int(column)) for row, column in zip(*found, strict=True)]
+    costs = cost.tolist()
+    tried = (list(enumerate(each)) for each in permutations(columns, len(rows)))
+    return min(tried, key=lambda pairs: sum(costs[row][column] for row, column in pairs))
 
 
 class _Costs:
@@ -66,8 +83,9 @@ class _Costs:
         """Assign strokes one to one as far as they go."""
         mine = np.add.reduceat(self.near[0], self.first[0], axis=0)
         cost = mine + np.add.reduceat(self.near[1], self.first[1], axis=1)
-        rows, columns = scipy.optimize.linear_sum_assignment(cost)
-        groups: list[Group] = [((int(i),), (int(j),)) for i, j in zip(rows, columns, strict=True)]
+        pairs = _assign(cost)
+        rows, columns = zip(*pairs, strict=True)
+        groups: list[Group] = [((i,), (j,)) for i, j in pairs]
         groups += [((i,), ()) for i in range(cost.shape[0]) if i not in rows]
         return groups + [((), (j,)) for j in range(cost.shape[1]) if j not in columns]
 

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 from functools import cache
 
 import numpy as np
-import scipy
 
+from dmp_teach.filtering import lowpass
 from dmp_teach.scoring.resampling import POINTS_FOR_SLANT, resample_path
 from dmp_teach.trajectory import Array, Trajectory, all_points, interpolate_points, path_length
 
@@ -100,7 +100,15 @@ def count_velocity_peaks(velocity: Array) -> int:
     counts if it stands a tenth of the highest speed above the valleys beside it.
     """
     speed = np.concatenate([[0.0], np.linalg.norm(velocity, axis=1), [0.0]])
-    return len(scipy.signal.find_peaks(speed, prominence=PEAK_PROMINENCE * speed.max())[0])
+    prominent = PEAK_PROMINENCE * speed.max()
+    turns, direction, extreme = 0, 1, 0.0
+    for now in speed.tolist():
+        if direction * (now - extreme) > 0:
+            extreme = now
+        elif direction * (extreme - now) >= prominent:
+            turns, direction, extreme = turns + 1, -direction, now
+    # Each peak but the last is followed by a valley.
+    return (turns + 1) // 2
 
 
 def shake(lines: Sequence[Array]) -> float:
@@ -115,8 +123,7 @@ def shake(lines: Sequence[Array]) -> float:
     for line in lines:
         points = resample_path(line, int(path_length(line) / (SHAKE_SPACING * size)) + 1)[0]
         if len(points) >= SWEEP_POINTS:
-            sweep = scipy.signal.savgol_filter(points, SWEEP_POINTS, 3, axis=0)
-            off.append(np.linalg.norm(points - sweep, axis=1))
+            off.append(np.linalg.norm(points - _sweep(points), axis=1))
     return float(np.median(np.concatenate(off))) / size if off else 0.0
 
 
@@ -144,12 +151,22 @@ def _velocity(stroke: Trajectory) -> tuple[Array, float]:
     samples = max(FEWEST_MOVEMENT_SAMPLES, samples)
     clock = stroke.t[0] + stroke.duration / (samples - 1) * np.arange(samples)
     path = interpolate_points(clock, stroke.t, stroke.position)
-    path = scipy.signal.sosfiltfilt(_low_pass(), path, axis=0, padlen=min(30, samples - 1))
+    path = lowpass(path, MOVEMENT_CUTOFF / MOVEMENT_RATE, min(30, samples - 1), order=4)
     dt = float(clock[1] - clock[0])
     return np.gradient(path, dt, axis=0), dt
 
 
 @cache
-def _low_pass() -> Array:
-    """Return a Butterworth filter of fourth order for a clock of 100 Hz."""
-    return scipy.signal.butter(4, 2 * MOVEMENT_CUTOFF / MOVEMENT_RATE, output="sos")
+def _sweep_filter() -> Array:
+    """Return what fits a cubic to points in a row, shape (SWEEP_POINTS, SWEEP_POINTS)."""
+    cubic = np.vander(np.linspace(-1, 1, SWEEP_POINTS), 4)
+    fit: Array = cubic @ np.linalg.pinv(cubic)
+    return fit
+
+
+def _sweep(points: Array) -> Array:
+    """Return each point on the cubic through the points about it, shape (N, 2)."""
+    fit, half = _sweep_filter(), SWEEP_POINTS // 2
+    inner = np.lib.stride_tricks.sliding_window_view(points, SWEEP_POINTS, axis=0) @ fit[half]
+    ends = fit[:half] @ points[:SWEEP_POINTS], fit[-half:] @ points[-SWEEP_POINTS:]
+    return np.concatenate([ends[0], inner, ends[1]])

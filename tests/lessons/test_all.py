@@ -203,6 +203,11 @@ def test_a_lesson_shows_no_recording_of_ones_own():
         teach.lesson("03").panel().load(teach.recording_of("a"))
 
 
+def test_a_lesson_is_found_by_its_number_and_its_name(key):
+    assert type(teach.lesson(lessons()[key])) is type(teach.lesson(key))
+    assert teach.lesson(key).key == key
+
+
 def test_an_unknown_lesson_is_refused_by_name():
     with pytest.raises(SettingError, match="bump_width"):
         teach.lesson("77")

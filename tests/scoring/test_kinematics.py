@@ -4,9 +4,11 @@ from itertools import product
 
 import numpy as np
 import pytest
+from scipy.signal import find_peaks, savgol_filter
 
 from dmp_teach.ink.alphabet import recording_of
-from dmp_teach.scoring.kinematics import measure_movement, slant
+from dmp_teach.scoring.kinematics import count_velocity_peaks, measure_movement, shake, slant
+from dmp_teach.scoring.resampling import resample_path
 from dmp_teach.trajectory import Trajectory
 from tests.laws import for_every
 
@@ -83,3 +85,17 @@ def test_a_tap_has_measures_too():
     assert np.isfinite(measure_movement([tap]).smoothness)
     still = Trajectory([1, 1.1], [[0.02, 0.02], [0.02, 0.02]])
     assert measure_movement([tap, still]).strokes == 2
+
+
+def test_peaks_and_sweeps_are_those_of_scipy():
+    random = np.random.default_rng(0)
+    for _ in range(200):
+        path = random.normal(size=(random.integers(60, 300), 2)).cumsum(axis=0)
+        speed = np.concatenate([[0.0], np.linalg.norm(path, axis=1), [0.0]])
+        peaks = find_peaks(speed, prominence=speed.max() / 10)[0]
+        assert count_velocity_peaks(path) == len(peaks)
+        size = np.ptp(path, axis=0).max()
+        length = np.linalg.norm(np.diff(path, axis=0), axis=1).sum()
+        points = resample_path(path, int(100 * length / size) + 1)[0]
+        off = np.linalg.norm(points - savgol_filter(points, 35, 3, axis=0), axis=1)
+        assert shake([path]) == pytest.approx(np.median(off) / size)

@@ -99,7 +99,6 @@ class LessonContent:
     """
 
     key: str
-    slug: str
 
     def __init__(self, pupil: str | None = None):
         check_pseudonym(pupil, "pupil")
