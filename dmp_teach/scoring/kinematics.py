@@ -160,8 +160,7 @@ def _velocity(stroke: Trajectory) -> tuple[Array, float]:
 def _sweep_filter() -> Array:
     """Return what fits a cubic to points in a row, shape (SWEEP_POINTS, SWEEP_POINTS)."""
     cubic = np.vander(np.linspace(-1, 1, SWEEP_POINTS), 4)
-    fit: Array = cubic @ np.linalg.pinv(cubic)
-    return fit
+    return np.asarray(cubic @ np.linalg.pinv(cubic), dtype=float)
 
 
 def _sweep(points: Array) -> Array:
