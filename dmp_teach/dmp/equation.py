@@ -24,10 +24,12 @@ class Equation:
     Args:
         settings: With numbers for `n_kernels` and `alpha`.
         steps: How many steps a movement has: M.
+        samples: How many samples of it are looked at; M, all but the last, unless given.
     """
 
     settings: Settings
     steps: int
+    samples: int | None = None
 
     @cached_property
     def spring(self) -> Spring:
@@ -48,7 +50,7 @@ class Equation:
 
     @cached_property
     def s(self) -> Array:
-        """The phases at which the spring takes its steps, shape (M, 1)."""
+        """The phases at which the spring takes its steps, or of the samples, shape (M, 1)."""
         return self.bank.phase.at(self._left)[:, None]
 
     @cached_property
@@ -59,7 +61,10 @@ class Equation:
     @cached_property
     def _left(self) -> Array:
         """The part of the movement that is still to come at each step, shape (M,)."""
-        return (np.arange(self.steps, 0, -1) - self.spring.integrator.middle) / self.steps
+        steps = self.steps + self.bank.phase.steps_left
+        over = np.arange(self.samples or self.steps) + self.spring.integrator.middle
+        # The program's own order, which decides what a sample on the end of a kernel belongs to.
+        return 1 - over / steps if steps > self.steps else (steps - over) / steps
 
     def needed_forcing(self, u: Array, offset: Array) -> Array:
         """Return the f (M, D) that gives the input u (M, D) for a goal offset (D,)."""
@@ -95,5 +100,6 @@ def kernels_of(settings: Settings) -> Kernels:
         KERNELS[settings.kernel].of(settings),
         PHASES[settings.phase].of(settings),
         PLACEMENTS[settings.kernel_centers].of(settings),
-        settings.kernel_sides == "one",
+        settings.kernel_sides,
+        settings.kernel_floor,
     )

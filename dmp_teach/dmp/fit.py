@@ -44,8 +44,8 @@ class WeightFit(NamedChoice):
 
         Args:
             kernels: Laid over the phases.
-            s: Phases, shape (M, 1).
-            F: The needed forcing, shape (M, D).
+            s: Phases, shape (M, 1), or (M + 1, 1) with the last sample.
+            F: The needed forcing, shape (M, D) or (M + 1, D).
             spring: Which will follow it.
         """
 
@@ -106,8 +106,8 @@ class JointFit(WeightFit):
         if isinstance(kernels, Cells):
             # No kernel shares a sample with another.
             return w, None
-        columns = np.hstack([spring.follow(s * kernels.shares), spring.kick()])
-        missed = spring.follow(F - forcing(kernels, s, w, None))
+        columns = np.hstack([spring.follow((s * kernels.shares)[: spring.steps]), spring.kick()])
+        missed = spring.follow((F - forcing(kernels, s, w, None))[: spring.steps])
         gram = columns.T @ columns
         size = np.sqrt(np.diag(gram))
         # Every column counts alike.

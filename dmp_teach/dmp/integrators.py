@@ -228,7 +228,10 @@ class Spring:
         return filter_recursively(recursion, drive.T).T
 
     def needed(self, z: Array, derivatives: str = "inverse") -> tuple[Array, Array]:
-        """Return the input (M, D) by which `follow` draws z (M + 1, D), and its start velocity."""
+        """Return the input by which `follow` draws z (M + 1, D), and its start velocity.
+
+        The input has shape (M, D), or (M + 1, D) where it is known at the last sample, too.
+        """
         return DERIVATIVES[derivatives](self, z)
 
     def kick(self) -> Array:
@@ -250,7 +253,7 @@ def central_derivatives(spring: Spring, z: Array) -> tuple[Array, Array]:
     h = 1 / spring.steps
     v = np.gradient(z, h, axis=0)
     u = np.gradient(v, h, axis=0) + spring.alpha * v + spring.K * z
-    return (u[1:] + u[:-1]) / 2 if spring.integrator.middle else u[:-1], v[0]
+    return (u[1:] + u[:-1]) / 2 if spring.integrator.middle else u, v[0]
 
 
 DERIVATIVES: dict[str, Callable[[Spring, Array], tuple[Array, Array]]] = {

@@ -22,10 +22,12 @@ class Phase(NamedChoice):
 
     Attributes:
         has_plateau: Whether it stays so flat for so long that kernels are round in time instead.
+        steps_left: How many steps of the movement are still to come where it ends.
     """
 
     setting = "phase"
     has_plateau: ClassVar[bool] = False
+    steps_left: ClassVar[int] = 0
 
     @abstractmethod
     def at(self, left: ArrayLike) -> Array:
@@ -147,3 +149,11 @@ class Sigmoid(Phase):
     def _top(self) -> float:
         """Return s_0, where the phase would begin to be 1 at the start of the movement."""
         return 1 + math.exp(-self._steepness * self.middle)
+
+
+@PHASES.add
+class Counted(Linear):
+    """s = 1 - i/n at sample i of n, so that it ends at 1/n (the authors' program)."""
+
+    name = "counted"
+    steps_left = 1

@@ -21,6 +21,8 @@ class SettingChanges(TypedDict, total=False):
     kernel_sigma: float
     kernel_centers: str
     kernel_sides: str
+    kernel_spread: float | None
+    kernel_floor: float
     alpha: float | None
     alpha_per_kernel: float
     alpha_per_second: float | None
@@ -80,17 +82,22 @@ PRESETS: dict[str, SettingChanges] = {
         "alpha": 25.0,
         "phase": "exponential",
         "phase_decay": 1.0,
-        "divide": False,
         "integrator": "lagged",
     },
-    # The program's 4 and 8 per second: D = 4/s, K = 32/s^2, D / (2 sqrt K) = 0.35.
+    # The program's 4 and 8 per second: D = 4/s, K = 32/s^2, D / (2 sqrt K) = 0.35; and its kernel
+    # exp(-(x - c)^2), so that sigma^2 = 1/2.
     "as_coded": {
         **_PAPER,
         "kernel_width": 2.0,
+        "kernel_sigma": inf,
+        "kernel_spread": sqrt(0.5),
         "kernel_centers": "grid",
+        "kernel_sides": "closed",
         "alpha_per_second": 4.0,
         "damping": 1 / sqrt(8),
+        "phase": "counted",
         "integrator": "lagged",
+        "start_velocity": "kept",
     },
     "as_fixed": _PAPER,
 }

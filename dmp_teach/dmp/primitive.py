@@ -106,8 +106,9 @@ class DMP:
         rounded = settings.sharpen and fit.rounds_bends
         sharp = sharpen_bends(z, equation.steps / n_kernels) if rounded else z
         u, velocity = spring.needed(sharp, settings.derivatives)
-        F = equation.needed_forcing(u, offset)
-        weights, biases = fit.learn(kernels, equation.s, F, spring)
+        seen = equation if len(u) == equation.steps else replace(equation, samples=len(u))
+        F = seen.needed_forcing(u, offset)
+        weights, biases = fit.learn(seen.kernels, seen.s, F, spring)
 
         # One filter draws the path and, in a column of its own, what a start velocity adds to it.
         paths = spring.follow(equation.input(weights, biases, offset), np.array([*velocity, 1.0]))
@@ -253,8 +254,12 @@ class DMP:
         if (offset == taught).all():
             return path
         self.transformation.check_goal(taught, offset, path)
-        gain = Equation(self.settings, steps).goal_gain()
-        return self.transformation.retarget(path, taught, offset, gain)
+        equation, velocity = Equation(self.settings, steps), self.start_velocity * self.duration
+        moved = self.transformation.retarget(path, taught, offset, equation.goal_gain())
+        if self.settings.start_velocity == "kept":
+            change = self.transformation.retarget(velocity, taught, offset, 0.0) - velocity
+            moved = moved - equation.spring.kick() * change
+        return moved
 
     def _drawn(self, steps: int) -> Array:
         """Return the path to the demonstrated goal, in so many steps."""

@@ -34,9 +34,13 @@ class Settings:
       that is given.
     - `kernel_width` and `kernel_sigma` are counted in spacings between kernels, 1/N, and may be
       `math.inf`: a kernel without ends, a kernel without a hump (a box). A mollifier has no sigma
-      and must have ends.
+      and must have ends. `kernel_spread` gives sigma as a phase instead, whatever N is.
+    - `kernel_floor`: the height of a kernel beyond its ends; where no other is active, f is then s
+      times the mean of all weights.
     - `kernel_centers`: "middles" of N equal times; as phases, "phases" (i - 1/2)/N, "ends"
       (i - 1)/(N - 1), "grid" i/N.
+    - `kernel_sides`: "both" as cells that touch, "one" as printed, x - c <= theta, "closed"
+      |x - c| <= theta, so that two kernels share a sample where they touch.
     - `alpha` is D over one movement: D = alpha / T, K = (alpha / (2 damping) / T)^2. None takes
       `alpha_per_second` T where that is given, else `alpha_per_kernel` for each kernel and at
       least 12.
@@ -46,6 +50,8 @@ class Settings:
       it is learned.
     - `feed_goal` concerns "star" alone: the other transformations move the whole path with its
       goal.
+    - `start_velocity`: "fitted" to the whole path, "measured" at the first sample, or measured and
+      "kept" where the original form leads its path to another goal: else it grows with the path.
     - `smoothing` None leaves the demonstration as it is. `sharpen` makes good what boxes fitted by
       LWR round off; other fits round nothing, and ignore it.
 
@@ -68,7 +74,13 @@ class Settings:
         1.0, "how wide each bump is", "kernel width", low=0.2, high=40.0, endless=True
     )
     kernel_sigma: float = knob(
-        math.inf, "how round each bump is", "kernel sigma", low=0.2, high=40.0, endless=True
+        math.inf,
+        "how round each bump is",
+        "kernel sigma",
+        low=0.2,
+        high=40.0,
+        limit=MOST_KERNELS,
+        endless=True,
     )
     alpha: float | None = knob(
         None,
@@ -115,7 +127,13 @@ class Settings:
         "middles", "where the bumps stand", "kernel centres", options=PLACEMENTS
     )
     kernel_sides: str = knob(
-        "both", "which sides a bump ends on", "kernel sides", options=("both", "one")
+        "both", "which sides a bump ends on", "kernel sides", options=("both", "one", "closed")
+    )
+    kernel_spread: float | None = knob(
+        None, "how round each bump is", "sigma as a phase", optional=True, low=0.001, high=1.0
+    )
+    kernel_floor: float = knob(
+        0.0, "how high a bump is beyond its ends", "kernel floor", low=0.0, high=0.01
     )
     alpha_per_second: float | None = knob(
         None,
@@ -136,13 +154,17 @@ class Settings:
         "inverse", "how speeds are read off the ink", "derivatives", options=DERIVATIVES
     )
     start_velocity: str = knob(
-        "fitted", "how fast the pen starts", "start velocity", options=("fitted", "measured")
+        "fitted",
+        "how fast the pen starts",
+        "start velocity",
+        options=("fitted", "measured", "kept"),
     )
 
     def __post_init__(self) -> None:
         for each in knobs():
             object.__setattr__(self, each.name, each.checked(getattr(self, each.name)))
-        KERNELS[self.kernel].check(self.kernel_width, self.kernel_sigma, self.kernel_sides)
+        sigma = self.kernel_sigma if self.kernel_spread is None else self.kernel_spread
+        KERNELS[self.kernel].check(self.kernel_width, sigma, self.kernel_sides)
         if self.alpha is not None and self.alpha > most_alpha(self.damping):
             most = math.floor(most_alpha(self.damping))
             raise SettingError(
@@ -230,6 +252,8 @@ class Settings:
         # Both are in range: `replace` would check every setting again, which costs more than a fit.
         same = object.__new__(type(self))
         same.__dict__.update(self.__dict__, n_kernels=n_kernels, alpha=float(alpha))
+        if self.kernel_spread is not None:
+            same.__dict__["kernel_sigma"] = self.kernel_spread * n_kernels
         return same
 
 

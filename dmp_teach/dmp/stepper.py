@@ -58,7 +58,8 @@ class Plan:
             transformation = equation.transformation
             transformation.check_goal(taught, offset, p.nominal_path)
             inputs = transformation.retarget(inputs, taught, offset, equation.input_gain())
-            velocity = transformation.retarget(velocity, taught, offset, 0.0)
+            if p.settings.start_velocity != "kept":
+                velocity = transformation.retarget(velocity, taught, offset, 0.0)
         T = p.duration if duration is None else check_duration("duration", duration)
         return cls(p, inputs, offset, start, velocity, T, equation.spring)
 

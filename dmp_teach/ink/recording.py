@@ -95,9 +95,10 @@ class Recording:
         Args:
             theta: How fast the pen must rise to leave the paper [m/s].
             sigma: How high it must rise to have left the paper: by the rule "foot" over the foot
-                of its own lift, by the other two over the mean height of the recording [m].
-            rule: "foot" (works), or the paper's: "printed" to the letter, "authors" as they meant
-                it (`dmp_teach.segmentation.paper_rules` says what we take them to be).
+                of its own lift, by "authors" over the page, by the other two over the mean height
+                of the recording [m].
+            rule: "foot" (works), or the paper's: "printed" to the letter, as its words have it
+                "meant", and as its "authors" programmed it (`dmp_teach.segmentation.paper_rules`).
 
         Returns:
             Trajectories in 2-D on this recording's clock: the raw samples, never smoothed.

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from functools import lru_cache
 from itertools import combinations
-from math import sqrt
+from math import inf, sqrt
 from typing import Any
 
 from dmp_teach.classroom import Answer
@@ -17,9 +17,14 @@ from dmp_teach.texts import gettext as _
 BY_TEXT, BY_PROGRAM, MENDED = "printed", "program", "mended"
 # Any: the keywords of `Settings`.
 PLACES: dict[str, dict[str, dict[str, Any]]] = {
-    "push": {BY_TEXT: {}, MENDED: {"divide": True}},
+    # Equations 5 and 11 without Algorithm 2, whose line for f has the factor that is missed here.
+    "push": {BY_TEXT: {"divide": False}, MENDED: {}},
     "ends": {BY_TEXT: {}, MENDED: {"kernel_sides": "both"}},
-    "clock": {BY_TEXT: {}, MENDED: {"phase": "linear", "phase_decay": 4.6}},
+    "clock": {
+        BY_TEXT: {},
+        BY_PROGRAM: {"phase": "counted", "phase_decay": 4.6},
+        MENDED: {"phase": "linear", "phase_decay": 4.6},
+    },
     "step": {BY_TEXT: {}, MENDED: {"integrator": "explicit"}},
     "stand": {
         BY_TEXT: {},
@@ -28,10 +33,19 @@ PLACES: dict[str, dict[str, dict[str, Any]]] = {
     },
     "spring": {
         BY_TEXT: {},
-        BY_PROGRAM: {"alpha": None, "alpha_per_second": 4.0, "damping": 1 / sqrt(8)},
+        BY_PROGRAM: {
+            **{"alpha": None, "alpha_per_second": 4.0, "damping": 1 / sqrt(8)},
+            "start_velocity": "kept",
+        },
         MENDED: {"alpha": None},
     },
-    "width": {BY_TEXT: {}, BY_PROGRAM: {"kernel_width": 2.0}},
+    "width": {
+        BY_TEXT: {},
+        BY_PROGRAM: {
+            **{"kernel_width": 2.0, "kernel_sides": "closed"},
+            **{"kernel_sigma": inf, "kernel_spread": sqrt(0.5)},
+        },
+    },
 }
 """By the place, each reading as changes of `Settings.as_printed`."""
 
@@ -118,7 +132,7 @@ def formulas() -> Mapping[str, Mapping[str, str]]:
         "push": {BY_TEXT: "f", MENDED: "f ÷ K"},
         "ends": {BY_TEXT: "x − c ≤ θ", MENDED: "|x − c| ≤ θ"},
         "stand": {BY_TEXT: _("0 to 1"), BY_PROGRAM: "i/N", MENDED: "(i−½)/N"},
-        "clock": {BY_TEXT: "ẋ = −x/T", MENDED: "x = 1 − t/T"},
+        "clock": {BY_TEXT: "ẋ = −x/T", BY_PROGRAM: "1 − i/n", MENDED: "x = 1 − t/T"},
         "spring": {BY_TEXT: "α = 25", BY_PROGRAM: "4/s", MENDED: "2N"},
         "step": {BY_TEXT: _("the last one"), MENDED: _("its own")},
         "width": {BY_TEXT: "1/N", BY_PROGRAM: "2/N"},
@@ -158,6 +172,7 @@ def symptom_of(name: str, reading: str) -> str:
         ("stand", BY_TEXT): _("At {gaps} moments no bump is awake, and nothing pushes."),
         ("stand", BY_PROGRAM): _("In the last {half:.1f} % of the time nothing pushes."),
         ("clock", BY_TEXT): _("Only 63 % of the {n} bumps ever wake up."),
+        ("clock", BY_PROGRAM): _("The movement stops one moment before its end."),
         ("spring", BY_TEXT): _("What {n} bumps round off is hardly corrected."),
         ("spring", BY_PROGRAM): _("The pen swings: what holds it is soft, {alpha:.0f} only."),
         ("step", BY_TEXT): _("The pen comes {ms:.0f} thousandths of a second late."),

@@ -97,8 +97,8 @@ class ReadingAPaper(Lesson):
             ),
             Task(
                 _(
-                    "Take the authors’ program: all that is named program, and push, bump ends "
-                    "and clock mended."
+                    "Take the authors’ program: all that is named program, and push and bump ends "
+                    "mended."
                 ),
                 lambda v: v == AS_CODED,
             ),

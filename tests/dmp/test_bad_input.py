@@ -9,6 +9,7 @@ import pytest
 
 from dmp_teach.dmp.integrators import INTEGRATORS, Spring, least_steps, most_alpha
 from dmp_teach.dmp.kernels import KERNELS
+from dmp_teach.dmp.phases import PHASES
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.dmp.stepper import Stepper
@@ -16,6 +17,7 @@ from dmp_teach.errors import SettingError, SettingWarning, TrajectoryError
 from dmp_teach.trajectory import Trajectory
 from tests.dmp.ink import letter
 
+PHASE_NAMES = ", ".join(map(repr, PHASES)) + "."
 T = np.linspace(0, 1, 60)
 CLOSED = np.column_stack([np.sin(2 * np.pi * T), 1 - np.cos(2 * np.pi * T)])
 
@@ -63,7 +65,7 @@ def closed(path):
         ({"damping": 0.0}, "damping is 0.0, but it must be between 0.1 and 2."),
         (
             {"phase": "cosine"},
-            "phase is 'cosine', but it must be one of: 'linear', 'exponential', 'sigmoid'.",
+            "phase is 'cosine', but it must be one of: " + PHASE_NAMES,
         ),
         (
             {"transform": "plus"},
@@ -75,7 +77,7 @@ def closed(path):
         ),
         (
             {"phase": ["linear"]},
-            "phase is ['linear'], but it must be one of: 'linear', 'exponential', 'sigmoid'.",
+            "phase is ['linear'], but it must be one of: " + PHASE_NAMES,
         ),
         ({"fit": {}}, "fit is {}, but it must be one of: 'lwr', 'bias', 'joint'."),
         ({"n_kernels": 0}, "n_kernels is 0, but it must be a whole number between 1 and 3000."),

@@ -76,10 +76,11 @@ def test_the_readings_are_those_of_the_design():
     assert (printed.phase, printed.phase_decay, printed.divide, printed.integrator) == (
         "exponential",
         1.0,
-        False,
+        True,
         "lagged",
     )
-    assert (coded.kernel_centers, coded.kernel_width, coded.kernel_sigma) == ("grid", 2.0, 4.0)
+    assert (coded.kernel_centers, coded.kernel_width) == ("grid", 2.0)
+    assert coded.resolved(2.5, 300).kernel_sigma == pytest.approx(30 * math.sqrt(0.5))
     resolved = coded.resolved(2.5, 300)
     D = resolved.alpha / 2.5
     assert (D, (D / (2 * resolved.damping)) ** 2) == pytest.approx(
@@ -89,7 +90,6 @@ def test_the_readings_are_those_of_the_design():
     for reading in (printed, coded, fixed):
         assert (reading.transform, reading.fit, reading.derivatives) == ("star", "lwr", "central")
         assert (reading.smoothing, reading.feed_goal, reading.sharpen) == (None, False, False)
-        assert reading.start_velocity == "measured"
         assert reading.resolved(3.0, 331).n_kernels == 33
 
 
@@ -116,8 +116,8 @@ def test_as_fixed_draws_our_letters_and_as_printed_cannot():
         cost(ours, each()) for each in (Settings.as_fixed, Settings.as_coded, Settings.as_printed)
     )
     assert fixed < 1.0 < coded < 8.0
-    assert printed > 500
-    assert cost(ours, Settings.as_printed(divide=True)) < 200
+    assert 8.0 < printed < 200
+    assert cost(ours, Settings.as_printed(divide=False)) > 500
 
 
 @pytest.mark.parametrize(("changes", "bounds"), COSTS.values(), ids=COSTS)
@@ -136,14 +136,4 @@ def test_each_contradiction_costs_what_the_design_says_on_recordings(changes, bo
 def test_the_readings_on_recordings():
     assert cost(strokes("a"), Settings.as_fixed()) < 0.5
     assert 1.0 < cost(strokes("a"), Settings.as_coded()) < 5.0
-    assert cost(strokes("a"), Settings.as_printed()) > 1000
-
-
-def test_the_programs_centres_leave_the_end_bare_where_it_returns_nan_and_we_give_nought():
-    demo = letter(300, 2.5)
-    with pytest.warns(
-        SettingWarning,
-        match=r"at 2\.4\d+ to 2\.500 s from its start\. kernel_centers='middles' closes",
-    ):
-        p = DMP.imitate(demo, Settings.as_coded(kernel_width=1.0))
-    assert np.isfinite(p.rollout().position).all()
+    assert cost(strokes("a"), Settings.as_printed()) > 5

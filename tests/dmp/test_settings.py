@@ -7,6 +7,7 @@ import re
 import numpy as np
 import pytest
 
+from dmp_teach.dmp.phases import PHASES
 from dmp_teach.dmp.settings import Settings, knob_of, knobs
 from dmp_teach.errors import SettingError, TeachError
 
@@ -51,7 +52,7 @@ def test_an_error_says_what_it_is_and_what_it_must_be():
         Settings(phase="linnear")
     assert (
         str(caught.value)
-        == "phase is 'linnear', but it must be one of: 'linear', 'exponential', 'sigmoid'."
+        == f"phase is 'linnear', but it must be one of: {', '.join(map(repr, PHASES))}."
     )
     with pytest.raises(SettingError, match=r"^kernel_width is None, but it must be between"):
         Settings(kernel_width=None)

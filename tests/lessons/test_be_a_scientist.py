@@ -81,7 +81,7 @@ def test_real_writers_of_a_folder_are_asked_where_there_are_enough(
     [
         ("holds one_setting too_few", "12 are for it in the paper’s way (15 times) and 0 in the"),
         ("one_setting one_setting too_few", "spring and clock that were changed, too; the rule"),
-        ("unfair unfair too_few", "0.88 times in one setting and 12 times in the other"),
+        ("unfair unfair too_few", "0.80 times in one setting and 12 times in the other"),
         ("unfair one_setting holds", "3 writers only. 3 coins fall the same way once in 8"),
         ("unfair open too_few", "Not judged yet: 2. Verdicts that stand so far: 2."),
     ],

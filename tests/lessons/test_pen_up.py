@@ -72,5 +72,5 @@ def test_the_paper_to_the_letter_fails_on_this_recording():
     lesson = teach.lesson("06")
     plain = lesson.recording.with_strokes(None)
     assert len(plain.strokes(0.075, 0.011)) == 2
-    for rule in ("printed", "authors"):
+    for rule in ("printed", "meant"):
         assert len(plain.strokes(0.075, 0.011, rule)) != 2

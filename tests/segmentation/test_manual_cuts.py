@@ -38,7 +38,7 @@ def test_strokes_cut_by_hand_are_kept_whatever_the_rule_says(samples, theta, sig
     times = [(T[a], T[b]) for a, b in zip(samples[::2], samples[1::2], strict=True)]
     by_hand = D.with_strokes(times)
     assert ends(by_hand) == times
-    assert [(s.t[0], s.t[-1]) for s in by_hand.strokes(theta, sigma, "authors")] == times
+    assert [(s.t[0], s.t[-1]) for s in by_hand.strokes(theta, sigma, "meant")] == times
     assert D.given_strokes is None  # the one that was cut stays as it was
     assert ends(by_hand.with_strokes(None)) == ends(D)
 

@@ -24,9 +24,9 @@ def test_the_authors_reading_cuts_where_the_pen_rises_fast_or_is_far_from_its_me
     recording, _ = written()
     z, t = recording.position[:, 2], recording.t
     up = (np.gradient(z, t) > 0.10) | (np.abs(z - z.mean()) > 0.006)
-    inked = np.isin(t, np.concatenate([stroke.t for stroke in recording.strokes(rule="authors")]))
+    inked = np.isin(t, np.concatenate([stroke.t for stroke in recording.strokes(rule="meant")]))
     assert not (inked & up).any()
-    assert len(recording.strokes(rule="authors")) == 2
+    assert len(recording.strokes(rule="meant")) == 2
 
 
 def test_to_the_letter_a_stroke_ends_only_while_it_rises_near_the_mean_and_begins_in_the_air():
@@ -40,7 +40,7 @@ def test_a_page_that_leans_breaks_the_mean_height_and_not_the_foot():
     recording, pen = written(slope=(0.0, 0.1))
     ends = [(s.t[0], s.t[-1]) for s in recording.strokes()]
     assert np.abs(np.array(ends) - pen.touches).max() < 0.05
-    ends = [(s.t[0], s.t[-1]) for s in recording.strokes(rule="authors")]
+    ends = [(s.t[0], s.t[-1]) for s in recording.strokes(rule="meant")]
     assert len(ends) != 2 or np.abs(np.array(ends) - pen.touches).max() > 0.05
 
 
@@ -48,7 +48,7 @@ def test_a_page_that_leans_breaks_the_mean_height_and_not_the_foot():
 def test_an_unknown_rule_names_those_that_there_are(rule):
     for given in (None, ((0, 50),)):
         with pytest.raises(
-            SettingError, match=r"rule is .*must be one of 'foot', 'printed', 'authors'"
+            SettingError, match=r"rule is .*must be one of 'foot', 'printed', 'meant', 'authors'"
         ):
             written(given_strokes=given)[0].strokes(rule=rule)
 
@@ -65,4 +65,4 @@ def test_a_rule_that_finds_nothing_says_so():
     t = np.arange(100) / 100
     page = np.column_stack([t, t, np.where(np.arange(100) % 2, 0.1, -0.1)])
     with pytest.raises(RecordingError, match="never on the paper; try a larger sigma"):
-        Recording(t, page).strokes(rule="authors")
+        Recording(t, page).strokes(rule="meant")

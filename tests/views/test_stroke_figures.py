@@ -1,5 +1,6 @@
 """The figure of the rules for strokes."""
 
+from dmp_teach.segmentation import RULES
 from dmp_teach.views.figures.stroke import RULE_NAMES, draw_strokes_by_rule
 from dmp_teach.views.palette import STROKE_COLORS
 from tests.segmentation.test_manual_cuts import D
@@ -11,8 +12,7 @@ def titles(figure):
 
 def test_every_rule_has_a_row_that_counts_its_strokes():
     assert titles(draw_strokes_by_rule(D)) == [
-        f"{RULE_NAMES[rule]}: {len(D.strokes(rule=rule))} strokes"
-        for rule in ("foot", "printed", "authors")
+        f"{RULE_NAMES[rule]}: {len(D.strokes(rule=rule))} strokes" for rule in RULES
     ]
 
 
@@ -20,7 +20,7 @@ def test_cuts_by_hand_have_a_row_of_their_own_where_they_are():
     by_hand = D.with_strokes([(0.6, 1.2)])
     figure = draw_strokes_by_rule(by_hand)
     assert titles(figure)[-1] == f"{RULE_NAMES['hand']}: 1 stroke"
-    assert titles(figure)[:3] == titles(draw_strokes_by_rule(D))
+    assert titles(figure)[:4] == titles(draw_strokes_by_rule(D))
     panel = next(
         axes for axes in figure.axes if axes.get_title(loc="left").startswith(RULE_NAMES["hand"])
     )

@@ -23,8 +23,9 @@ class Kernels:
 
     A kernel is active on a cell `width`/N long: m_i - width/2 <= u < m_i + width/2, where u is
     N times the part of the movement to come, or N s where kernels stand at equal phases. The last
-    cell is closed at s = 1, so touching kernels never leave or share a sample. A one-sided kernel
-    is what the paper prints, x - c_i <= theta: active wherever u <= m_i + width/2.
+    cell is closed at s = 1, so touching kernels never leave or share a sample. Other sides: "one"
+    is what the paper prints, x - c_i <= theta: active wherever u <= m_i + width/2; "closed" is
+    |s - c_i| <= theta as the authors' program compares it.
 
     Args:
         number: N.
@@ -32,7 +33,8 @@ class Kernels:
         kernel: The shape of each.
         phase: What the kernels are spread over.
         placement: Where they stand.
-        one_sided: Whether they end on one side only.
+        sides: Where they end: on "both" sides, on "one", or "closed" on both.
+        floor: Their height beyond their ends.
     """
 
     number: int
@@ -40,7 +42,8 @@ class Kernels:
     kernel: Kernel = field(default_factory=Gaussian)
     phase: Phase = field(default_factory=Linear)
     placement: Placement = field(default_factory=AtMiddles)
-    one_sided: bool = False
+    sides: str = "both"
+    floor: float = 0.0
 
     @cached_property
     def centers(self) -> Array:
@@ -93,7 +96,8 @@ class Kernels:
         """
         s = self.phase.at(left)
         u = self._place(left, s)
-        if self.width > 1 or not self.placement.in_time or self.one_sided:
+        is_shared = self.width > 1 or self.floor > 0 or not self.placement.in_time
+        if is_shared or self.sides != "both":
             return Overlap(self._psi(s[:, None], u[:, None], np.arange(self.number)))
         owner = u.astype(int)
         touching_boxes = self.width == 1 and self.kernel.is_box
@@ -108,7 +112,9 @@ class Kernels:
         """Return the height of the kernels `i`, counted from 0, at phase s and place u."""
         half = self.width / 2
         off = u - self.places[i]
-        if self.one_sided:
+        if self.sides == "closed":
+            active = np.abs(s - self.centers[i]) <= half / self.number
+        elif self.sides == "one":
             active = off <= half
         else:
             active = (self.places[i] - half <= u) & (u < self.places[i] + half)
@@ -116,4 +122,4 @@ class Kernels:
             z = off
         else:
             z = (s - self.centers[i]) / self.spacings[i]
-        return np.where(active, self.kernel.height(off / half, z), 0.0)
+        return np.where(active, self.kernel.height(off / half, z), self.floor)

@@ -24,7 +24,8 @@ from dmp_teach.views.palette import GRID_COLOR, MUTED_COLOR, STROKE_COLORS, TEXT
 RULE_NAMES = {
     "foot": "local foot",
     "printed": "as printed",
-    "authors": "as the authors meant it",
+    "meant": "as the authors meant it",
+    "authors": "as their program does it",
     "hand": "given, or cut by hand",
 }
 
@@ -45,10 +46,11 @@ def draw_strokes_by_rule(recording: Recording, theta: float = 0.10, sigma: float
     z = 1e3 * recording.position[:, 2]
     for (left, right), (rule, strokes) in zip(panels, found.items(), strict=True):
         _plot_over_time(left, recording, strokes, theta)
-        if rule in ("printed", "authors"):
+        if rule not in ("foot", "hand"):
+            middle = 0.0 if rule == "authors" else z.mean()
             for side in (-1, 1):
                 look = {"color": MUTED_COLOR, "linewidth": 0.9, "linestyle": (0, (4, 3))}
-                left.axhline(z.mean() + side * 1e3 * sigma, **look)
+                left.axhline(middle + side * 1e3 * sigma, **look)
         title = f"{RULE_NAMES[rule]}: {len(strokes) or 'no'} stroke{'s' * (len(strokes) > 1)}"
         left.set_title(title, color=TEXT_COLOR, fontsize=10.5, loc="left")
         _plot_on_paper(right, recording, strokes)
