@@ -290,7 +290,9 @@ def test_strokes_are_found_as_often_as_they_are_found():
     for right, verdict in ((10, HOLDS), (7, DEPENDS), (2, FAILS)):
         found = [RuleResult(2, k < right) for k in range(10)]
         items = tuple(
-            SegmentationCase("D w", 2, True, RuleResult(2, True), each, RuleResult(1, False), True)
+            SegmentationCase(
+                "D w", 2, True, RuleResult(2, True), each, each, RuleResult(1, False), True
+            )
             for each in found
         )
         assert on_letters.strokes_from_height(made(lifts=Segmentation(items))).verdict == verdict

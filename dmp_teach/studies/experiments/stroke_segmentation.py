@@ -1,4 +1,4 @@
-"""Strokes by the rule of the local foot, beside the two readings of the paper's rule."""
+"""Strokes by the rule of the local foot, beside the readings of the paper's rule."""
 
 from __future__ import annotations
 
@@ -41,7 +41,8 @@ class SegmentationCase:
         strokes: How many strokes it has.
         known: Whether they are known from the source or cut by hand; else the local rule is right.
         foot: By the rule of the local foot.
-        authors: By the paper's rule with its second inequality turned round.
+        meant: By the paper's rule with its second inequality turned round.
+        authors: As the authors' program cuts it, with its fixed numbers.
         printed: By the paper's rule to the letter.
         steady: Whether the local rule gives the same count for all `STEADY_THRESHOLDS`.
     """
@@ -50,6 +51,7 @@ class SegmentationCase:
     strokes: int
     known: bool
     foot: RuleResult
+    meant: RuleResult
     authors: RuleResult
     printed: RuleResult
     steady: bool
@@ -85,8 +87,8 @@ def compare_segmentation(
     """Compare the paper's rule for strokes (its equations 12 and 13) with the local one.
 
     A stroke ends, as printed, where dz/dt > theta; or z is far from the plane, where the paper
-    prints |z - mu_z| < sigma and means the opposite. Both readings are tried,
-    `dmp_teach.segmentation.paper_rules` says how.
+    prints |z - mu_z| < sigma and means the opposite. Both readings are tried, and the authors'
+    program; `dmp_teach.segmentation.paper_rules` says how.
 
     Args:
         recordings: Recordings or files (strokes have no height and are left out); None takes our
