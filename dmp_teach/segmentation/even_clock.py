@@ -5,16 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.filtering import lowpass
+from dmp_teach.segmentation.leaps import Flags, straightened
 from dmp_teach.trajectory import Array, interpolate_points
 
 Spans = tuple[tuple[int, int], ...]
 """Strokes as pairs (start, end) of samples, the end not included."""
-
-Flags = NDArray[np.bool_]
 
 # A clock that needs more even samples than this for each of its own is broken.
 MOST_EVEN_SAMPLES_EACH = 100
@@ -42,7 +40,7 @@ class PenMotion:
 
 
 def to_even_clock(t: Array, position: Array) -> PenMotion:
-    """Resample a recording on an even clock from `t[0]` on, and low-pass it.
+    """Resample a recording on an even clock from `t[0]` on, without leaps, and low-pass it.
 
     Raises:
         RecordingError: Its own clock is too uneven.
@@ -56,7 +54,7 @@ def to_even_clock(t: Array, position: Array) -> PenMotion:
         )
     clock = np.linspace(t[0], t[-1], max(2, samples))
     dt = float(clock[1] - clock[0])
-    even = interpolate_points(clock, t, position)
+    even = interpolate_points(clock, t, straightened(t, position))
     z, path = lowpass_hertz(even[:, 2], dt, 12.0), lowpass_hertz(even[:, :2], dt, 10.0)
     speed = np.linalg.norm(np.gradient(path, dt, axis=0), axis=1)
     return PenMotion(dt, even[:, 2], z, np.gradient(z, dt), speed, path)

@@ -8,15 +8,12 @@ import numpy as np
 
 from dmp_teach.formats.motive.table import list_names
 from dmp_teach.formats.motive.take import Take
-from dmp_teach.segmentation import Spans
+from dmp_teach.segmentation import Spans, find_way
 from dmp_teach.trajectory import Array
 
 # A gap up to this long is filled with a straight line without a word.
 LONGEST_FILLED_GAP = 0.1  # [s]
 EDGE = 0.02  # a stroke that ends so soon before the marker is lost goes on [s]
-LEAP = 0.004  # a step that is this much longer than its neighbours was no pen ... [m]
-PEN_ACCELERATION = 8.0  # ... unless a pen could do it between two samples ... [m/s2]
-AIR_ACCELERATION = 50.0  # ... or a hand in the air, or one that knocks on the paper [m/s2]
 BESIDE_WRITING = 0.5  # a leap this soon before or after the writing has cut it short [s]
 
 
@@ -75,28 +72,19 @@ def _edges(take: Take, strokes: Spans) -> list[str]:
 def _leaps(take: Take, position: Array, strokes: Spans) -> list[str]:
     """Return how often the marker leaps, as where it flickers, or another one is taken for it.
 
-    A leap is a step far from the mean of its neighbours. A leap off the paper looks like a lift, so
-    lifts are searched, too, and a moment before and after the writing.
+    A leap off the paper looks like a lift, so lifts are searched, too, and a moment before and
+    after the writing.
     """
-    step = np.diff(position, axis=0)
-    off = np.zeros(len(take.t))
-    off[2:-1] = np.linalg.norm(step[1:-1] - (step[:-2] + step[2:]) / 2, axis=1)
-    off[np.convolve(take.is_seen, np.ones(5), "same") < 5] = 0.0
-    is_ink = np.zeros(len(off), dtype=bool)
-    for a, b in strokes:
-        is_ink[a:b] = True
-    dt = float(np.median(np.diff(take.t)))
-    limit = LEAP + np.where(is_ink, PEN_ACCELERATION, AIR_ACCELERATION) * dt**2
-    first, last = (
-        take.t[strokes[0][0]] - BESIDE_WRITING,
-        take.t[strokes[-1][1] - 1] + BESIDE_WRITING,
-    )
-    leaps = np.flatnonzero((off > limit) & (take.t >= first) & (take.t <= last))
+    _, size = find_way(take.t, position)
+    first, last = take.t[strokes[0][0]], take.t[strokes[-1][1] - 1]
+    beside = (take.t < first - BESIDE_WRITING) | (take.t > last + BESIDE_WRITING)
+    leaps = np.flatnonzero((size > 0) & take.is_seen & ~beside)
     if not len(leaps):
         return []
-    where = "inside a stroke" if is_ink[leaps].any() else "beside a stroke"
-    worst = leaps[np.argmax(off[leaps])]
+    is_inside = any(a <= k < b for k in leaps for a, b in strokes)
+    where = "inside a stroke" if is_inside else "beside a stroke"
+    worst = leaps[np.argmax(size[leaps])]
     return [
-        f"The marker jumps by up to {off[worst] * 1e3:.1f} mm {where}, which no pen does: at "
+        f"The marker jumps by up to {size[worst] * 1e3:.1f} mm {where}, which no pen does: at "
         f"{len(leaps)} samples from {take.at(leaps[0])} to {take.at(leaps[-1])}."
     ]

@@ -23,7 +23,7 @@ RIVAL_SHARE = 0.5  # a marker that moves so often beside the one that moves most
 LATEST_RETURN = 0.5  # a marker that comes back later may be anything [s]
 REJOIN_RADIUS = 0.01  # a marker comes back this near to where it was lost ... [m]
 HAND_SPEED = 1.0  # ... or as far as a hand moves meanwhile [m/s]
-MOST_PIECES = 50  # names in one take
+MOST_PIECES = 200  # of a pen under changing names
 BODY = re.compile(r"RigidBody \d+")
 
 
@@ -146,34 +146,50 @@ def _followed(
 ) -> tuple[list[MarkerKey], Track]:
     """Return the pen's marker and those that go on for it, in their order, and the whole track."""
     pieces, whole = [chosen], tracks[chosen]
-    rest = {key: track for key, track in tracks.items() if key != chosen and len(track.seen)}
-    while len(whole.seen) and len(pieces) < MOST_PIECES:
-        away = {key: _distance(whole, track, t) for key, track in rest.items()}
-        best = min(away, key=lambda key: away[key], default=None)
-        if best is None or away[best] > 1:
+    others = {key: track for key, track in tracks.items() if key != chosen and len(track.seen)}
+    for _ in range(MOST_PIECES if len(whole.seen) else 0):
+        parts = {key: _nearest_part(whole, track, t) for key, track in others.items()}
+        best = min(parts, key=lambda key: parts[key][0], default=None)
+        if best is None or parts[best][0] > 1:
             break
-        other = rest.pop(best)
+        part, other = parts[best][1], others[best]
         pieces.append(best)
-        seen = np.concatenate([whole.seen, other.seen])
+        seen = np.concatenate([whole.seen, other.seen[part]])
         order = np.argsort(seen)
-        whole = Track(seen[order], np.concatenate([whole.points, other.points])[order])
-    return sorted(pieces, key=lambda key: tracks[key].seen[:1].tolist()), whole
+        whole = Track(seen[order], np.concatenate([whole.points, other.points[part]])[order])
+        others[best] = Track(np.delete(other.seen, part), np.delete(other.points, part, axis=0))
+        others = {key: track for key, track in others.items() if len(track.seen)}
+    first = {key: tracks[key].seen[:1].tolist() for key in pieces}
+    return sorted(first, key=lambda key: first[key]), whole
 
 
-def _distance(pen: Track, other: Track, t: Array) -> float:
-    """Return how far a marker begins or ends from where the pen is lost, 1 being as far as can be.
+def _nearest_part(pen: Track, other: Track, t: Array) -> tuple[float, np.ndarray]:
+    """Return the part of a marker that fits best where the pen is lost.
 
-    It must be seen where the pen is not, all of it in one gap or at one end.
+    A marker that is ever seen beside the pen is another thing.
+
+    Returns:
+        How far it begins or ends from where the pen is lost, 1 being as far as can be; and the
+        part, as places in the track.
     """
-    first, last = int(other.seen[0]), int(other.seen[-1])
-    place = int(np.searchsorted(pen.seen, first))
-    if place < len(pen.seen) and pen.seen[place] <= last:
-        return np.inf
+    place = np.searchsorted(pen.seen, other.seen)
+    if np.isin(other.seen, pen.seen).any():
+        return np.inf, place[:0]
+    parts = np.split(np.arange(len(place)), np.flatnonzero(np.diff(place)) + 1)
+    away = [_distance(pen, other, part, int(place[part[0]]), t) for part in parts]
+    best = int(np.argmin(away))
+    return away[best], parts[best]
+
+
+def _distance(pen: Track, other: Track, part: np.ndarray, place: int, t: Array) -> float:
+    """Return how far a part of a marker begins or ends from where the pen is lost."""
+    first, last = other.seen[part[0]], other.seen[part[-1]]
     links = []
     if place > 0:
-        links.append((t[first] - t[pen.seen[place - 1]], other.points[0] - pen.points[place - 1]))
+        step = other.points[part[0]] - pen.points[place - 1]
+        links.append((t[first] - t[pen.seen[place - 1]], step))
     if place < len(pen.seen):
-        links.append((t[pen.seen[place]] - t[last], pen.points[place] - other.points[-1]))
+        links.append((t[pen.seen[place]] - t[last], pen.points[place] - other.points[part[-1]]))
     return max(
         np.inf
         if seconds > LATEST_RETURN

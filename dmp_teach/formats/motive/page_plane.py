@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.segmentation import find_strokes, lowpass_hertz
+from dmp_teach.segmentation import find_strokes, lowpass_hertz, straightened
 from dmp_teach.trajectory import Array
 
 DIRECTIONS = {
@@ -72,7 +72,7 @@ def on_page(t: Array, points: Array, up: str = "+y", right: str = "-x") -> Array
             level.
     """
     level = level_axes(up, right)
-    flat = points @ level
+    flat = straightened(t, points, least=UNDER_PAPER) @ level
     page = _laid(points, level, _near_best_plane(_moving(t, flat), level, up))
     for _ in range(PLANE_REFITS):
         ink = np.concatenate([flat[a:b] for a, b in find_strokes(t, page)])
