@@ -42,6 +42,8 @@ class Recording:
         pressure: How hard the pen was pressed, as a share of the hardest press that the device
             measures, shape (T,), 0 in the air and at most 1; or None where unknown.
         notes: What is doubtful in it, a sentence each; a file keeps none of them.
+        marker: The name of the motion-capture marker that it shows, or None.
+        doubtful: Where it is in doubt: pairs (start, end) of samples, which the picture marks.
 
     Raises:
         RecordingError: Shapes that do not match, values that are not finite, times that do not
@@ -57,6 +59,8 @@ class Recording:
     given_strokes: Spans | None = None
     pressure: Array | None = None
     notes: tuple[str, ...] = ()
+    marker: str | None = None
+    doubtful: Sequence[tuple[int, int]] = ()
 
     def __post_init__(self) -> None:
         """Copy, check and lock."""
@@ -136,7 +140,9 @@ class Recording:
     def _repr_svg_(self) -> str | None:
         """Draw the strokes as a small picture, for a notebook."""
         try:
-            return draw_svg(self.strokes(), repr(self), dotted=True, baseline=self.baseline)
+            marked = [self.position[max(a - 1, 0) : b + 1, :2] for a, b in self.doubtful]
+            about = " ".join([repr(self), *self.notes])
+            return draw_svg(self.strokes(), about, True, self.baseline, marked)
         except RecordingError:
             # Nothing was written: the one line of `repr` says more.
             return None

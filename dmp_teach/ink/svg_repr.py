@@ -22,6 +22,7 @@ START_COLOR = "#1b2430"
 SHEET_COLOR = "#fffdf7"
 SHEET_EDGE_COLOR = "#dcd6c4"
 BASELINE_COLOR = "#dcd3b6"
+DOUBT_COLOR = "#ffd54d"
 # A letter of 7 cm is as high as six lines of text [px/m] ...
 _SCALE = 2000
 # ... a taller one or a line of text is drawn smaller, and a small one larger [px].
@@ -31,11 +32,16 @@ _SMALLEST = 40
 _SHEET_MARGIN = 24
 _MOST_POINTS = 400
 _DOTTED = f'stroke="{PERSON_INK}" stroke-width="3.6" stroke-dasharray="0.01 8"'
+_MARKED = f'stroke="{DOUBT_COLOR}" stroke-width="16"'
 _SOLID = f'stroke="{ROBOT_INK}" stroke-width="3"'
 
 
 def draw_svg(
-    strokes: Iterable[Trajectory], title: str, dotted: bool, baseline: float | None = None
+    strokes: Iterable[Trajectory],
+    title: str,
+    dotted: bool,
+    baseline: float | None = None,
+    doubtful: Iterable[Array] = (),
 ) -> str | None:
     """Draw ink as an SVG on a small sheet, with a circle where each stroke begins.
 
@@ -44,6 +50,7 @@ def draw_svg(
         title: The picture in words.
         dotted: True for what a person wrote, False for what the robot writes.
         baseline: The y of the line that the letter stands on [m], or None.
+        doubtful: Points (K, 2) each, over which a marker pen goes [m].
 
     Returns:
         The text of the picture; None where there is no ink on a page, and where a notebook that is
@@ -60,11 +67,15 @@ def draw_svg(
         _TALLEST / max(tall, 0.01), _WIDEST / max(wide, 0.01), max(_SCALE, _SMALLEST / largest)
     )
     origin = np.array([low[0], high[1]])
-    drawn = [(path - origin) * (scale, -scale) + _SHEET_MARGIN for path in paths]
+    drawn, marked = (
+        [(path - origin) * (scale, -scale) + _SHEET_MARGIN for path in some]
+        for some in (paths, doubtful)
+    )
     size = np.ceil(np.array([wide, tall]) * scale + 2 * _SHEET_MARGIN).astype(int)
     line = "" if baseline is None else _line(_SHEET_MARGIN + scale * (high[1] - baseline), *size)
     look = _DOTTED if dotted else _SOLID
     ink = "".join(f'<path d="{_path_data(path)}" {look}/>' for path in drawn)
+    doubts = "".join(f'<path d="{_path_data(path)}" {_MARKED}/>' for path in marked)
     starts = "".join(
         f'<circle cx="{x:.1f}" cy="{y:.1f}" r="5"/>' for x, y in (path[0] for path in drawn)
     )
@@ -74,7 +85,7 @@ def draw_svg(
         f"<title>{escape(title)}</title>"
         f'<rect x="0.5" y="0.5" width="{size[0] - 1}" height="{size[1] - 1}" rx="6" '
         f'fill="{SHEET_COLOR}" stroke="{SHEET_EDGE_COLOR}"/>'
-        f'{line}<g fill="none" stroke-linecap="round" stroke-linejoin="round">{ink}</g>'
+        f'{line}<g fill="none" stroke-linecap="round" stroke-linejoin="round">{doubts}{ink}</g>'
         f'<g fill="{SHEET_COLOR}" stroke="{START_COLOR}" stroke-width="2.5">{starts}</g></svg>'
     )
 

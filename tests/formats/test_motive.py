@@ -77,6 +77,17 @@ def test_a_marker_that_changes_its_name_is_followed(tmp_path, cuts, gap):
     assert np.allclose(swapped.position.max(axis=0), whole.position.max(axis=0), atol=0.002)
 
 
+def test_two_names_that_take_turns_are_one_pen(tmp_path):
+    t, world = hand()
+    first, second = world.copy(), np.full(world.shape, np.nan)
+    for a, b in [(60, 100), (150, 151), (200, 340), (352, 400)]:
+        first[a:b], second[a:b] = np.nan, world[a:b]
+    path = motive(tmp_path / "D_w07.csv", t, first, ghosts=[("Unlabeled:5001", second)])
+    recording = read_recording(path)
+    check_d(recording, Pen(touches=touches()))
+    assert recording.marker == "Unlabeled:5000, then Unlabeled:5001"
+
+
 def test_a_name_for_a_while_is_followed_and_ghosts_far_away_are_not(tmp_path):
     """Motive may find the old name again; a ghost that begins in that frame is elsewhere."""
     t, world = hand()

@@ -6,9 +6,10 @@ from itertools import pairwise
 
 import numpy as np
 
+from dmp_teach.formats.flat_ink import LARGEST_INK
 from dmp_teach.formats.motive.table import list_names
-from dmp_teach.formats.motive.take import Take
-from dmp_teach.segmentation import Spans, find_way
+from dmp_teach.formats.motive.take import Take, at_frame
+from dmp_teach.segmentation import Flags, Spans, find_way
 from dmp_teach.trajectory import Array
 
 # A gap up to this long is filled with a straight line without a word.
@@ -17,31 +18,46 @@ EDGE = 0.02  # a stroke that ends so soon before the marker is lost goes on [s]
 BESIDE_WRITING = 0.5  # a leap this soon before or after the writing has cut it short [s]
 
 
-def find_doubts(take: Take, position: Array, strokes: Spans) -> tuple[str, ...]:
-    """Return a sentence for each doubt.
+def find_doubts(take: Take, position: Array, strokes: Spans) -> tuple[tuple[str, ...], Flags]:
+    """Return a sentence for each doubt, and which samples of strokes are doubtful (T,).
 
     Args:
         take: From the first sample that the cameras saw to the last.
         position: The pen on its page with its gaps filled, shape (T, 3) [m].
         strokes: As (first sample, one after the last).
     """
-    notes = [*_gaps(take, strokes), *_edges(take, strokes)]
-    notes += _leaps(take, position, strokes)
+    _, leap = find_way(take.t, position)
+    leap[~take.is_seen] = 0.0
+    is_ink = np.zeros(len(leap), dtype=bool)
+    for a, b in strokes:
+        is_ink[a:b] = True
+    doubtful = leap > 0
+    notes = [*_gaps(take, strokes, doubtful), *_edges(take, strokes)]
+    notes += _leaps(take, leap, strokes, is_ink)
+    if take.far:
+        notes.append(
+            f"The marker is more than {LARGEST_INK:.0f} m away {len(take.far)} times, first at "
+            f"{at_frame(take.far[0])}: left out, as if it were not seen."
+        )
     if take.pen.rivals:
         notes.append(
             f"Taken for the pen is {take.pen.name!r}, which is nearest to the paper of all that "
             f"move; others could be named with marker=...: {list_names(take.pen.rivals)}."
         )
-    return tuple(notes)
+    return tuple(notes), doubtful & is_ink
 
 
-def _gaps(take: Take, strokes: Spans) -> list[str]:
-    """Return where a long gap, of empty cells or of missing rows, leaves a hole in a stroke."""
+def _gaps(take: Take, strokes: Spans, doubtful: Flags) -> list[str]:
+    """Return where a long gap, of empty cells or missing rows, leaves a hole in a stroke; mark it.
+
+    `doubtful` (T,) becomes true there.
+    """
     notes = []
     for before, after in pairwise(np.flatnonzero(take.is_seen)):
         gap = take.t[after] - take.t[before]
         inside = [k for k, (a, b) in enumerate(strokes) if before < b - 1 and after > a]
         if gap > _longest_gap(take) and inside:
+            doubtful[before : after + 1] = True
             notes.append(
                 f"The marker is lost for {gap:.2f} s after {take.at(before)}, inside stroke "
                 f"{inside[0]}: a straight line is there. Fill it in Motive, or record again."
@@ -69,22 +85,19 @@ def _edges(take: Take, strokes: Spans) -> list[str]:
     ]
 
 
-def _leaps(take: Take, position: Array, strokes: Spans) -> list[str]:
+def _leaps(take: Take, size: Array, strokes: Spans, is_ink: Flags) -> list[str]:
     """Return how often the marker leaps, as where it flickers, or another one is taken for it.
 
     A leap off the paper looks like a lift, so lifts are searched, too, and a moment before and
-    after the writing.
+    after the writing; `size` (T,) is how far each sample leaps [m].
     """
-    _, size = find_way(take.t, position)
     first, last = take.t[strokes[0][0]], take.t[strokes[-1][1] - 1]
-    beside = (take.t < first - BESIDE_WRITING) | (take.t > last + BESIDE_WRITING)
-    leaps = np.flatnonzero((size > 0) & take.is_seen & ~beside)
+    near = (take.t >= first - BESIDE_WRITING) & (take.t <= last + BESIDE_WRITING)
+    leaps = np.flatnonzero((size > 0) & near)
     if not len(leaps):
         return []
-    is_inside = any(a <= k < b for k in leaps for a, b in strokes)
-    where = "inside a stroke" if is_inside else "beside a stroke"
-    worst = leaps[np.argmax(size[leaps])]
+    where = "inside a stroke" if is_ink[leaps].any() else "beside a stroke"
     return [
-        f"The marker jumps by up to {size[worst] * 1e3:.1f} mm {where}, which no pen does: at "
-        f"{len(leaps)} samples from {take.at(leaps[0])} to {take.at(leaps[-1])}."
+        f"The marker jumps by up to {size[leaps].max() * 1e3:.1f} mm {where}, which no pen does: "
+        f"at {len(leaps)} samples from {take.at(leaps[0])} to {take.at(leaps[-1])}."
     ]

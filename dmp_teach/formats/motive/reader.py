@@ -15,7 +15,7 @@ from dmp_teach.formats.motive.table import has_motive_header
 from dmp_teach.formats.motive.take import FEWEST_FRAMES, read_take
 from dmp_teach.formats.registry import CaptureOptions, Format
 from dmp_teach.ink import Recording
-from dmp_teach.segmentation import Spans, find_strokes
+from dmp_teach.segmentation import Spans, find_runs, find_strokes
 from dmp_teach.trajectory import Array
 
 FILE_NAME = re.compile(r"(\S)_(w\d+)(?:[_ .-].*)?")
@@ -41,8 +41,17 @@ def read_motive(data: bytes, name: str, options: CaptureOptions) -> tuple[Record
     ink = np.concatenate([position[a:b] for a, b in strokes])
     page = position - [*ink[:, :2].min(axis=0), np.median(ink[:, 2])]
     character, writer = _labels(name)
-    notes = find_doubts(take, position, strokes)
-    return (Recording(take.t[start:end], page[start:end], character, writer, notes=notes),)
+    notes, doubtful = find_doubts(take, position, strokes)
+    recording = Recording(
+        take.t[start:end],
+        page[start:end],
+        character,
+        writer,
+        notes=notes,
+        marker=take.pen.name,
+        doubtful=find_runs(doubtful[start:end]),
+    )
+    return (recording,)
 
 
 def _cut_to_writing(t: Array, position: Array) -> tuple[Spans, tuple[int, int]]:

@@ -10,8 +10,10 @@ from dmp_teach.errors import RecordingError
 from dmp_teach.formats.flat_ink import LARGEST_INK
 from dmp_teach.formats.motive.markers import Pen, find_pen
 from dmp_teach.formats.motive.table import list_names, read_table
+from dmp_teach.segmentation import find_way
 from dmp_teach.trajectory import Array, interpolate_points
 
+FARTHEST = 1e6  # farther is no farther [m]
 FEWEST_FRAMES = 20  # fewer samples are no letter
 SMALLEST_TAKE = 0.004  # no marker at a hand that writes moves less [m]
 
@@ -28,6 +30,7 @@ class Take:
         frames: Frame number and row in the file of each sample, length T.
         unseen: How long the file goes on before the first sample and after the last one, without
             the marker [s].
+        far: Frame number and row of each sample that no camera can have seen, left out.
     """
 
     pen: Pen
@@ -36,11 +39,16 @@ class Take:
     is_seen: np.ndarray
     frames: list[tuple[str, int]]
     unseen: tuple[float, float]
+    far: list[tuple[str, int]]
 
     def at(self, k: int) -> str:
         """Say where sample k stands in the file."""
-        frame, row = self.frames[k]
-        return f"frame {frame} (row {row})"
+        return at_frame(self.frames[k])
+
+
+def at_frame(frame: tuple[str, int]) -> str:
+    """Say where a frame, its number and its row, stands in the file."""
+    return f"frame {frame[0]} (row {frame[1]})"
 
 
 def read_take(data: bytes, marker: str | None, out: Array) -> Take:
@@ -57,7 +65,7 @@ def read_take(data: bytes, marker: str | None, out: Array) -> Take:
     """
     table = read_table(data)
     pen = find_pen(table, marker, out)
-    seen, points = pen.track.seen, pen.track.points
+    seen, points = pen.track.seen, np.clip(pen.track.points, -FARTHEST, FARTHEST)
     other = f"Other markers that could be named with marker=...: {list_names(pen.others)}."
     choice = other if pen.others else "The file has no other marker that could be the pen."
     if len(seen) < FEWEST_FRAMES:
@@ -65,19 +73,26 @@ def read_take(data: bytes, marker: str | None, out: Array) -> Take:
             f"marker {pen.name!r} was seen in {len(seen)} frames, but a letter needs "
             f"{FEWEST_FRAMES}; record again. {choice}"
         )
-    frames = [(row[0], k) for k, row in table.body]
-    size = float(np.ptp(points, axis=0).max())
+    frames, t = [(row[0], k) for k, row in table.body], table.t
+    on_way, leap = find_way(t[seen], points)
+    is_far = ~on_way & (leap > LARGEST_INK)
+    far = [frames[k] for k in seen[is_far]]
+    size = float(np.ptp(points[on_way], axis=0).max())
+    # Where the unit is wrong, all that moves is off any way.
+    size = max(size, float(np.ptp(np.quantile(points, [0.1, 0.9], axis=0), axis=0).max()))
     if not SMALLEST_TAKE < size < LARGEST_INK:
         away = np.abs(points - np.median(points, axis=0)).max(axis=1)
-        frame, row = frames[seen[np.argmax(away)]]
+        worst = at_frame(frames[seen[np.argmax(away)]])
         raise RecordingError(
             f"marker {pen.name!r} moves within {size:.4g} m, but a writing hand within "
-            f"{SMALLEST_TAKE} to {LARGEST_INK} m. It is {away.max():.4g} m off at frame {frame} "
-            f"(row {row}). Is 'Length Units' in row 1 right, and is this marker the pen? {choice}"
+            f"{SMALLEST_TAKE} to {LARGEST_INK} m. It is {away.max():.4g} m off at {worst}. "
+            f"Is 'Length Units' in row 1 right, and is this marker the pen? {choice}"
         )
+    seen, points, on_way = seen[~is_far], points[~is_far], on_way[~is_far]
     first, last = seen[0], seen[-1]
-    part, t = slice(first, last + 1), table.t
-    filled = interpolate_points(t[part], t[seen], points)
+    part = slice(first, last + 1)
+    filled = interpolate_points(t[part], t[seen][on_way], points[on_way])
+    filled[seen - first] = points
     is_seen = np.isin(np.arange(first, last + 1), seen)
     unseen = float(t[first] - t[0]), float(t[-1] - t[last])
-    return Take(pen, t[part], filled, is_seen, frames[part], unseen)
+    return Take(pen, t[part], filled, is_seen, frames[part], unseen, far)
