@@ -17,7 +17,7 @@ Flags = NDArray[np.bool_]
 
 LEAP = 0.003  # a step so far from where the pen was going is one ... [m]
 PEN_ACCELERATION = 8.0  # ... beside what a pen can do in that time [m/s2] ...
-HAND_SPEED = 1.0  # ... and a hand [m/s]
+PEN_SPEED = 1.0  # ... and a hand [m/s]
 LEAP_COST = 0.25  # leaving out so much is as bad as one leap [s]
 MOST_LEFT_OUT = 60  # pieces between two that go on
 
@@ -62,7 +62,7 @@ def find_way(t: Array, position: Array) -> tuple[Flags, Array]:
 
 def _reach(seconds: Array) -> Array:
     """Return how far from its course a pen may be after so long [m]."""
-    return LEAP + np.minimum(PEN_ACCELERATION * seconds**2, HAND_SPEED * seconds)
+    return LEAP + np.minimum(PEN_ACCELERATION * seconds**2, PEN_SPEED * seconds)
 
 
 def _longest_row(
