@@ -2,7 +2,7 @@ from .even_clock import Spans as Spans
 from .even_clock import find_runs as find_runs
 from .even_clock import lowpass_hertz as lowpass_hertz
 from .leaps import Flags as Flags
-from .leaps import find_way as find_way
+from .leaps import find_leaps as find_leaps
 from .leaps import straightened as straightened
 from .manual_cuts import cut_at_times as cut_at_times
 from .paper_rules import RULES as RULES

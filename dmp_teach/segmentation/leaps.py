@@ -24,12 +24,12 @@ MOST_LEFT_OUT = 60  # pieces between two that go on
 
 def straightened(t: Array, position: Array, least: float = 0.0) -> Array:
     """Return a pen's way (T, D) with straight lines where it leaps by more than `least` [m]."""
-    on_way, size = find_way(t, position)
+    on_way, size = find_leaps(t, position)
     kept = on_way | (size <= least)
     return position if kept.all() else interpolate_points(t, t[kept], position[kept])
 
 
-def find_way(t: Array, position: Array) -> tuple[Flags, Array]:
+def find_leaps(t: Array, position: Array) -> tuple[Flags, Array]:
     """Find the samples of a marker that are on the pen's way.
 
     Args:

@@ -9,7 +9,7 @@ import numpy as np
 from dmp_teach.formats.flat_ink import LARGEST_INK
 from dmp_teach.formats.motive.table import list_names
 from dmp_teach.formats.motive.take import Take, at_frame
-from dmp_teach.segmentation import Flags, Spans, find_way
+from dmp_teach.segmentation import Flags, Spans, find_leaps
 from dmp_teach.trajectory import Array
 
 # A gap up to this long is filled with a straight line without a word.
@@ -26,7 +26,7 @@ def find_doubts(take: Take, position: Array, strokes: Spans) -> tuple[tuple[str,
         position: The pen on its page with its gaps filled, shape (T, 3) [m].
         strokes: As (first sample, one after the last).
     """
-    _, leap = find_way(take.t, position)
+    _, leap = find_leaps(take.t, position)
     leap[~take.is_seen] = 0.0
     is_ink = np.zeros(len(leap), dtype=bool)
     for a, b in strokes:

@@ -10,7 +10,7 @@ from dmp_teach.errors import RecordingError
 from dmp_teach.formats.flat_ink import LARGEST_INK
 from dmp_teach.formats.motive.markers import Pen, find_pen
 from dmp_teach.formats.motive.table import list_names, read_table
-from dmp_teach.segmentation import find_way
+from dmp_teach.segmentation import find_leaps
 from dmp_teach.trajectory import Array, interpolate_points
 
 FARTHEST_SAMPLE = 1e6  # farther is no farther [m]
@@ -74,7 +74,7 @@ def read_take(data: bytes, marker: str | None, out: Array) -> Take:
             f"{FEWEST_FRAMES}; record again. {choice}"
         )
     frames, t = [(row[0], k) for k, row in table.body], table.t
-    on_way, leap = find_way(t[seen], points)
+    on_way, leap = find_leaps(t[seen], points)
     is_far = ~on_way & (leap > LARGEST_INK)
     far = [frames[k] for k in seen[is_far]]
     size = float(np.ptp(points[on_way], axis=0).max())
