@@ -38,6 +38,70 @@ def test_what_is_hidden_is_no_ink(tmp_path, kind):
         read(tmp_path, svg(HIDDEN[kind]))
 
 
+UNSEEN = {
+    "beside the page": '<path d="M120 10V70"/>',
+    "painted in the colour of what is below": '<path stroke="hsl(0 0% 99%)" d="M70 10V70"/>'
+    '<g opacity=".5"><path stroke-opacity="10%" d="M80 10V70"/></g>',
+    "painted over": '<path d="M70 10V70"/><path d="M80 10V70"/><rect x="65" width="9" height="80" '
+    'fill="#fff" stroke="none"/><path stroke="white" stroke-width="6" d="M80 5V75"/>',
+    "cut away by a clip": '<clipPath id="c"><rect width="50" height="80"/></clipPath>'
+    '<g style="clip-path:url(#c)"><path d="M70 10V70"/><circle cx="80" cy="9" r="2"/></g>',
+    "a drawing within the drawing": '<svg width="60" height="80"><path d="M70 10V70"/></svg>',
+}
+
+
+@pytest.mark.parametrize("why", UNSEEN)
+def test_what_one_does_not_see_is_left_out_and_told(tmp_path, why):
+    recording = read(tmp_path, svg(UNSEEN[why] + L))
+    check_hook(recording)
+    assert why in " ".join(recording.notes)
+    with pytest.raises(RecordingError, match=f"lines that one does not see: .*{why}"):
+        read(tmp_path, svg(UNSEEN[why]))
+
+
+BAR = '<path d="M10 40H90"/>'
+LEFT = '<clipPath id="c"><rect id="r" width="50" height="80"/></clipPath>'
+HALVED = {
+    "a clip": f'{LEFT}<g clip-path="url(#c)">{BAR}</g>',
+    "a class, a moved clip, and a clone in it": "<style>.k{clip-path:url('#d')}</style>"
+    '<g class="k" transform="translate(-20 0)"><path d="M30 40H110"/></g>'
+    f'{LEFT}<clipPath id="d" transform="translate(20 0)"><use href="#r"/></clipPath>',
+    "two clips": '<clipPath id="c"><path d="M0 0H50V80H0Z"/></clipPath><clipPath id="d"><circle '
+    f'r="200"/></clipPath><g clip-path="url(#c)"><g clip-path="url(#d)">{BAR}</g></g>',
+    "a drawing within": f'<svg width="50" height="80">{BAR}</svg>',
+    "the page": '<path d="M60 40H140"/>',
+    "a white card": f'{BAR}<path stroke="none" fill="white" d="M50 0H100V80H50z"/>',
+    "a rubber": f'{BAR}<path d="M60 40H99" stroke="#fff" stroke-width="20"/>',
+}
+
+
+@pytest.mark.parametrize("by", HALVED)
+def test_a_line_ends_where_it_is_cut(tmp_path, by):
+    recording = read(tmp_path, svg(HALVED[by]))
+    (stroke,) = recording.strokes()
+    assert np.ptp(stroke.position[:, 0]) == pytest.approx(0.04, abs=2e-4)
+    assert recording.notes
+
+
+TOLD = {
+    "narrow area, as the outline": '<path fill="none" d="M40 10H46V70H40Z"/>',
+    "area of a colour": f'{L}<path stroke="none" d="M50 30L60 20L52 31Z"/>',
+    "text is no line": L + '<text stroke="black">a</text>',
+    "image is no line": L + '<image href="a.png"/>',
+    "the pen is lifted": '<line x1="10" y1="10" x2="30" y2="60"/><path d="M30 60L50 10"/>',
+}
+
+
+@pytest.mark.parametrize("what", TOLD)
+def test_a_doubt_is_told(tmp_path, what):
+    assert what in " ".join(read(tmp_path, svg(TOLD[what])).notes)
+    assert not read(tmp_path, svg(L)).notes
+
+
+def test_pixels_are_told(tmp_path):
+    assert "96 to the inch" in read(tmp_path, svg(L, 'width="378" height="302px"')).notes[0]
+
+
 STYLED = {
     "a comment": '<path style="/*display:none*/stroke:red" d="M10 20 V60 H40"/>',
     "a comment that does not end": '<path style="stroke:red;/*display:none" d="M10 20 V60 H40"/>',
@@ -77,7 +141,9 @@ def unsaid(body):
 def test_an_open_path_without_any_style_is_a_line_and_a_closed_one_an_area(tmp_path):
     check_hook(read(tmp_path, unsaid(L)))
     check_hook(read(tmp_path, unsaid('<polyline points="10 20 10 60 40 60"/>')))
-    check_hook(read(tmp_path, unsaid('<path d="M5 5H9V9z"/><rect width="9" height="9"/>' + L)))
+    check_hook(
+        read(tmp_path, unsaid('<path d="M5 5H90V70z"/><rect x="50" width="50" height="9"/>' + L))
+    )
     for look in ('fill="red"', 'style="stroke:none"', 'visibility="hidden"'):
         check_hook(read(tmp_path, unsaid(f"{L}<path {look} {Z}/>")))
     with pytest.raises(RecordingError, match="only areas of a colour"):
@@ -88,7 +154,11 @@ STEM = '<path fill="none" stroke="black" d="M10 30V60"/>'
 DISC = 'cx="10" cy="15" fill="black" stroke="none"'
 
 
-@pytest.mark.parametrize("size", ['circle r="3"', 'ellipse rx="2" ry="4"'])
+DOTS = ['circle r="3"', 'ellipse rx="2" ry="4"']
+DOTS += ['rect x="8" y="13" width="4" height="4"', 'path d="M8 15a2 2 0 1 0 4 0a2 2 0 1 0-4 0z"']
+
+
+@pytest.mark.parametrize("size", DOTS)
 def test_a_small_filled_disc_beside_a_line_is_a_dot(tmp_path, size):
     stem, dot = read(tmp_path, svg(f"{STEM}<{size} {DISC}/>")).strokes()
     assert np.ptp(stem.position, axis=0) == pytest.approx((0, 0.03), abs=1e-6)
@@ -98,7 +168,7 @@ def test_a_small_filled_disc_beside_a_line_is_a_dot(tmp_path, size):
 
 
 def test_a_large_filled_disc_or_one_without_a_line_is_no_dot(tmp_path):
-    check_hook(read(tmp_path, svg(f'<circle r="40" {DISC}/>{L}')))
+    check_hook(read(tmp_path, svg(f'<circle r="40" {DISC}/>{L}'.replace("black", "pink"))))
     with pytest.raises(RecordingError, match="only areas of a colour"):
         read(tmp_path, svg(f'<circle r="3" {DISC}/>'))
 
@@ -114,7 +184,6 @@ def test_rectangles_have_round_corners(tmp_path, turn):
 
 
 NOT_FOLLOWED = {
-    "drawing within the drawing (svg)": f'<svg width="50" height="80">{L}</svg>',
     "style clip-path": f'<g clip-path="url(#c)">{L}</g>',
     "style mask": f'<style>.a{{mask:url(#m)}}</style><g class="a">{L}</g>',
     "style rotate": '<path style="rotate:9deg" d="M0 0L9 9"/>',

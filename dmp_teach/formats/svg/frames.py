@@ -1,4 +1,4 @@
-"""Where things in a drawing are: lengths in mm, cm, in, pt, pc, q or px, and transforms."""
+"""Where things in a drawing are: lengths in mm, cm, in, pt, pc, q or px, views and transforms."""
 
 from __future__ import annotations
 
@@ -16,6 +16,7 @@ from dmp_teach.trajectory import Array
 UNITS = {"": 0.0254 / 96, "px": 0.0254 / 96, "in": 0.0254, "cm": 0.01, "mm": 0.001, "q": 0.00025}
 UNITS |= {"pt": 0.0254 / 72, "pc": 0.0254 / 6}
 PIXEL = UNITS["px"]
+USUAL_VIEW = 1000.0  # how large a view is that nothing says [px]
 NUMBER = r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
 LENGTH = re.compile(rf"({NUMBER}) ?([a-zA-Z]*|%)")
 ACTION = r"(?:matrix|translate[XY]?|scale[XY]?|rotate|skewX|skewY)"
@@ -23,12 +24,51 @@ TRANSFORM = re.compile(rf"(?:[\s,]*{ACTION}\s*\((?:[0-9eE+\-.,\s]|px|deg|grad|ra
 LONGEST_TRANSFORM = 1000  # [characters]
 
 
-def page_matrix(svg: Element) -> Array:
-    """Return the matrix (3, 3) from a drawing's units to its page [m], y down."""
-    width, height = _page_length(svg, "width"), _page_length(svg, "height")
-    box = svg.get("viewBox")
+def length(text: str | None, whole: float) -> float | None:
+    """Return a length in the user's units, of which % is a share of `whole`; None for no length."""
+    match = LENGTH.fullmatch((text or "").strip())
+    unit = match[2].lower() if match else ""
+    if not match or unit not in (*UNITS, "%"):
+        return None
+    return float(match[1]) * (whole / 100 if unit == "%" else UNITS[unit] / PIXEL)
+
+
+def coordinate(element: Element, name: str, view: Array) -> float | None:
+    """Return an element's coordinate such as "cx" in a `view` (2,); None where it has none."""
+    text = element.get(name)
+    if text is None or text.strip() == "auto":
+        return None
+    wide, high = view
+    whole = high if "y" in name or name == "height" else wide
+    value = length(text, math.hypot(wide, high) / math.sqrt(2) if name == "r" else whole)
+    if value is None:
+        raise RecordingError(f"{name} is {text[:60]!r}, but must be a number.")
+    return value
+
+
+def page_view(svg: Element) -> tuple[Array, Array, Array | None]:
+    """Return where a drawing is on its page.
+
+    Returns:
+        The matrix (3, 3) from its units to the page [m], y down; how wide and high the view is in
+        its units, shape (2,); and how wide and high the page is [m], None where nothing says it.
+    """
+    said = [_page_length(svg, "width"), _page_length(svg, "height")]
+    box = view_box(svg)
     if box is None:
-        return np.diag([PIXEL, PIXEL, 1.0])
+        view = np.array([USUAL_VIEW if each is None else each / PIXEL for each in said])
+        return np.diag([PIXEL, PIXEL, 1.0]), view, None if None in said else PIXEL * view
+    both = list(zip(said, box[2:], strict=True))
+    scale = next((each / whole for each, whole in both if each is not None), PIXEL)
+    page = np.array([scale * whole if each is None else each for each, whole in both])
+    return fitted(svg, box, page), box[2:], page
+
+
+def view_box(element: Element) -> Array | None:
+    """Return left, top, width and height of an element's view, shape (4,); None where not said."""
+    box = element.get("viewBox")
+    if box is None:
+        return None
     numbers = box.replace(",", " ").split()
     good = len(numbers) == 4 and all(re.fullmatch(NUMBER, number) for number in numbers)
     x, y, wide, high = map(float, numbers) if good else (0.0, 0.0, 0.0, 0.0)
@@ -36,39 +76,38 @@ def page_matrix(svg: Element) -> Array:
         raise RecordingError(
             f"viewBox is {box[:60]!r}, but must be four numbers, the last two positive."
         )
-    across = None if width is None else width / wide
-    down = None if height is None else height / high
-    if across is None or down is None:
-        across = down = across or down or PIXEL
-    if not (svg.get("preserveAspectRatio") or "").strip().startswith("none"):
-        across = down = min(across, down)
-    return np.diag([across, down, 1.0]) @ translation(-x, -y)
+    return np.array([x, y, wide, high])
+
+
+def fitted(element: Element, box: Array, size: Array) -> Array:
+    """Return the matrix (3, 3) that fits the view `box` of an element into its size (2,)."""
+    align, *how = (element.get("preserveAspectRatio") or "xMidYMid").split() or ["xMidYMid"]
+    scale = size / box[2:]
+    if align != "none":
+        scale = np.full(2, scale.max() if "slice" in how else scale.min())
+    ends = {"Min": 0.0, "Max": 1.0}
+    free = (size - scale * box[2:]) * [ends.get(align[1:4], 0.5), ends.get(align[5:8], 0.5)]
+    return translation(*free) @ np.diag([*scale, 1.0]) @ translation(-box[0], -box[1])
 
 
 def _page_length(svg: Element, name: str) -> float | None:
     """Return a length of the page [m]; None where it is not said, or a share of the window."""
-    text = svg.get(name)
-    match = LENGTH.fullmatch((text or "").strip())
-    unit = match[2].lower() if match else ""
-    if text is None or text.strip() == "auto" or unit in ("%", "em", "ex"):
+    text = svg.get(name, "auto").strip()
+    if text == "auto" or text.endswith(("%", "em", "ex")):
         return None
-    if not match or unit not in UNITS or not 0 < float(match[1]) < math.inf:
+    value = length(text, math.nan)
+    if value is None or not 0 < value < math.inf:
         raise RecordingError(
             f"{name} is {text[:60]!r}, but must be a length such as '210mm', in "
             f"{', '.join(UNITS)[2:]}."
         )
-    return float(match[1]) * UNITS[unit]
+    return value * PIXEL
 
 
-def coordinate(element: Element, name: str) -> float | None:
-    """Return an element's coordinate such as "cx", in the user's units; None where it has none."""
-    text = element.get(name)
-    if text is None or text.strip() == "auto":
-        return None
-    match = LENGTH.fullmatch(text.strip())
-    if not match or match[2].lower() not in UNITS:
-        raise RecordingError(f"{name} is {text[:60]!r}, but must be a number.")
-    return float(match[1]) * UNITS[match[2].lower()] / PIXEL
+def has_unit(svg: Element) -> bool:
+    """Tell whether a drawing says how large it is in a unit that all programs agree about."""
+    units = tuple({*UNITS} - {"", "px"})
+    return any((svg.get(name) or "").strip().endswith(units) for name in ("width", "height"))
 
 
 def translation(x: float, y: float) -> Array:

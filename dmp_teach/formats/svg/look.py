@@ -10,16 +10,22 @@ import re
 from dataclasses import dataclass
 from xml.etree.ElementTree import Element
 
+import numpy as np
+from svgelements import Color
+
 from dmp_teach.errors import RecordingError
 from dmp_teach.formats.safe_xml import finite_number, local_tag
+from dmp_teach.formats.svg.frames import length
+from dmp_teach.trajectory import Array
 
-INHERITED = {"visibility", "stroke", "stroke-width", "stroke-opacity", "fill", "fill-opacity"}
-NOT_FOLLOWED = {"clip-path", "mask", "transform-origin", "transform-box"}
+INHERITED = {"visibility", "color", "stroke", "stroke-width", "stroke-opacity"}
+INHERITED |= {"fill", "fill-opacity", "fill-rule", "clip-rule"}
+NOT_FOLLOWED = {"mask", "transform-origin", "transform-box"}
 SIZES = {"x", "y", "cx", "cy", "r", "rx", "ry", "width", "height"}
 NOT_FOLLOWED_IN_STYLES = {*NOT_FOLLOWED, *SIZES, "translate", "rotate", "scale", "d"}
-ATTRIBUTES = {"display", "opacity", "transform", *INHERITED, *NOT_FOLLOWED}
-PROPERTIES = {*ATTRIBUTES, *NOT_FOLLOWED_IN_STYLES}
-SELECTOR = re.compile(r"\*|[A-Za-z][\w-]*|#[\w-]+|(?:[A-Za-z][\w-]*)?\.[\w-]+")
+ATTRIBUTES = {"display", "opacity", "transform", "clip-path", "overflow", *INHERITED, *NOT_FOLLOWED}
+PROPERTIES = {*ATTRIBUTES, *NOT_FOLLOWED_IN_STYLES, "background", "background-color"}
+SELECTOR = re.compile(r"\*|:root|[A-Za-z][\w-]*|#[\w-]+|(?:[A-Za-z][\w-]*)?\.[\w-]+")
 NESTED = re.compile(r"\{[^{}]*\{")
 COMMENT = re.compile(r"/\*.*?(?:\*/|\Z)", re.DOTALL)
 STYLE_CURE = "give its elements these styles themselves, or delete what is hidden."
@@ -33,46 +39,57 @@ class Look:
     Args:
         own: Its own properties.
         inherited: Those that it hands down to what is in it.
+        opacity: The share of it that is seen, with all that it is in.
     """
 
     own: Properties
     inherited: Properties
+    opacity: float
 
     @property
     def is_gone(self) -> bool:
         """Whether neither it nor anything in it is shown."""
-        return self.own.get("display") == "none" or _is_zero(self.own.get("opacity"))
+        return self.own.get("display") == "none" or self.opacity <= 0
+
+    def says(self, *names: str) -> bool:
+        """Tell whether anything says one of these properties of it."""
+        return bool(self.inherited.keys() & {*names})
 
     @property
-    def is_line(self) -> bool:
-        """Whether a shape that looks so leaves a line on the page."""
-        return self._paints("stroke", "none") and not _is_zero(self.inherited.get("stroke-width"))
+    def fill(self) -> Array | None:
+        """Red, green, blue and opacity of its area, shape (4,); None for no area."""
+        return self._paint("fill", "black")
 
     @property
-    def is_area(self) -> bool:
-        """Whether a shape that looks so is an area of a colour, with no line round it."""
-        return self._paints("fill", "black") and not self.is_line
+    def stroke(self) -> Array | None:
+        """Red, green, blue and opacity of its line, shape (4,); None for no line."""
+        return self._paint("stroke", "none") if self.width > 0 else None
 
     @property
-    def is_unsaid(self) -> bool:
-        """Whether a shape that looks so is an area only because nothing says how it looks."""
-        return self.is_area and not self.inherited.keys() & {"fill", "stroke"}
+    def width(self) -> float:
+        """How wide its line is, in the user's units."""
+        said = length(self.inherited.get("stroke-width"), 100.0)
+        return 1.0 if said is None else said
 
     def check_followed(self) -> None:
         """Raise a RecordingError where a style moves or cuts it in a way that is not followed."""
         for name in sorted(self.own.keys() & NOT_FOLLOWED_IN_STYLES):
-            if self.own[name] != "none":
+            if self.own[name] not in ("none", "auto", "100%"):
                 raise RecordingError(
                     f"has the style {name}, which is not followed here; apply it in your "
                     "drawing program."
                 )
 
-    def _paints(self, paint: str, usual: str) -> bool:
-        """Whether a stroke or a fill leaves anything."""
+    def _paint(self, name: str, usual: str) -> Array | None:
+        """Return the colour of a stroke or a fill; None where nobody sees it."""
         said = self.inherited
-        is_hidden = said.get("visibility") in ("hidden", "collapse")
-        is_clear = said.get(paint, usual) in ("none", "transparent")
-        return not (is_hidden or is_clear or _is_zero(said.get(f"{paint}-opacity")))
+        text = said.get(name, usual)
+        text = said.get("color", "black") if text == "currentcolor" else text
+        if text == "none" or said.get("visibility") in ("hidden", "collapse"):
+            return None
+        paint = colour(text)
+        paint[3] *= self.opacity * share(said.get(f"{name}-opacity"))
+        return paint if paint[3] > 0 else None
 
 
 class Styles:
@@ -87,12 +104,15 @@ class Styles:
     def look(self, element: Element, above: Look | None) -> Look:
         """Return how an element looks in what holds it, None for the root."""
         said = {name: value for name in ATTRIBUTES if (value := element.get(name)) is not None}
-        for rule in self._rules_of(element):
+        for rule in self._rules_of(element, above is None):
             said |= rule
         said |= _declarations(COMMENT.sub(" ", element.get("style") or ""))
         own = {name: value.strip() for name, value in said.items() if value.strip() != "inherit"}
         passed = {name: value.lower() for name, value in own.items() if name in INHERITED}
-        return Look(own, passed if above is None else above.inherited | passed)
+        opacity = share(own.get("opacity"))
+        if above is None:
+            return Look(own, passed, opacity)
+        return Look(own, above.inherited | passed, above.opacity * opacity)
 
     def _read(self, text: str) -> None:
         """Read a sheet without comments: of several rules for one selector the later one holds."""
@@ -114,10 +134,10 @@ class Styles:
                 _, old = self._rules.get(selector, (0, {}))
                 self._rules[selector] = (len(self._rules), old | declared)
 
-    def _rules_of(self, element: Element) -> list[Properties]:
+    def _rules_of(self, element: Element, is_root: bool) -> list[Properties]:
         """Return the rules that mean an element, the weakest first."""
         tag, classes = local_tag(element), (element.get("class") or "").split()
-        names = {"*", tag, f"#{element.get('id')}"}
+        names = {"*", tag, f"#{element.get('id')}", ":root" if is_root else tag}
         names |= {f"{before}.{name}" for name in classes for before in ("", tag)}
 
         def strength(name: str) -> tuple[bool, bool, bool, int]:
@@ -141,7 +161,20 @@ def _declarations(text: str) -> Properties:
     return said
 
 
-def _is_zero(text: str | None) -> bool:
-    """Tell whether a number, a share or a length is nothing."""
-    number = finite_number(re.sub(r"(%|px)$", "", text.strip())) if text else None
-    return number is not None and number <= 0
+def colour(text: str) -> Array:
+    """Return red, green, blue and opacity, shape (4,); black for a pattern or an unknown one."""
+    name, *values = re.split(r"[\s,/()]+", text.strip(") "))
+    if len(values) == 4 and values[3].endswith("%"):
+        values[3] = str(share(values[3]))
+    try:
+        known = Color(f"{name}({','.join(values)})" if values else text)
+        return np.array([known.red, known.green, known.blue, known.alpha]) / 255
+    except (ValueError, TypeError, IndexError, ArithmeticError, AttributeError):
+        return np.array([0.0, 0.0, 0.0, 1.0])
+
+
+def share(text: str | None) -> float:
+    """Return a number from 0 to 1, or a share of 100; 1 where there is none."""
+    number = finite_number((text or "").removesuffix("%"))
+    whole = 100 if (text or "").endswith("%") else 1
+    return 1.0 if number is None else min(max(number / whole, 0.0), 1.0)

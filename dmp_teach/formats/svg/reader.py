@@ -1,12 +1,12 @@
 """Drawings in SVG, read as the way of a pen that a hand follows.
 
-Every `path`, `line`, `polyline`, `polygon`, `rect`, `circle` and `ellipse` that draws a line is
-read in the order of the file, and each part of a path that begins with a move is a stroke, but for
-one that was drawn before. An open path of which the file says neither fill nor stroke is a line,
-too. Areas of a colour are no way of a pen, but a small filled circle or ellipse beside lines is a
-dot. Clones of shapes are followed; drawings within the drawing, clips and masks are refused, and
-nothing is fetched. In SVG y points down; here it points up. A hand's samples (`hand_pace`) cut a
-sharp bend of the drawing by up to 0.1 mm.
+Every `path`, `line`, `polyline`, `polygon`, `rect`, `circle` and `ellipse` that draws a line which
+one sees (`seen`) is read in the order of the file, and each part of a path that begins with a move
+is a stroke, but for one that was drawn before or goes on where the one before it ends (`pieces`).
+An open path of which the file says neither fill nor stroke is a line, too. Areas of a colour are no
+way of a pen, but a small compact one beside lines is a dot. Clones and drawings within the drawing
+are followed; masks are refused, and nothing is fetched. In SVG y points down; here it points up. A
+hand's samples (`hand_pace`) cut a sharp bend of the drawing by up to 0.1 mm.
 """
 
 from __future__ import annotations
@@ -14,16 +14,17 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import partial
 from xml.etree.ElementTree import Element
 
 import numpy as np
-from svgelements import Close, Path
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.formats.flat_ink import (
     FlatLetter,
     FlatStroke,
+    check_size,
     flat_recordings,
     label_from,
     lengths_in_mm,
@@ -32,26 +33,22 @@ from dmp_teach.formats.flat_ink import (
 )
 from dmp_teach.formats.registry import CaptureOptions, Format
 from dmp_teach.formats.safe_xml import has_root, local_tag, parse_xml
-from dmp_teach.formats.svg.frames import coordinate, page_matrix, transform_matrix, translation
-from dmp_teach.formats.svg.look import Look, Styles
-from dmp_teach.formats.svg.shapes import SHAPES, path_of_shape, path_strokes
+from dmp_teach.formats.svg.drawing import Shape, ShapeFinder
+from dmp_teach.formats.svg.frames import has_unit
+from dmp_teach.formats.svg.pieces import area_of, is_outline, joined, unrepeated
+from dmp_teach.formats.svg.seen import WHY_UNSEEN, Outline, Painted, look_at
+from dmp_teach.formats.svg.shapes import is_closed, path_strokes
 from dmp_teach.formats.svg.writer import write_svg
 from dmp_teach.ink import Recording
 from dmp_teach.trajectory import Array
 
-# A path, its matrix (3, 3) to the page [m], y up, and whether it is the edge of a disc.
-PlacedPath = tuple[Path, Array, bool]
-GROUPS = {"svg", "g", "a", "switch"}
-HREFS = ("href", "{http://www.w3.org/1999/xlink}href")
-MOST_CLONES = 1000
-DEEPEST_CLONE = 10  # clones of clones
 MOST_SEGMENTS = 100_000
+MOST_LINES = 10_000  # of strokes
 CURVE_POINTS = (8, 128)  # the fewest and the most on one curve
 MOST_CURVE_POINTS = 60_000  # on all of them
 LARGEST_DOT = 1 / 3  # of the lines
-UPWARD = np.diag([1.0, -1.0, 1.0])
+COMPACT = 0.4  # the least share of its box that a dot fills, and of its length that it is wide
 TITLE = re.compile(r"(?:(.*) )?by (\S+)")
-UNLINK = "unlink clones, or convert them to paths."
 DRAW_LINE = "Draw the middle of the letter with a line (a stroke, no fill), and save that."
 NO_LINE = {
     "image": "holds a picture, and no line",
@@ -68,11 +65,11 @@ def read_svg(data: bytes, _name: str, _: CaptureOptions) -> tuple[Recording, ...
             read, or that is not followed.
     """
     root = parse_xml(data, "svg", "a drawing")
-    with np.errstate(all="ignore"):  # what is no number is refused below
-        strokes = _Drawing(root).strokes()
-    character, writer = _labels(root)
     origin = lengths_in_mm(root.get("data-origin"), 2)
     baseline = lengths_in_mm(root.get("data-baseline"), 1)
+    with np.errstate(all="ignore"):  # what is no number is refused below
+        strokes, notes = _strokes(root, is_ours=origin is not None)
+    character, writer = _labels(root)
     letter = FlatLetter(
         [FlatStroke(xy) for xy in strokes],
         character,
@@ -80,108 +77,103 @@ def read_svg(data: bytes, _name: str, _: CaptureOptions) -> tuple[Recording, ...
         None if origin is None else origin * [1, -1],
         None if baseline is None or origin is None else float(baseline[0]),
     )
-    return flat_recordings([letter])
+    return tuple(replace(each, notes=tuple(notes)) for each in flat_recordings([letter]))
 
 
-class _Drawing:
-    """A drawing while its shapes are found."""
-
-    def __init__(self, root: Element) -> None:
-        self._styles, self._root = Styles(root), root
-        self._named = {each.get("id"): each for each in root.iter()}
-        self._clones = self._areas = 0
-
-    def strokes(self) -> list[Array]:
-        """Return the strokes, points (K, 2) each on the page [m], y up."""
-        lines = list(self._lines(self._root, None, UPWARD @ page_matrix(self._root)))
-        segments = sum(len(path) for path, _, _ in lines)
-        if segments > MOST_SEGMENTS:
-            raise RecordingError(
-                f"draws {segments} segments, but a letter has at most {MOST_SEGMENTS}; simplify "
-                "the drawing."
-            )
-        count = int(np.clip(MOST_CURVE_POINTS / max(segments, 1), *CURVE_POINTS))
-        drawn: dict[bytes, tuple[Array, bool]] = {}
-        for path, matrix, is_disc in lines:
-            for points in path_strokes(path, matrix, count):
-                drawn.setdefault(np.round(points, 6).tobytes(), (points, is_disc))
-        ink = [points for points, is_disc in drawn.values() if not is_disc]
-        if not ink:
-            raise RecordingError(f"{self._why_no_line()}. {DRAW_LINE}")
-        largest = LARGEST_DOT * np.ptp(np.concatenate(ink), axis=0).max()
-        return [
-            _middle(points) if is_disc else points
-            for points, is_disc in drawn.values()
-            if not is_disc or np.ptp(points, axis=0).max() < largest
-        ]
-
-    def _why_no_line(self) -> str:
-        """Return what a drawing without a line has instead."""
-        if self._areas:
-            return "has only areas of a colour: the outline of a letter is not the way of a pen"
-        tags = {local_tag(each) for each in self._root.iter()}
-        return next((NO_LINE[tag] for tag in NO_LINE if tag in tags), "draws nothing")
-
-    def _lines(
-        self, element: Element, above: Look | None, matrix: Array, depth: int = 0
-    ) -> Iterator[PlacedPath]:
-        """Yield every line in an element, and every disc of a colour, which may be a dot.
-
-        Args:
-            element: Any.
-            above: How what holds it looks; None for the root.
-            matrix: From the units around it to the page, shape (3, 3).
-            depth: How many clones it is in.
-        """
-        kind = local_tag(element)
-        if kind not in GROUPS and kind not in SHAPES and kind != "use":
-            return
-        look = self._styles.look(element, above)
-        if look.is_gone:
-            return
-        look.check_followed()
-        if kind == "svg" and element is not self._root:
-            raise RecordingError(
-                "has a drawing within the drawing (svg), which is not followed here; ungroup it."
-            )
-        matrix = matrix @ transform_matrix(look.own.get("transform", "none"))
-        if kind == "use":
-            yield from self._clone(element, look, matrix, depth + 1)
-        elif kind in GROUPS:
-            for child in element:
-                yield from self._lines(child, look, matrix, depth)
-        else:
-            self._areas += look.is_area
-            is_disc = look.is_area and kind in ("circle", "ellipse")
-            may_be_line = look.is_line or look.is_unsaid
-            path = path_of_shape(element) if may_be_line or is_disc else None
-            if path is not None and (look.is_line or is_disc or _is_open(path)):
-                yield path, matrix, is_disc
-
-    def _clone(self, use: Element, look: Look, matrix: Array, depth: int) -> Iterator[PlacedPath]:
-        """Yield the lines of a clone."""
-        name = next((text for href in HREFS if (text := use.get(href))), "")
-        target = self._named.get(name.removeprefix("#")) if name.startswith("#") else None
-        self._clones += 1
-        if target is None or local_tag(target) in ("svg", "symbol"):
-            raise RecordingError(f"has a clone (use) of {name[:40]!r}, not of a shape; {UNLINK}")
-        if self._clones > MOST_CLONES or depth > DEEPEST_CLONE:
-            raise RecordingError(
-                f"has more than {MOST_CLONES} clones (use), or clones of clones of themselves; "
-                f"{UNLINK}"
-            )
-        x, y = (coordinate(use, axis) or 0.0 for axis in "xy")
-        yield from self._lines(target, look, matrix @ translation(x, y), depth)
+def _strokes(root: Element, is_ours: bool) -> tuple[list[Array], list[str]]:
+    """Return the strokes of a drawing, points (K, 2) each on the page [m], and what is doubtful."""
+    finder = ShapeFinder(root)
+    shapes = list(finder.shapes())
+    segments = sum(len(shape.path) for shape in shapes)
+    if segments > MOST_SEGMENTS:
+        raise RecordingError(
+            f"draws {segments} segments, but a letter has at most {MOST_SEGMENTS}; simplify the "
+            "drawing."
+        )
+    count = int(np.clip(MOST_CURVE_POINTS / max(segments, 1), *CURVE_POINTS))
+    painted = [each for shape in shapes for each in _painted(shape, count, finder.paper)]
+    lines = [each for each in painted if each.area is None]
+    if not lines:
+        raise RecordingError(f"{_why_no_line(root, bool(painted))}. {DRAW_LINE}")
+    ways = [way for each in lines for way in each.ways]
+    if len(ways) > MOST_LINES:
+        raise RecordingError(f"draws {len(ways)} lines, but a letter has at most {MOST_LINES}.")
+    check_size(ways)
+    strokes, notes = _seen(painted, finder.paper)
+    notes += [f"Its {each} is no line, and left out." for each in sorted(finder.others)]
+    if is_ours:
+        return strokes, notes
+    strokes, bends = joined(unrepeated(strokes))
+    if bends:
+        times = f"{bends} time{'s' * (bends > 1)}"
+        notes.append(f"A line begins where the one before ends, {times}: the pen is lifted there.")
+    if any(is_outline(each.ways) for each in lines if each.is_closed):
+        notes.append(f"A line runs round a narrow area, as the outline of a letter. {DRAW_LINE}")
+    if not has_unit(root):
+        notes.append("Its pixels are read as 96 to the inch; some programs mean 72 or 90.")
+    return strokes, notes
 
 
-def _is_open(path: Path) -> bool:
-    """Tell whether no part of a path is closed."""
-    return not any(isinstance(segment, Close) for segment in path)
+def _painted(shape: Shape, count: int, paper: Array) -> Iterator[Painted]:
+    """Yield the area and the line of a shape.
+
+    Args:
+        shape: Any.
+        count: How many points a curve gets.
+        paper: The colour of the page, shape (4,).
+    """
+    look, place, closed = shape.look, shape.place, is_closed(shape.path)
+    fill, stroke = look.fill, look.stroke
+    if not look.says("fill", "stroke") and not closed:
+        fill, stroke = None, fill
+    elif stroke is not None and fill is not None:
+        if not look.says("fill"):
+            fill = None
+        elif np.abs(fill - paper).max() > 0 and (closed or np.array_equal(fill, stroke)):
+            stroke = None  # the edge of an area
+    parts = [] if fill is stroke is None else list(path_strokes(shape.path, place.matrix, count))
+    if fill is not None and parts:
+        area = Outline(parts, look.inherited.get("fill-rule") == "evenodd")
+        yield Painted(_dot(parts), fill, place.clips, area=area)
+    if stroke is not None and parts:
+        width = look.width * float(np.sqrt(abs(np.linalg.det(place.matrix[:2, :2]))))
+        yield Painted(parts, stroke, place.clips, width, is_closed=closed)
 
 
-def _middle(points: Array) -> Array:
-    """Return the middle of points (K, 2) as the way of a pen that only taps, shape (2, 2)."""
-    return np.tile((points.min(axis=0) + points.max(axis=0)) / 2, (2, 1))
+def _dot(parts: list[Array]) -> list[Array]:
+    """Return the middle of a compact area as the way of a pen that only taps; [] of others."""
+    low, high = parts[0].min(axis=0), parts[0].max(axis=0)
+    short, long = sorted(high - low)
+    is_compact = abs(area_of(parts[0])) > COMPACT * short * long and short > COMPACT * long
+    return [np.tile((low + high) / 2, (2, 1))] if is_compact and len(parts) == 1 else []
+
+
+def _seen(painted: list[Painted], paper: Array) -> tuple[list[Array], list[str]]:
+    """Return the strokes that one sees, points (K, 2) each, and what was left out."""
+    seen, unseen, areas = look_at(painted, paper)
+    ink = [way for way, each in seen if each.area is None]
+    if not ink:
+        reasons = " and ".join(WHY_UNSEEN[why] for why in unseen)
+        raise RecordingError(f"draws only lines that one does not see: they are {reasons}.")
+    largest = LARGEST_DOT * np.ptp(np.concatenate(ink), axis=0).max()
+    strokes = [
+        way
+        for way, each in seen
+        if each.area is None or np.ptp(each.area.parts[0], axis=0).max() < largest
+    ]
+    areas -= len(strokes) - len(ink)
+    notes = [f"Left out, for one does not see it: what is {WHY_UNSEEN[why]}." for why in unseen]
+    if areas > 0:
+        notes.append(f"Left out, as no line: {areas} area{'s' * (areas > 1)} of a colour.")
+    return strokes, notes
+
+
+def _why_no_line(root: Element, has_areas: bool) -> str:
+    """Return what a drawing without a line has instead."""
+    tags = {local_tag(each) for each in root.iter()}
+    if has_areas and "image" not in tags:
+        return "has only areas of a colour: the outline of a letter is not the way of a pen"
+    return next((NO_LINE[tag] for tag in NO_LINE if tag in tags), "draws nothing")
 
 
 def _labels(root: Element) -> tuple[str | None, str | None]:

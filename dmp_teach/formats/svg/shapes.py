@@ -19,8 +19,13 @@ LONGEST_PATH = 4_000_000  # [characters]
 SHAPES = ("path", "line", "polyline", "polygon", "circle", "ellipse", "rect")
 
 
-def path_of_shape(element: Element) -> Path | None:
-    """Return one of `SHAPES` as a path; None for one that has no size."""
+def path_of_shape(element: Element, view: Array) -> Path | None:
+    """Return one of `SHAPES` as a path; None for one that has no size.
+
+    Args:
+        element: The shape.
+        view: How wide and high the view is that it is in, shape (2,).
+    """
     kind = local_tag(element)
     if kind == "path":
         return _parsed_path(element.get("d") or "")
@@ -29,20 +34,25 @@ def path_of_shape(element: Element) -> Path | None:
         return _parsed_path("M" + (element.get("points") or "").strip() + end)
 
     def value(*names: str) -> tuple[float, ...]:
-        return tuple(coordinate(element, name) or 0.0 for name in names)
+        return tuple(coordinate(element, name, view) or 0.0 for name in names)
 
     if kind == "line":
         return _parsed_path("M{} {} L{} {}".format(*value("x1", "y1", "x2", "y2")))
     if kind == "circle":
         return Path(Circle(*value("cx", "cy", "r"))) if value("r") > (0,) else None
     # A radius that is not said is like the other one.
-    said = [coordinate(element, name) for name in ("rx", "ry")]
+    said = [coordinate(element, name, view) for name in ("rx", "ry")]
     rx, ry = (own if own is not None else other or 0.0 for own, other in (said, said[::-1]))
     if kind == "ellipse":
         return Path(Ellipse(*value("cx", "cy"), rx, ry)) if min(rx, ry) > 0 else None
     x, y, wide, high = value("x", "y", "width", "height")
     radii = (min(rx, wide / 2), min(ry, high / 2)) if min(rx, ry) > 0 else (0.0, 0.0)
     return Path(Rect(x, y, wide, high, *radii)) if min(wide, high) > 0 else None
+
+
+def is_closed(path: Path) -> bool:
+    """Tell whether a part of a path is closed."""
+    return any(isinstance(segment, Close) for segment in path)
 
 
 def _parsed_path(text: str) -> Path:

@@ -1,0 +1,208 @@
+"""The shapes of a drawing, each with its look and its place on the page."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+from xml.etree.ElementTree import Element
+
+import numpy as np
+from svgelements import Path
+
+from dmp_teach.errors import RecordingError
+from dmp_teach.formats.safe_xml import local_tag
+from dmp_teach.formats.svg.frames import (
+    coordinate,
+    fitted,
+    page_view,
+    transform_matrix,
+    translation,
+    view_box,
+)
+from dmp_teach.formats.svg.look import Look, Styles, colour
+from dmp_teach.formats.svg.seen import BESIDE, CUT, Clip, Outline
+from dmp_teach.formats.svg.shapes import SHAPES, path_of_shape, path_strokes
+from dmp_teach.trajectory import Array
+
+GROUPS = {"g", "a", "switch"}
+VIEWS = {"svg", "symbol"}
+NO_LINES = {"image", "text"}
+KNOWN = {*GROUPS, *VIEWS, *SHAPES, *NO_LINES, "use"}
+OWN_BOX = "objectBoundingBox"
+HREFS = ("href", "{http://www.w3.org/1999/xlink}href")
+MOST_CLONES = 1000
+DEEPEST_CLONE = 10  # clones of clones
+CLIP_POINTS = 32  # on a curve of a clip
+UPWARD = np.diag([1.0, -1.0, 1.0])
+LINK = re.compile(r"url\(\s*[\"']?#([^\"')]+)[\"']?\s*\)")
+UNLINK = "unlink clones, or convert them to paths."
+
+
+@dataclass(frozen=True)
+class Place:
+    """Where an element is.
+
+    Args:
+        matrix: From its units to the page [m], y up, shape (3, 3).
+        view: How wide and high the view is that it is in, in its units, shape (2,).
+        clips: What cuts it.
+    """
+
+    matrix: Array
+    view: Array
+    clips: tuple[Clip, ...] = ()
+
+    def moved(self, matrix: Array) -> Place:
+        """Return a place within, whose units `matrix` (3, 3) brings to these."""
+        return replace(self, matrix=self.matrix @ matrix)
+
+    def cut(self, why: int, outlines: list[Outline]) -> Place:
+        """Return the place where only what is in one of `outlines` is seen."""
+        return replace(self, clips=(*self.clips, (why, outlines)))
+
+    def box(self, left: float, top: float, size: Array) -> list[Outline]:
+        """Return the outline of a box, whose `size` has shape (2,), in the units here."""
+        corners = np.array([[0, 0], [1, 0], [1, 1], [0, 1]]) * size + [left, top]
+        return [Outline([corners @ self.matrix[:2, :2].T + self.matrix[:2, 2]])]
+
+
+@dataclass(frozen=True)
+class Shape:
+    """A shape of a drawing."""
+
+    path: Path
+    look: Look
+    place: Place
+
+
+class ShapeFinder:
+    """A drawing while its shapes are found.
+
+    Attributes:
+        others: The kinds of what is seen beside shapes, such as "image".
+        paper: The colour of its page, shape (4,).
+    """
+
+    def __init__(self, root: Element) -> None:
+        self._styles, self._root = Styles(root), root
+        self._named = {each.get("id"): each for each in root.iter()}
+        self._clones = 0
+        self.others: set[str] = set()
+        said = self._styles.look(root, None).own
+        paper = colour(said.get("background-color", said.get("background", "white")))
+        self.paper = paper if paper[3] == 1 else np.ones(4)
+
+    def shapes(self) -> Iterator[Shape]:
+        """Yield every shape that is shown, the lowest first."""
+        matrix, view, page = page_view(self._root)
+        place = Place(UPWARD, view)
+        if page is not None:
+            place = place.cut(BESIDE, place.box(0.0, 0.0, page))
+        yield from self._shapes(self._root, None, place.moved(matrix))
+
+    def _shapes(
+        self,
+        element: Element,
+        above: Look | None,
+        place: Place,
+        depth: int = 0,
+        clone: Element | None = None,
+    ) -> Iterator[Shape]:
+        """Yield every shape in an element.
+
+        Args:
+            element: Any.
+            above: How what holds it looks; None for the root.
+            place: Where what holds it is.
+            depth: How many clones it is in.
+            clone: Of which it is.
+        """
+        kind = local_tag(element)
+        if kind not in KNOWN:
+            return
+        look = self._styles.look(element, above)
+        if look.is_gone:
+            return
+        if kind in NO_LINES:
+            self.others.add(kind)
+            return
+        look.check_followed()
+        place = place.moved(transform_matrix(look.own.get("transform", "none")))
+        place = self._clipped(look, place, depth + 1)
+        if kind == "use":
+            yield from self._clone(element, look, place, depth + 1)
+        elif kind in SHAPES:
+            path = path_of_shape(element, place.view)
+            if path is not None:
+                yield Shape(path, look, place)
+        elif kind != "symbol" or clone is not None:
+            if kind in VIEWS and element is not self._root:
+                place = _inner_view(element, element if clone is None else clone, look, place)
+            shown = [child for child in element if local_tag(child) in KNOWN]
+            for child in shown[:1] if kind == "switch" else shown:
+                yield from self._shapes(child, look, place, depth)
+
+    def _clone(self, use: Element, look: Look, place: Place, depth: int) -> Iterator[Shape]:
+        """Yield the shapes of a clone."""
+        name = next((text for href in HREFS if (text := use.get(href))), "")
+        target = self._named.get(name.removeprefix("#")) if name.startswith("#") else None
+        if target is None:
+            raise RecordingError(f"has a clone (use) of {name[:40]!r}, not of a shape; {UNLINK}")
+        self._count_clone(depth)
+        x, y = (coordinate(use, axis, place.view) or 0.0 for axis in "xy")
+        yield from self._shapes(target, look, place.moved(translation(x, y)), depth, use)
+
+    def _count_clone(self, depth: int) -> None:
+        """Raise a RecordingError where there are too many clones."""
+        self._clones += 1
+        if self._clones > MOST_CLONES or depth > DEEPEST_CLONE:
+            raise RecordingError(
+                f"has more than {MOST_CLONES} clones (use), or clones of clones of themselves; "
+                f"{UNLINK}"
+            )
+
+    def _clipped(self, look: Look, place: Place, depth: int) -> Place:
+        """Return a place with the clip of the element there."""
+        text = look.own.get("clip-path", "none")
+        if text == "none":
+            return place
+        link = LINK.fullmatch(text)
+        clip = self._named.get(link[1]) if link else None
+        if clip is None or local_tag(clip) != "clipPath" or clip.get("clipPathUnits") == OWN_BOX:
+            raise RecordingError(
+                "has the style clip-path, which is not followed here; apply it in your drawing "
+                "program."
+            )
+        if depth > 1:
+            self._count_clone(depth)
+        own = self._styles.look(clip, None)
+        within = self._clipped(own, replace(place, clips=()), depth + 1)
+        within = within.moved(transform_matrix(own.own.get("transform", "none")))
+        outlines = [
+            Outline(
+                list(path_strokes(shape.path, shape.place.matrix, CLIP_POINTS)),
+                shape.look.inherited.get("clip-rule") == "evenodd",
+            )
+            for child in clip
+            for shape in self._shapes(child, own, within, depth)
+        ]
+        return replace(place, clips=(*place.clips, *within.clips)).cut(CUT, outlines)
+
+
+def _inner_view(element: Element, sized: Element, look: Look, place: Place) -> Place:
+    """Return the place in a drawing within the drawing, or in a symbol; `sized` says its size."""
+
+    def said(name: str, usual: float) -> float:
+        values = [coordinate(each, name, place.view) for each in (sized, element)]
+        return next((value for value in values if value is not None), usual)
+
+    x, y = (coordinate(element, axis, place.view) or 0.0 for axis in "xy")
+    size = np.array([said("width", place.view[0]), said("height", place.view[1])])
+    box = view_box(element)
+    if look.own.get("overflow", "hidden") not in ("visible", "auto"):
+        place = place.cut(CUT, place.box(x, y, size))
+    place = replace(place.moved(translation(x, y)), view=size)
+    if box is None:
+        return place
+    return replace(place.moved(fitted(element, box, size)), view=box[2:])

@@ -1,0 +1,82 @@
+"""Strokes from the lines of a drawing: pieces that go on are one, and a repeated line is one."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from itertools import pairwise
+
+import numpy as np
+
+from dmp_teach.trajectory import Array, arc_lengths, interpolate_points, path_length
+
+REPEATED = 0.03  # how far apart two lines may be that are one drawn twice [share of its size]
+COMPARED = 24  # points
+MEETING = 1e-3  # how near the end of a piece the next one begins [share of the drawing]
+SMOOTH = 0.5  # cosine of the largest turn where a pen goes on
+NARROW = 0.2  # how wide a closed line may be that is an outline [share of its size]
+
+
+def unrepeated(strokes: Sequence[Array]) -> list[Array]:
+    """Return strokes, points (K, 2) each, without those that were drawn before."""
+    kept: list[Array] = []
+    seen = np.empty((len(strokes), COMPARED, 2))
+    for way in strokes:
+        along = arc_lengths(way)
+        even = interpolate_points(np.linspace(0, along[-1], COMPARED), along, way)
+        slack = REPEATED * np.ptp(way, axis=0).max() + 1e-6
+        before = seen[: len(kept)]
+        near = before[np.abs(before[:, 0] - even[0]).max(axis=1) < slack]
+        if not (np.abs(near - even).max(axis=(1, 2)) < slack).any():
+            seen[len(kept)] = even
+            kept.append(way)
+    return kept
+
+
+def joined(strokes: Sequence[Array]) -> tuple[list[Array], int]:
+    """Return strokes (K, 2) with pieces that continue each other in one.
+
+    A hand that draws on a tablet may leave a path for each piece of a stroke: where most of a row
+    of pieces that meet end to end go on without a bend, all of them are one stroke.
+
+    Returns:
+        The strokes, and how many begin where the one before ends, with a bend.
+    """
+    slack = MEETING * np.ptp(np.concatenate(strokes), axis=0).max()
+    rows = [[strokes[0]]]
+    for before, way in pairwise(strokes):
+        is_dot = not min(path_length(way), path_length(before)) > 0
+        if is_dot or np.abs(way[0] - before[-1]).max() > slack:
+            rows.append([])
+        rows[-1].append(way)
+    whole, bends = [], 0
+    for row in rows:
+        turns = [-_heading(after) @ _heading(before[::-1]) for before, after in pairwise(row)]
+        if turns and np.median(turns) > SMOOTH:
+            whole.append(np.concatenate(row))
+        else:
+            whole += row
+            bends += len(turns)
+    return whole, bends
+
+
+def _heading(way: Array) -> Array:
+    """Return in which direction a way (K, 2) begins, shape (2,)."""
+    steps = way[1:] - way[0]
+    step = steps[np.flatnonzero(np.abs(steps).max(axis=1) > 0)[0]]
+    return step / np.linalg.norm(step)
+
+
+def area_of(way: Array) -> float:
+    """Return the area in a closed way (K, 2), negative where it runs clockwise."""
+    x, y = (way - way[0]).T
+    return float(np.sum(x * np.roll(y, -1) - y * np.roll(x, -1))) / 2
+
+
+def is_outline(parts: Sequence[Array]) -> bool:
+    """Tell whether closed ways (K, 2) run round a long narrow area, as the edge of a line does."""
+    size = np.ptp(np.concatenate(parts), axis=0).max()
+    steps = [np.diff(way, axis=0) for way in parts]
+    headings = [np.arctan2(*step[np.abs(step).max(axis=1) > 0].T) for step in steps]
+    is_simple = min(np.ptp(np.unwrap(heading)) for heading in headings) > np.pi
+    width = 2 * abs(sum(map(area_of, parts))) / max(sum(map(path_length, parts)), 1e-12)
+    return bool(is_simple and width < NARROW * size)

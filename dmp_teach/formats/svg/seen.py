@@ -1,0 +1,189 @@
+"""What one sees of a drawing: painted one over the other, cut by views, clips and the page."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+
+import numpy as np
+import scipy
+
+from dmp_teach.errors import RecordingError
+from dmp_teach.trajectory import Array, arc_lengths, interpolate_points, path_length
+
+PALE = 1 / 12  # a colour that differs less from what is under it is not seen [share of white]
+LOOK_STEP = 1 / 1500  # between the places that are looked at [share of the drawing]
+MOST_PLACES = 200_000  # that are looked at
+SLACK = 1e-3  # so near an edge is on both of its sides [share of the drawing]
+CRUMB = 0.01  # a shorter rest of a cut line is left out [share of the drawing]
+MOST_LOOKS = 3e9  # places times edges
+BESIDE, CUT, PAINTED, COVERED = range(1, 5)  # why something is not seen
+WHY_UNSEEN = {
+    BESIDE: "beside the page",
+    CUT: "cut away by a clip (clip-path) or a drawing within the drawing (svg, symbol)",
+    PAINTED: "painted in the colour of what is below",
+    COVERED: "painted over",
+}
+
+
+@dataclass(frozen=True)
+class Outline:
+    """Where an area is.
+
+    Args:
+        parts: Its edges, points (K, 2) each, closed by themselves [m].
+        is_even_odd: Whether where two parts overlap is a hole, whichever way they run.
+    """
+
+    parts: Sequence[Array]
+    is_even_odd: bool = False
+
+    def holds(self, points: Array, slack: float) -> Array:
+        """Return whether points are inside: 1, outside: 0, or within `slack` of an edge: between.
+
+        Args:
+            points: Shape (N, 2) [m].
+            slack: [m].
+        """
+        inside = np.zeros(len(points))
+        corners = np.concatenate([*self.parts, np.empty((0, 2))])
+        if not len(corners):
+            return inside
+        low, high = corners.min(axis=0) - slack, corners.max(axis=0) + slack
+        near = np.flatnonzero(((points >= low) & (points <= high)).all(axis=1))
+        if len(near) * len(corners) > MOST_LOOKS:
+            raise RecordingError("has areas with too many edges over its lines; simplify it.")
+        around = slack * np.array([[1, 1], [-1, 1], [1, -1], [-1, -1]])
+        inside[near] = np.mean([self._hold(points[near] + each) for each in around], axis=0)
+        return inside
+
+    def _hold(self, points: Array) -> Array:
+        """Return whether points (N, 2) are inside, shape (N,)."""
+        x, y = points.T
+        turns = np.zeros(len(points), int)
+        for part in self.parts:
+            for (x0, y0), (x1, y1) in zip(part, np.roll(part, -1, axis=0), strict=True):
+                crossed = (y0 <= y) != (y1 <= y)
+                if crossed.any():
+                    crossed &= x < x0 + (y - y0) * (x1 - x0) / (y1 - y0)
+                    turns += np.where(crossed, 1 if y1 > y0 else -1, 0)
+        return turns % 2 != 0 if self.is_even_odd else turns != 0
+
+
+# Why, and outlines of which one holds what is seen.
+Clip = tuple[int, Sequence[Outline]]
+
+
+@dataclass(frozen=True)
+class Painted:
+    """A line or an area, as it is painted.
+
+    Args:
+        ways: Lines that may be strokes, points (K, 2) each, y up [m].
+        colour: Red, green, blue and opacity, shape (4,).
+        clips: What cuts it.
+        width: Of a line [m].
+        area: Where it is painted all over, and its way is only its middle; None for a line.
+        is_closed: Whether a line returns to where it began.
+    """
+
+    ways: Sequence[Array]
+    colour: Array
+    clips: Sequence[Clip]
+    width: float = 0.0
+    area: Outline | None = None
+    is_closed: bool = False
+
+
+def look_at(
+    painted: Sequence[Painted], paper: Array
+) -> tuple[list[tuple[Array, Painted]], Counter[int], int]:
+    """Return what one sees of a drawing.
+
+    Args:
+        painted: What is in it, the lowest first; at least one line.
+        paper: The colour of its page, shape (4,).
+
+    Returns:
+        Ways, points (K, 2) each, with what they are of; how many lines are not seen, or not
+        whole, by why; and how many areas of a colour are not the ground of all lines.
+    """
+    ways = [(k, way) for k, each in enumerate(painted) for way in each.ways]
+    size = float(np.ptp(np.concatenate([way for _, way in ways]), axis=0).max())
+    step = max(LOOK_STEP * size, sum(path_length(way) for _, way in ways) / MOST_PLACES)
+    dense = [_dense(way, step) for _, way in ways]
+    owner = np.repeat([k for k, _ in ways], [len(each) for each in dense])
+    why, areas = _why_unseen(painted, paper, np.concatenate(dense), owner, SLACK * size)
+    seen, unseen = [], Counter[int]()
+    ends = np.cumsum([len(each) for each in dense])[:-1]
+    for (k, way), whole, hidden in zip(ways, dense, np.split(why, ends), strict=True):
+        if hidden.any() and painted[k].area is None:
+            unseen[int(hidden[hidden > 0][0])] += 1
+        runs = _runs(whole, hidden == 0, CRUMB * size) if hidden.any() else [way]
+        seen += [(run, painted[k]) for run in runs]
+    return seen, unseen, areas
+
+
+def _why_unseen(
+    painted: Sequence[Painted], paper: Array, points: Array, owner: Array, slack: float
+) -> tuple[Array, int]:
+    """Return why each of `points` (N, 2) is not seen, 0 where it is, and the number of areas.
+
+    Args:
+        painted: What is in the drawing, the lowest first.
+        paper: The colour of its page, shape (4,).
+        points: Places on its lines [m].
+        owner: Which of `painted` each of them is of, shape (N,).
+        slack: So near an edge is on both of its sides [m].
+    """
+    why, areas = np.zeros(len(points), int), 0
+    under = np.tile(paper[:3], (len(points), 1))
+    cut: dict[int, tuple[Clip, list[int]]] = {}
+    for k, each in enumerate(painted):
+        for clip in each.clips:
+            cut.setdefault(id(clip[1]), (clip, []))[1].append(k)
+    for (reason, outlines), ks in cut.values():
+        own = np.flatnonzero(np.isin(owner, ks))
+        held = [outline.holds(points[own], slack) for outline in outlines]
+        why[own[np.sum([np.zeros(len(own)), *held], axis=0) == 0]] = reason
+    for k, each in enumerate(painted):
+        if each.area is None:
+            continue
+        inside, opacity = each.area.holds(points, slack), each.colour[3]
+        if 1 - opacity < PALE:
+            why[(owner < k) & (inside == 1)] = COVERED
+        above = (owner > k) & (inside > 0)
+        under[above] = (1 - opacity) * under[above] + opacity * each.colour[:3]
+        is_ground = (inside[owner != k] > 0).all()
+        areas += int(_is_seen(each.colour, paper) and not is_ground)
+    colours = np.array([each.colour for each in painted])[owner]
+    is_pale = _is_seen(colours, under) == 0
+    why[is_pale] = PAINTED
+    for k in np.unique(owner[is_pale & (1 - colours[:, 3] < PALE)]):
+        far, _ = scipy.spatial.KDTree(points[is_pale & (owner == k)]).query(points[owner < k])
+        why[: len(far)][far < painted[k].width / 2] = COVERED
+    return why, areas
+
+
+def _is_seen(paint: Array, under: Array) -> Array:
+    """Return whether colours (..., 4) are seen over others, shape (..., 3) or (..., 4)."""
+    apart = np.abs(paint[..., :3] - under[..., :3]).max(axis=-1)
+    return np.asarray(apart * paint[..., 3] > PALE)
+
+
+def _dense(way: Array, step: float) -> Array:
+    """Return a way (K, 2) with its own points and more, at most a `step` apart, shape (N, 2)."""
+    along = arc_lengths(way)
+    if not along[-1] > step > 0:
+        return way
+    at = np.unique(np.concatenate([along, np.arange(0, along[-1], step)]))
+    return interpolate_points(at, along, way)
+
+
+def _runs(points: Array, is_seen: Array, shortest: float) -> Iterator[Array]:
+    """Yield the parts of a way (N, 2) that are seen, but for crumbs."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[0], is_seen.astype(int), [0]])))
+    for start, end in edges.reshape(-1, 2):
+        if arc_lengths(points[start:end])[-1] >= shortest:
+            yield points[start:end]
