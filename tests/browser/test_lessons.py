@@ -13,7 +13,7 @@ from dmp_teach.lessons import lessons
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
 TOOLS = Path(__file__).parents[1] / "javascript"
 KEYS = list(lessons())
-SMALL_LAPTOP = {"width": 1366, "height": 768}
+SMALL_LAPTOP, TABLET = {"width": 1366, "height": 768}, {"width": 820, "height": 1180}
 SET = """(input, place) => {
     input.value = String(place);
     for (const type of ["input", "change"]) input.dispatchEvent(new Event(type, {bubbles: true}));
@@ -26,13 +26,15 @@ VIOLATIONS = """async () => {
 HANDLES = """() => [...document.querySelectorAll(".dt-handle")].map(
     each => each.getAttribute("aria-valuetext"))"""
 KEPT = "() => Object.entries(sessionStorage).find(([name]) => name.includes(' 03 '))[1]"
-FITS = """() => {
-    const seen = document.querySelector(".jp-WindowedPanel-outer, .jp-Notebook");
-    const { top, bottom } = seen.getBoundingClientRect();
-    const parts = [".dt-card", ".dt-stage", ".dt-says .dt-box"];
-    const boxes = parts.map(part => document.querySelector(part).getBoundingClientRect());
-    const low = Math.max(...boxes.map(box => box.bottom));
-    return [Math.min(...boxes.map(box => box.top)) - top, bottom - low];
+# What is left of the window when all of a lesson that is seen together is in it.
+SPARE = """() => {
+    const parts = [".dt-card", ".dt-stage", ".dt-says .dt-box", ".dt-knobs:not([hidden])"];
+    const nodes = parts.map(part => document.querySelector(part)).filter(node => node);
+    const boxes = nodes.map(node => node.getBoundingClientRect());
+    const edge = (side, most) => Math[most](...boxes.map(box => box[side]));
+    const { height, left, right } = document.querySelector(".jp-Notebook").getBoundingClientRect();
+    const high = edge("bottom", "max") - edge("top", "min");
+    return Math.min(height - high, edge("left", "min") - left, right - edge("right", "max"));
 }"""
 
 
@@ -54,12 +56,10 @@ def notebook_of(key):
 
 @pytest.fixture
 def lesson(open_notebook):
-    """Open a lesson's notebook, and only its panel's cell is run."""
+    """Open a lesson's notebook; its panel wakes by itself."""
 
-    def open_it(key, **context):
-        page = open_notebook(notebook_of(key), run=False, **{"viewport": SMALL_LAPTOP, **context})
-        page.locator(".jp-CodeCell").first.locator(".jp-InputArea-editor").click()
-        page.keyboard.press("Shift+Enter")
+    def open_it(key):
+        page = open_notebook(notebook_of(key), run=False, view="doc", viewport=SMALL_LAPTOP)
         page.wait_for_selector(".dt-lesson[data-dt-drawing]")
         page.locator(".dt-lesson").scroll_into_view_if_needed()
         return page
@@ -69,6 +69,15 @@ def lesson(open_notebook):
 
 def press(page, name):
     page.locator(".dt-lesson").get_by_role("button", name=name, exact=True).click()
+
+
+def see_together(page, shot, name):
+    """The card, the pictures, the sentence and the knobs stand in one window, large or small."""
+    for size in (TABLET, SMALL_LAPTOP):
+        page.set_viewport_size(size)
+        page.wait_for_timeout(100)
+        shot(page, f"lesson_{name}_{size['width']}")
+        assert page.evaluate(SPARE) >= 0, (name, size)
 
 
 def bet(page, spec):
@@ -109,17 +118,16 @@ def turn(page, lesson, values):
 def test_a_pupil_bets_tries_misses_takes_a_hint_and_meets_the_challenge(lesson, axe, shot, key):
     page = lesson(key)
     spec = teach.lesson(key)
-    shot(page, f"lesson_{key}_bet")
-    assert min(page.evaluate(FITS)) >= 0, page.evaluate(FITS)
+    see_together(page, shot, f"{key}_bet")
     bet(page, spec.bet.described())
     page.get_by_role("button", name="Lay the truth over it").press("Enter")
     page.get_by_role("button", name="Now try it").wait_for()
     assert page.evaluate("document.activeElement.textContent") == "Now try it"
     assert page.locator(".dt-card .dt-ask").inner_text() != spec.bet.question
-    shot(page, f"lesson_{key}_truth")
+    see_together(page, shot, f"{key}_truth")
     press(page, "Now try it")
     page.locator(".dt-tasks").wait_for()
-    shot(page, f"lesson_{key}_try")
+    see_together(page, shot, f"{key}_try")
     press(page, "To the challenge")
     page.get_by_text(spec.challenge, exact=True).wait_for()
     for _ in range(2):
@@ -127,27 +135,28 @@ def test_a_pupil_bets_tries_misses_takes_a_hint_and_meets_the_challenge(lesson, 
         page.locator(".dt-reason").wait_for()
     press(page, "Show a hint")
     page.get_by_text(spec.hints[0], exact=True).wait_for()
-    shot(page, f"lesson_{key}_hint")
+    see_together(page, shot, f"{key}_hint")
     page.add_script_tag(path=axe)
     assert page.evaluate(VIOLATIONS) == []
     turn(page, spec, spec.solution)
     press(page, "Check")
     page.locator(".dt-card.dt-passed").wait_for()
     page.get_by_role("button", name="Robot, write it").wait_for()
-    shot(page, f"lesson_{key}_done")
+    see_together(page, shot, f"{key}_done")
     assert page.evaluate(VIOLATIONS) == []
 
 
-def test_the_robot_writes_what_was_found(lesson, shot):
-    page = lesson("03", viewport={"width": 820, "height": 1180})
+def test_the_robot_writes_what_was_found_and_its_force_is_seen(lesson, shot):
+    page = lesson("08")
+    spec = teach.lesson("08")
     page.locator(".dt-step-bar").get_by_role("radio", name="3 Challenge").check(force=True)
-    turn(page, teach.lesson("03"), teach.lesson("03").solution)
+    turn(page, spec, spec.solution)
+    page.locator(".dt-knobs").get_by_role("radio", name="real motors").check(force=True)
     press(page, "Check")
     press(page, "Robot, write it")
-    page.wait_for_selector(".dt-scene[data-dt-awake='true']", timeout=60_000)
-    page.wait_for_selector(".dt-scene[data-dt-state='ready']", timeout=60_000)
-    shot(page, "lesson_03_robot_tablet")
-    assert int(page.locator(".dt-scene").get_attribute("data-dt-ink")) > 0
+    page.wait_for_selector(".dts-force:not([hidden])", timeout=60_000)
+    page.wait_for_selector(".dt-scene[data-dt-ink]:not([data-dt-ink='0'])", timeout=60_000)
+    see_together(page, shot, "08_robot")
 
 
 def test_a_bet_and_the_knobs_outlive_a_restart_till_they_are_forgotten(lesson):
@@ -165,8 +174,7 @@ def test_a_bet_and_the_knobs_outlive_a_restart_till_they_are_forgotten(lesson):
         "() => window.jupyterapp.shell.currentWidget.sessionContext.session.kernel.restart()"
     )
     page.wait_for_timeout(2000)
-    page.locator(".jp-CodeCell").first.locator(".jp-InputArea-editor").click()
-    page.keyboard.press("Shift+Enter")
+    page.evaluate("() => window.jupyterapp.commands.execute('notebook:run-cell')")
     page.locator(".dt-lesson .dt-tasks").wait_for()
     again = page.evaluate(
         "() => Object.entries(sessionStorage).find(([k]) => k.includes(' 03 '))[1]"

@@ -77,6 +77,10 @@ export class Card {
     style.minHeight = step === "challenge" && !verdict ? room : "";
     const run = card.run ? [make("p", { class: "dt-reason" }, card.run)] : [];
     this.words.replaceChildren(...draws[step].call(this, progress, card), ...run);
+    // The reason and the newest hint are the last words.
+    if (verdict && !isDone) this.words.scrollTop = this.words.scrollHeight;
+    const isLong = this.words.scrollHeight > this.words.clientHeight + 1;
+    change(this.words, { tabindex: isLong ? "0" : null });
     /** @type {HTMLElement | null} */
     const first = this.buttons.querySelector(".dt-button:not([hidden])");
     // Even a button that is back at once may have lost the focus.
@@ -128,7 +132,7 @@ export class Card {
    * @param {Values} progress
    * @param {Values} card
    */
-  drawChallenge({ verdict, passed }, { rows, hints, offersHint, bet }) {
+  drawChallenge({ verdict, passed }, { rows, hints, offersHint, bet, run }) {
     const isDone = Boolean(verdict?.done);
     this.check.hidden = isDone;
     this.hint.hidden = !offersHint;
@@ -153,7 +157,7 @@ export class Card {
     return [
       make("p", { class: "dt-ask" }, badge, ...bold(isDone ? verdict.reason : this.spec.challenge)),
       make("ul", { class: "dt-rows" }, ...list),
-      isDone && bet ? make("p", { class: "dt-quiet" }, bet) : null,
+      isDone && bet && !run ? make("p", { class: "dt-quiet" }, bet) : null,
       verdict && !isDone ? make("p", { class: "dt-reason" }, ...bold(verdict.reason)) : null,
       told.length && !isDone ? make("ol", { class: "dt-hints" }, ...told) : null,
     ].filter((each) => each !== null);

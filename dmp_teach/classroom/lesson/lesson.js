@@ -31,7 +31,9 @@ export function renderLesson({ model, el, host, signal }, extend) {
   const lesson = new LessonView(model, signal);
   const { parts } = lesson;
   extend?.(lesson);
-  root.append(parts.head, parts.card.node, parts.stage.node, parts.middle, parts.knobs, parts.more);
+  const { head, card, stage, middle, knobs, more } = parts;
+  const body = make("div", { class: "dt-body" }, card.node, stage.node, middle, knobs);
+  root.append(head, body, more);
   el.append(root);
   const redraw = () => {
     lesson.redraw();

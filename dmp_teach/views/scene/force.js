@@ -19,7 +19,8 @@ import { t } from "../texts.js";
 
 // [N] The scale is always the same; what is higher is written beside an arrow.
 const FORCE_TOP = 1.6;
-const FORCE_Y = { top: 24, zero: 104, bar: 125, height: 140 };
+// Above and below the curve [px]: what is higher, and the bars.
+const FORCE_Y = { top: 24, zero: 36, bar: 15 };
 const THUMB = 14;
 const SHADES = 6;
 
@@ -91,6 +92,7 @@ export class ForceStrip {
     this.time = 0;
     this.left = 0;
     this.right = 1;
+    this.height = 140;
     const id = newId("force");
     const shape = (/** @type {string} */ name, more = {}) =>
       make("path", { class: `dts-f-${name}`, ...more });
@@ -139,7 +141,8 @@ export class ForceStrip {
 
   y(/** @type {number} */ force) {
     const part = Math.min(force, FORCE_TOP) / FORCE_TOP;
-    return FORCE_Y.zero - part * (FORCE_Y.zero - FORCE_Y.top);
+    const zero = this.height - FORCE_Y.zero;
+    return zero - part * (zero - FORCE_Y.top);
   }
 
   load(/** @type {Facts} */ facts) {
@@ -159,7 +162,8 @@ export class ForceStrip {
     const [box, bar] = [this.svg.getBoundingClientRect(), this.slider.getBoundingClientRect()];
     if (!this.force || !box.width || !bar.width) return;
     [this.left, this.right] = [bar.left + THUMB - box.left, bar.right - THUMB - box.left];
-    this.svg.setAttribute("viewBox", `0 0 ${box.width} ${FORCE_Y.height}`);
+    this.height = box.height;
+    this.svg.setAttribute("viewBox", `0 0 ${box.width} ${box.height}`);
     this.drawScale(box.width);
     this.drawCurve();
     this.show(this.time);
@@ -176,7 +180,7 @@ export class ForceStrip {
     labels.low.textContent = t("{n} N", { n: low });
     put(labels.high, left - 10, top + 5, "end");
     put(labels.low, left - 10, bottom + 5, "end");
-    put(labels.down, left - 10, FORCE_Y.bar + 5, "end");
+    put(labels.down, left - 10, this.height - FORCE_Y.bar + 5, "end");
     if (width - right > 96) put(labels.good, right + 10, (bottom + top) / 2 + 5, "start");
     else put(labels.good, right - 6, top + 16, "end");
   }
@@ -184,7 +188,8 @@ export class ForceStrip {
   drawCurve() {
     const { curve, down, most } = this.force;
     const places = curve.map(([t, force]) => `${this.x(t).toFixed(1)} ${this.y(force).toFixed(1)}`);
-    const bars = down.map(([from, to]) => `M${this.x(from)} ${FORCE_Y.bar}H${this.x(to)}`).join("");
+    const bar = this.height - FORCE_Y.bar;
+    const bars = down.map(([from, to]) => `M${this.x(from)} ${bar}H${this.x(to)}`).join("");
     for (const path of [this.rest, this.done]) path.setAttribute("d", `M${places.join("L")}`);
     for (const path of [this.bars, this.barsDone]) path.setAttribute("d", bars);
     const worst = curve.reduce((a, b) => (b[1] > a[1] ? b : a));
@@ -202,7 +207,7 @@ export class ForceStrip {
     const [x, y] = [this.x(time), this.y(force)];
     const newtons = force.toFixed(force < 10 ? 1 : 0);
     this.clip.setAttribute("width", String(Math.max(0, x)));
-    this.head.setAttribute("d", `M${x} 2V${FORCE_Y.height - 4}`);
+    this.head.setAttribute("d", `M${x} 2V${this.height - 4}`);
     change(this.dot, { cx: x, cy: y });
     this.now.textContent = t("{n} N", { n: newtons });
     const near = x > this.right - 64;
