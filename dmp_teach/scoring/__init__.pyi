@@ -19,3 +19,4 @@ from .strokes import MATTERS as MATTERS
 from .strokes import StrokeVerdict as StrokeVerdict
 from .strokes import check_strict as check_strict
 from .strokes import judge_stroke as judge_stroke
+from .strokes import list_reasons as list_reasons

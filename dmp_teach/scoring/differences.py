@@ -21,7 +21,7 @@ from dmp_teach.scoring.fit import Fit
 from dmp_teach.scoring.kinematics import Movement
 from dmp_teach.scoring.matching import Matching
 from dmp_teach.scoring.resampling import size_of
-from dmp_teach.scoring.strokes import find_pair_faults
+from dmp_teach.scoring.strokes import find_pair_faults, make_place_fault
 from dmp_teach.trajectory import Trajectory
 
 # What is smaller than this, and lacks a stroke, is a dot of its model [parts of the size].
@@ -94,7 +94,10 @@ def _way_faults(
     awaited = [k for pair in matching.pairs for k in pair.others]
     worst: dict[str, Fault] = {}
     for pair, place in zip(matching.pairs, fit.places, strict=True):
-        for fault in find_pair_faults(matching, pair, place, strokes, awaited, hand=hand):
+        for fault in (
+            *find_pair_faults(matching, pair, strokes, awaited, hand=hand),
+            make_place_fault(pair, place, fit.size, strokes),
+        ):
             if fault.name not in worst or fault.steps > worst[fault.name].steps:
                 worst[fault.name] = fault
     return worst.values()

@@ -20,7 +20,7 @@ from dmp_teach.scoring.kinematics import Movement, measure_movement
 from dmp_teach.scoring.matching import Matching, match_strokes
 from dmp_teach.scoring.overlay import lay_on, rms_apart
 from dmp_teach.scoring.resampling import POINTS_TO_FIT, Resampled, resample, size_of
-from dmp_teach.scoring.strokes import MATTERS, REASONS, check_strict
+from dmp_teach.scoring.strokes import MATTERS, REASONS, check_strict, list_reasons
 from dmp_teach.texts import gettext as _
 from dmp_teach.texts import marked
 from dmp_teach.trajectory import Array
@@ -130,8 +130,8 @@ def score(
     fit = fit_model(matching, ink, model_ink, size_of(yours))
     movement, model_movement = measure_movement(mine), measure_movement(yours)
     found = find_faults(matching, fit, movement, model_movement, yours, hand=hand)
-    allowed = set(MATTERS) - set(strict)
-    faults = tuple(fault for fault in found if REASONS.get(fault.name) not in allowed)
+    reasons = {None, *list_reasons(strict)}
+    faults = tuple(fault for fault in found if REASONS.get(fault.name) in reasons)
     leading = leading_fault(faults)
     distance, shift = _lay_together(matching, ink, model_ink)
     return Score(

@@ -77,6 +77,7 @@ def _lay_on_some(ink: Resampled, other: Resampled) -> Iterator[tuple[Resampled, 
             away = points[~before].mean(axis=0) - other.points[other.is_of([last])].mean(axis=0)
             points[~before] -= away
             far = COST_OF_PLACE + PRICE_OF_PLACE[0] * float(away @ away)
+            far = min(far, COST_OF_NO_STROKE)
             laid.append((replace(each, points=points), price + far))
     for each, price in laid:
         yield each, price if is_on_sheet else 0.0

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 from typing import cast
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from dmp_teach.errors import LetterError
 from dmp_teach.ink import check_hand, is_level
@@ -48,6 +49,8 @@ REASONS = {
 
 MATTERS = ("start", "direction", "order", "place", "size")
 """What a teacher may be strict about."""
+# Where none of these counts a letter may be written in any way: how many strokes it takes, too.
+WAY_MATTERS = {"start", "direction", "order"}
 # On a sheet of unknown size.
 USUAL_MATTERS = MATTERS[:4]
 
@@ -105,6 +108,11 @@ def check_strict(strict: object) -> None:
         raise LetterError(f"strict is {strict!r}, but must be some of {MATTERS}.")
 
 
+def list_reasons(strict: Collection[str]) -> set[str]:
+    """Return the reasons that count: what is strict, and of a way of writing also its strokes."""
+    return {*strict, *({"lift", "unlike"} if WAY_MATTERS & set(strict) else ())}
+
+
 def judge_stroke(
     written: LetterLike,
     model: LetterLike,
@@ -135,17 +143,21 @@ def judge_stroke(
     fit = fit_model(
         matching, resample(mine, POINTS_TO_FIT), resample(yours, POINTS_TO_FIT), size_of(yours)
     )
+    reasons = list_reasons(strict)
     if at is None or (fit.shape > FARTHEST_SHAPE and fit.worst[1] == at):
-        return StrokeVerdict(None, due, make_fault("unlike", 1.0, **name_start(due, yours)))
-    place = _place_beside(fit.places, at, matching, yours)
-    found = list(find_pair_faults(matching, matching.pairs[at], place, yours, awaited, hand=hand))
+        unlike = make_fault("unlike", 1.0, **name_start(due, yours))
+        return StrokeVerdict(None, due, unlike if "unlike" in reasons else None)
+    place, explained = _place_beside(fit.places, at, matching, yours)
     steps = abs(float(np.log(fit.size))) / DIFFERENCE_STEPS["size"]
-    found.append(make_fault("size", steps, ratio=fit.size))
+    found = [
+        *find_pair_faults(matching, matching.pairs[at], yours, awaited, hand=hand),
+        make_place_fault(matching.pairs[at], place, fit.size, yours, explained),
+        make_fault("size", steps, ratio=fit.size),
+    ]
     seen = [
         fault
         for fault in found
-        if REASONS[fault.name] in {*strict, "lift"}
-        and fault.steps >= LEAST_STEPS.get(fault.name, 1.0)
+        if REASONS[fault.name] in reasons and fault.steps >= LEAST_STEPS.get(fault.name, 1.0)
     ]
     worst = max(seen, key=lambda fault: fault.steps, default=None)
     return StrokeVerdict(matching.pairs[at].others[0], due, worst)
@@ -153,25 +165,44 @@ def judge_stroke(
 
 def _place_beside(
     places: Array, at: int, matching: Matching, strokes: Sequence[Trajectory]
-) -> Array:
-    """Return how far a pair is from its place beside the others, shape (2,) [parts of the size].
+) -> tuple[Array, Array]:
+    """Return how far a pair is from its place beside the others [parts of the size].
 
-    What another width or height of the letter would explain is left out.
+    And how much of that another width or height of the letter would explain; both of shape (2,).
     """
     others = np.delete(places, at, axis=0)
     if not len(others):
-        return np.zeros(2)
-    away = places[at] - others.mean(axis=0)
+        return np.zeros(2), np.zeros(2)
     middles = np.array([pair.alignment.others.mean(axis=0) for pair in matching.pairs])
     beside = middles[at] - np.delete(middles, at, axis=0).mean(axis=0)
     explained = PART_OF_ANOTHER_WIDTH * np.abs(beside) / size_of(strokes)
-    return np.asarray(np.sign(away) * np.maximum(np.abs(away) - explained, 0.0))
+    return places[at] - others.mean(axis=0), explained
+
+
+def make_place_fault(
+    pair: Pair,
+    place: Array,
+    size: float,
+    strokes: Sequence[Trajectory],
+    explained: ArrayLike = 0.0,
+) -> Fault:
+    """Return how far a stroke is from its place, as a fault.
+
+    Args:
+        pair: The stroke.
+        place: How far it is off to the right and up, shape (2,) [parts of the letter's size].
+        size: How many times as large as the model the letter is.
+        strokes: The model's.
+        explained: How much of that is no fault, shape (2,) [parts of the letter's size].
+    """
+    steps = float(np.hypot(*np.maximum(np.abs(place) - explained, 0.0)) / DIFFERENCE_STEPS["place"])
+    right, up = (float(part) * size * size_of(strokes) for part in place)
+    return make_fault("place", steps, **name_stroke(pair.others[0], strokes), right=right, up=up)
 
 
 def find_pair_faults(
     matching: Matching,
     pair: Pair,
-    place: Array,
     strokes: Sequence[Trajectory],
     awaited: Collection[int],
     *,
@@ -182,7 +213,6 @@ def find_pair_faults(
     Args:
         matching: Which strokes belong together.
         pair: The one that is judged.
-        place: How far it is from its place, shape (2,) [parts of the letter's size].
         strokes: The model's.
         awaited: Which of the model's strokes are, or will be, written.
         hand: "left" draws level lines from either end.
@@ -215,8 +245,6 @@ def find_pair_faults(
     due = min(set(awaited) - matching.written_before(pair))
     if due < stroke:
         yield make_fault("order", FAULT_STEPS["order"], early=stroke, late=due)
-    steps = float(np.hypot(*place)) / DIFFERENCE_STEPS["place"]
-    yield make_fault("place", steps, **name_stroke(stroke, strokes), right=place[0], up=place[1])
 
 
 def _turns_left(line: Array) -> bool:

@@ -161,12 +161,17 @@ def _shape(steps: float, stroke: int, of: int, alone: bool, position: Position) 
     return Wording(said, f"{words} {where}")
 
 
-def _place(steps: float, stroke: int, of: int, right: float, up: float) -> Wording:
+def _place(_steps: float, stroke: int, of: int, right: float, up: float) -> Wording:
     if abs(right) > abs(up):
-        far = _("too far to the right") if right > 0 else _("too far to the left")
+        far = (
+            _("{mm:.0f} mm too far to the right")
+            if right > 0
+            else _("{mm:.0f} mm too far to the left")
+        )
     else:
-        far = _("too high") if up > 0 else _("too low")
-    return _said(_("{it} is {so}").format(it=the_stroke(stroke, of), so=a_little(steps, far)))
+        far = _("{mm:.0f} mm too high") if up > 0 else _("{mm:.0f} mm too low")
+    far = far.format(mm=1000 * max(abs(right), abs(up)))
+    return _said(_("{it} is {so}").format(it=the_stroke(stroke, of), so=far))
 
 
 def _piece(steps: float, stroke: int, of: int, missing: bool, position: Position) -> Wording:

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import dmp_teach
-from dmp_teach.classroom.panels import messages
+from dmp_teach.classroom.panels import messages, pad_messages
 from dmp_teach.trajectory import Trajectory
 
 
@@ -100,7 +100,7 @@ def test_a_try_is_a_little_further_away_only_if_it_is():
         (0.00004, 0.00001, "As near as the try before."),
         (0.005, 0.010, "Nearer than the try before."),
     ):
-        assert messages.compare_attempts(now, before) == said
+        assert pad_messages.compare_attempts(now, before) == said
 
 
 @pytest.mark.parametrize("character", ["a", "D", "k"])
@@ -112,11 +112,11 @@ def test_no_try_is_called_nearer_than_its_number_is(character):
     found = []
     for times in (1.0, 1.1, 1.3, 1.6, 2.0, 2.5, 3.0):
         tried = [Trajectory(stroke.t, times * stroke.position) for stroke in model.strokes()]
-        found.append(rank.index(messages.rate_attempt(dmp_teach.score(tried, model), size)))
+        found.append(rank.index(pad_messages.rate_attempt(dmp_teach.score(tried, model), size)))
     assert found == sorted(found, reverse=True)
     assert found[0] == 3
     assert found[-1] == 0
     mirrored = [Trajectory(stroke.t, stroke.position * [-1, 1]) for stroke in model.strokes()]
-    assert messages.rate_attempt(dmp_teach.score(mirrored, model), size) == "far", (
+    assert pad_messages.rate_attempt(dmp_teach.score(mirrored, model), size) == "far", (
         "whatever its number"
     )

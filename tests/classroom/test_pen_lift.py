@@ -1,9 +1,12 @@
 """What the pad says and does when the pen is lifted."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
-from dmp_teach import LetterError, pad, recording_of
+from dmp_teach import Letter, LetterError, pad, recording_of, use_script, write_recording
+from dmp_teach.classroom.panels import attempts
 from dmp_teach.classroom.panels.kept import forget
 from dmp_teach.trajectory import Trajectory
 
@@ -120,3 +123,78 @@ def test_a_left_hand_is_not_told_of_its_bars_and_a_dot_alone_is_judged_by_nobody
     panel.start_again()
     panel.add_stroke([[0, 0.01, 0.05, 1]])
     assert panel.lift["missed"] is None
+
+
+@pytest.mark.parametrize("character", "tAi")
+@pytest.mark.parametrize(("way", "words"), [((1, 0), "the right"), ((-1, 0), "the left")])
+def test_a_stroke_however_far_out_of_place_is_judged_by_its_place(character, way, words):
+    *before, last = recording_of(character).strokes()
+    for far in (0.04, 0.11, 0.3):
+        panel = pad(character)
+        panel.start_again()
+        for stroke in before:
+            write(panel, stroke)
+        write(panel, Trajectory(last.t, last.position + far * np.array(way)))
+        assert f"is {1000 * far:.0f} mm too far to {words}." in said(panel)
+        assert panel.lift["missed"]["expected"] == len(before)
+        assert not any("no letter yet" in row["reason"] for row in panel.parts)
+
+
+def test_where_any_way_of_writing_is_right_a_letter_ends_when_it_can_be_read():
+    panel, (whole,) = pad("b", strict=()), recording_of("b").strokes()
+    foot = int(np.argmin(whole.position[: len(whole) // 2, 1]))
+    write(panel, Trajectory(whole.t[: foot + 1], whole.position[: foot + 1]), backwards=True)
+    assert said(panel) == "This is not a b yet. Write on, or press That is all."
+    assert panel.unfinished
+    assert panel.lift["missed"] is None
+    write(panel, Trajectory(whole.t[foot:], whole.position[foot:]))
+    assert len(panel.recording.strokes()) == 2
+    assert not panel.unfinished
+    assert panel.parts[-1]["word"] == "the same"
+    assert "looks the same" in said(panel)
+
+
+def test_the_verdict_is_out_before_the_letter_is_scored_and_learned(monkeypatch):
+    panel, (stem, bar) = pad("t"), recording_of("t").strokes()
+    write(panel, stem)
+    done = []
+    learn, scored = Letter.learn, attempts.score
+    monkeypatch.setattr(Letter, "learn", lambda *given: done.append("learned") or learn(*given))
+    monkeypatch.setattr(attempts, "score", lambda *given: done.append("scored") or scored(*given))
+    panel.observe(lambda change: done.append(said(panel)), "drawing")
+    write(panel, bar, backwards=True)
+    assert "starts at the wrong end" in done[0]
+    assert set(done[1:3]) == {"scored", "learned"}
+
+
+def test_tries_of_another_hand_or_script_are_not_in_the_next_pad(tmp_path):
+    panel, (stem, bar) = pad("t", hand="left"), recording_of("t", hand="left").strokes()
+    write(panel, stem)
+    write(panel, bar)
+    assert [len(pad("t", hand=hand).recordings) for hand in ("right", "left")] == [0, 1]
+    panel = pad("o")
+    write(panel, *recording_of("o").strokes())
+    write_recording(
+        replace(panel.recording, position=0.5 * panel.recording.position), tmp_path / "o.json"
+    )
+    try:
+        use_script(tmp_path)
+        panel = pad("o")
+        panel.undo()
+        assert (panel.tries, panel.counts) == ([], [])
+    finally:
+        use_script(None)
+    assert len(pad("o").tries) == 1
+
+
+def test_the_robot_writes_the_bar_of_a_left_hand_from_right_to_left():
+    panel, (stem, bar) = pad("t", hand="left"), recording_of("t", hand="left").strokes()
+    write(panel, stem)
+    write(panel, bar)
+    assert panel.lift["missed"] is None
+    panel.write()
+    motion = panel.motion
+    *_, begin = np.flatnonzero(np.diff(motion.pen_down.astype(int)) == 1) + 1
+    across = motion.page.to_page(motion.tip[begin:][motion.pen_down[begin:]])[:, 0]
+    assert across[-1] - across[0] == pytest.approx(-np.ptp(bar.position[:, 0]), rel=0.03)
+    assert np.diff(across).max() < 1e-5

@@ -84,9 +84,13 @@ FAULTS_OF_ONE_STROKE = [
     (
         lambda given: faulty.moved(given, 1, (0.2, 0)),
         "place",
-        r" stroke is too far to the (left|right)\.",
+        r" stroke is \d+ mm too far to the (left|right)\.",
     ),
-    (lambda given: faulty.moved(given, 1, (0, 0.2)), "place", r" stroke is too (high|low)\."),
+    (
+        lambda given: faulty.moved(given, 1, (0, 0.2)),
+        "place",
+        r" stroke is \d+ mm too (high|low)\.",
+    ),
 ]
 
 

@@ -7,7 +7,7 @@ import subprocess
 import pytest
 
 import dmp_teach as teach
-from dmp_teach.classroom.panels import messages
+from dmp_teach.classroom.panels import pad_messages
 from dmp_teach.texts import catalogue, gettext, javascript_texts, language, ngettext
 from tests.test_house import PACKAGE
 
@@ -112,13 +112,13 @@ def test_a_file_is_begun_and_brought_up_to_date_without_a_loss(polish):
     assert 'msgid "Undo"\nmsgstr "Cofnij"' in text
     assert text.count("msgid ") >= begun.read_text(encoding="utf-8").count("msgid ") > 300
     teach.set_language("fr")
-    assert messages.describe_sheet("a", 2, "") == "Your a, 2 strokes."
+    assert pad_messages.describe_sheet("a", 2, "") == "Your a, 2 strokes."
 
 
 def test_scores_and_messages_are_translated_whole():
     teach.set_language("pseudo")
     model = teach.recording_of("a")
     found = teach.score([stroke for stroke in teach.recording_of("e").strokes()], model)
-    for said in (found.sentence, messages.describe_attempt(found, found)["text"]):
+    for said in (found.sentence, pad_messages.describe_attempt(found, found)["text"]):
         assert said.strip().startswith("[")
         assert not {"shape", "letter", "average"} & set(said.split())

@@ -6,11 +6,14 @@ from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Self
 
-from dmp_teach.classroom.panels.messages import rate_attempt, show_millimetres
+import numpy as np
+
+from dmp_teach.classroom.panels.messages import show_millimetres
+from dmp_teach.classroom.panels.pad_messages import rate_attempt
 from dmp_teach.errors import LetterError, RecordingError
 from dmp_teach.ink import PadStroke, Recording, characters, pad_recording
 from dmp_teach.letters import Letter
-from dmp_teach.scoring import MATTERS, Score, read_letter, score, size_of
+from dmp_teach.scoring import MATTERS, Score, list_reasons, read_letter, score, size_of
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Trajectory
 
@@ -110,8 +113,34 @@ class Attempt:
 
     @property
     def missing_strokes(self) -> int:
-        """How many strokes the model has more."""
-        return 0 if self.model is None else max(0, len(self.model.strokes()) - len(self.ink))
+        """How many strokes the model has more; 0 where a letter may be written in any way."""
+        if self.model is None or self.is_free:
+            return 0
+        return max(0, len(self.model.strokes()) - len(self.ink))
+
+    @property
+    def is_free(self) -> bool:
+        """Whether the letter may be written in any way, with as many strokes as one likes."""
+        return "lift" not in list_reasons(self.strict)
+
+    @property
+    def is_whole(self) -> bool:
+        """Whether all of the letter is there.
+
+        It has the model's number of strokes or, where it may be written in any way, can be read.
+        """
+        if self.model is None or not self.is_free:
+            return not self.missing_strokes
+        found = self.score
+        return found is not None and not found.matching.missing and self.looks_like is None
+
+    def is_at(self, model: Recording | None) -> bool:
+        """Whether it was this letter, in this script, that was to be written."""
+        mine = self.model
+        if mine is None or model is None:
+            return mine is model
+        alike = mine.character == model.character
+        return alike and np.array_equal(mine.position, model.position)
 
 
 class Attempts:
@@ -162,9 +191,9 @@ class Attempts:
         """Leave the attempt on the sheet among the others."""
         self._now, self._is_back = None, False
 
-    def bring_back(self, character: str) -> None:
+    def bring_back(self, model: Recording | None) -> None:
         """Put the attempt before onto an empty sheet, if it is one at the same letter."""
-        if self._all and self._all[-1].character == character:
+        if self._all and self._all[-1].is_at(model):
             self._now, self._is_back = self._all[-1], True
 
     def name_the_newest(self, writer: str) -> Attempt:
@@ -176,12 +205,12 @@ class Attempts:
             self._now = named
         return named
 
-    def scored(self, character: str, with_sheet: bool) -> list[Attempt]:
+    def scored(self, model: Recording | None, with_sheet: bool) -> list[Attempt]:
         """Return the attempts at one letter that have a score, with that on the sheet or not."""
         return [
             each
             for each in self._all
-            if each.character == character
+            if each.is_at(model)
             and (with_sheet or each is not self._now)
             and each.score is not None
         ]

@@ -9,10 +9,16 @@ from typing import Any
 import traitlets
 from numpy.typing import ArrayLike
 
-from dmp_teach.classroom.panels import messages, sheets
+from dmp_teach.classroom.panels import pad_messages, sheets
 from dmp_teach.classroom.panels.attempts import Attempt, Attempts, Results
 from dmp_teach.classroom.panels.kept import forget, kept
-from dmp_teach.classroom.panels.pad_view import describe_empty_pad, describe_pad, unpack_stroke
+from dmp_teach.classroom.panels.pad_view import (
+    PadTraits,
+    describe_empty_pad,
+    describe_lift,
+    describe_pad,
+    unpack_stroke,
+)
 from dmp_teach.classroom.panels.pen_lift import PenLift
 from dmp_teach.classroom.panels.robot_panel import RobotPanel, list_letter_choices, pack_points
 from dmp_teach.classroom.panels.saved_attempts import SavedAttempts, list_files
@@ -26,7 +32,6 @@ from dmp_teach.texts import gettext as _
 from dmp_teach.views import STYLE_TOKENS
 
 _HERE = Path(__file__).parent
-NEAR_CHARACTERS = ["", "a", "e", "i", "m", "D", "P"]
 MAX_STROKES = 60
 
 
@@ -51,7 +56,8 @@ def pad(
             paper is turned with the clock by 30 degrees: so left-handers are taught to lay it, for
             then the hand stays below the line, and neither hides nor smears what is written.
         strict: What is judged at each lift of the pen, of "start", "direction", "order", "place"
-            and "size".
+            and "size". Without the first three a letter may have any strokes, and is complete as
+            soon as it can be read.
 
     Raises:
         RecordingError: No such letter, a word, or a writer that is no pseudonym.
@@ -60,8 +66,8 @@ def pad(
     return Pad(character, page, writer, hand, strict)
 
 
-class Pad(Results, RobotPanel):
-    """The writing pad; the letter to be written is the trait `character`, "" for any."""
+class Pad(Results, PadTraits, RobotPanel):
+    """The writing pad."""
 
     _esm = join_modules(_HERE / "pad.js")
     _css = join_styles(
@@ -69,24 +75,6 @@ class Pad(Results, RobotPanel):
     )
 
     _open = ("character",)
-    near = traitlets.List(NEAR_CHARACTERS).tag(sync=True)
-    character = traitlets.Unicode().tag(sync=True)
-    # "an a", or "a letter".
-    wanted = traitlets.Unicode().tag(sync=True)
-    lines: traitlets.List[float] = traitlets.List().tag(sync=True)
-    model = traitlets.Bytes().tag(sync=True)
-    model_times: traitlets.List[list[float]] = traitlets.List().tag(sync=True)
-    robot_counts: traitlets.List[int] = traitlets.List().tag(sync=True)
-    ink = traitlets.Bytes().tag(sync=True)
-    caught = traitlets.Unicode().tag(sync=True)
-    parts: traitlets.List[dict[str, object]] = traitlets.List().tag(sync=True)
-    tries: traitlets.List[dict[str, object]] = traitlets.List().tag(sync=True)
-    tried = traitlets.Bytes().tag(sync=True)
-    shift = traitlets.List([0.0, 0.0]).tag(sync=True)
-    unfinished = traitlets.Bool(False).tag(sync=True)
-    kept = traitlets.Unicode().tag(sync=True)
-    lift = traitlets.Dict().tag(sync=True)
-    hand = traitlets.Unicode().tag(sync=True)
 
     def __init__(
         self,
@@ -103,6 +91,8 @@ class Pad(Results, RobotPanel):
         self.writer = writer or kept(self._key).get("writer")
         self._take_kept()
         self._is_done = False
+        # The last question that was asked.
+        self._heard = 0
         self._model: Recording | None = None
         super().__init__(page, hand=hand)
         self.choices = [["", _("any"), _("any letter"), ""], *list_letter_choices()]
@@ -137,21 +127,23 @@ class Pad(Results, RobotPanel):
         if len(before) >= MAX_STROKES:
             raise RecordingError(f"One letter has at most {MAX_STROKES} strokes: start again.")
         strokes = self._pen_lift.take(before, stroke)
-        self._put(Attempt.of(strokes, self._model, self.writer, self.hand, self.strict))
-        written = strokes[-1] is stroke
-        self.caught = messages.describe_stroke(len(strokes), stroke if written else None, outside)
+        attempt = Attempt.of(strokes, self._model, self.writer, self.hand, self.strict)
+        self.caught = pad_messages.describe_stroke(
+            len(strokes), stroke if strokes[-1] is stroke else None, outside
+        )
+        self._put(attempt)
 
     def undo(self) -> None:
         """Take the last stroke off the sheet, or bring the try before onto an empty one."""
         now = self._attempts.now
         if now is None:
-            self._attempts.bring_back(self.character)
+            self._attempts.bring_back(self._model)
             found = self._attempts.now is not None
             said = _("The try before is on your sheet again.") if found else _("Nothing to undo.")
         else:
             left = now.strokes[:-1]
             self._pen_lift.verdict = None
-            said = messages.describe_undone(len(now.ink), not left, self._attempts.is_back)
+            said = pad_messages.describe_undone(len(now.ink), not left, self._attempts.is_back)
             self._attempts.now = (
                 Attempt.of(left, now.model, self.writer, self.hand, self.strict) if left else None
             )
@@ -174,6 +166,8 @@ class Pad(Results, RobotPanel):
         attempt = Attempt(
             sheets.place_on_sheet(own, self.sheet), (), self._model, self.hand, self.strict
         )
+        # What cannot be learned changes nothing.
+        _written = attempt.written
         self._is_done = True
         self._put(attempt)
         self.sheet = sheets.extend_sheet(self.sheet, attempt.ink)
@@ -199,7 +193,7 @@ class Pad(Results, RobotPanel):
         path = self._saved.save(self._attempts, self.writer)
         self.writer = self.writer or self.recording.writer
         kept(self._key)["writer"] = self.writer
-        self.kept = messages.describe_saved(path.name)
+        self.kept = pad_messages.describe_saved(path.name)
         return path
 
     def forget(self) -> None:
@@ -214,20 +208,22 @@ class Pad(Results, RobotPanel):
         if self.scene is not None:
             self.scene.show(None)
         self.start_again()
-        self.kept = messages.describe_forgotten(
+        self.kept = pad_messages.describe_forgotten(
             names, [path.name for path in list_files(Path.cwd())]
         )
 
     def _take_kept(self) -> None:
-        """Go on with the tries of this pupil's pads before."""
+        """Go on with the tries of this pupil's pads before, of the same hand."""
         held = kept(self._key)
-        self._attempts = Attempts(held.setdefault("attempts", []))
+        tries = held.setdefault("attempts", {})
+        self._attempts = Attempts(tries.setdefault(self._pen_lift.hand, []))
         self._saved = SavedAttempts(held.setdefault("saved", {}))
 
     # Any: JSON from the browser.
     def _hear(self, widget: object, message: dict[str, Any], buffers: list[memoryview]) -> None:
         """Take a stroke, do what a button asks for, or open a file that was chosen."""
-        kind = message.get("kind")
+        kind, number = message.get("kind"), message.get("n")
+        self._heard = max(self.answered, number if type(number) is int else 0)
         actions: dict[object, Callable[[], object]] = {
             "undo": self.undo,
             "again": self.start_again,
@@ -246,13 +242,12 @@ class Pad(Results, RobotPanel):
             # The browser waits for a sentence, whatever went wrong.
             said = str(error) or type(error).__name__
             self.set_trait("kept" if kind == "save" else "caught", said)
-        number = message.get("n")
-        self.answered = max(self.answered, number if type(number) is int else 0)
+        self.answered = self._heard
 
     def _put(self, attempt: Attempt) -> None:
-        """Put an attempt on the sheet; one that cannot be learned changes nothing."""
-        _ = attempt.written
+        """Put an attempt on the sheet: the verdict is out before it is scored and learned."""
         self._attempts.now = attempt
+        self._show(describe_lift(attempt, self.character, self._is_done, self._pen_lift))
         self._redraw()
 
     def _finish(self) -> None:
@@ -268,11 +263,14 @@ class Pad(Results, RobotPanel):
     @traitlets.observe("character")
     def _choose(self, change: object = None) -> None:
         """Take an empty sheet in the size of another letter."""
-        self._model = recording_of(self.character, hand=self.hand) if self.character else None
-        strokes = self._model.strokes() if self._model else ()
+        model = recording_of(self.character, hand=self.hand) if self.character else None
+        strokes = model.strokes() if model else ()
+        # Its strokes are asked for at each lift, and found once.
+        ends = [(stroke.t[0], stroke.t[-1]) for stroke in strokes]
+        self._model = model.with_strokes(ends) if model else None
         self._pen_lift.begin(self._model)
         with self.hold_sync():
-            self.wanted = messages.add_article(self.character)
+            self.wanted = pad_messages.add_article(self.character)
             self.sheet = sheets.fit_pad_sheet(strokes)
             self.lines = sheets.find_writing_lines()
             self.model = pack_points(strokes)
@@ -285,12 +283,17 @@ class Pad(Results, RobotPanel):
         strokes = self._model.strokes() if self._model else ()
         if now is not None:
             strokes = now.written
-        shown = describe_pad(self._attempts, self.character, self._is_done, self._pen_lift)
         with self.hold_sync():
-            for name, value in shown.items():
-                self.set_trait(name, value)
             self._size = None
             self._show_strokes(strokes)
             self.robot_counts = [len(stroke) for stroke in strokes]
+            self._show(describe_pad(self._attempts, self._model, self._is_done, self._pen_lift))
+
+    def _show(self, traits: dict[str, object]) -> None:
+        """Send the browser what it draws at once."""
+        with self.hold_sync():
+            for name, value in traits.items():
+                self.set_trait(name, value)
             self.kept = ""
+            self.answered = self._heard
             self.drawing += 1

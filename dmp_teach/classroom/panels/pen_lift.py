@@ -9,7 +9,7 @@ import numpy as np
 
 from dmp_teach.errors import LetterError
 from dmp_teach.ink import PadStroke, Recording, check_hand
-from dmp_teach.scoring import StrokeVerdict, check_strict, judge_stroke, letter_distance
+from dmp_teach.scoring import Fault, StrokeVerdict, check_strict, judge_stroke, letter_distance
 from dmp_teach.trajectory import Array, Trajectory, all_points
 
 # So many misses of one stroke, and it is shown as a ghost, or written by the robot.
@@ -102,6 +102,11 @@ class PenLift:
             for paths in ([stroke.path for stroke in strokes], self._model)
         )
         return (np.ptp(here, axis=0) - np.ptp(there, axis=0)) / 2 + here.min(0) - there.min(0)
+
+    @property
+    def missed(self) -> Fault | None:
+        """What is wrong with the last stroke."""
+        return self.verdict.fault if self.verdict else None
 
     def find_robots(self, strokes: Sequence[PadStroke]) -> list[int]:
         """Return which of the strokes are the robot's."""
