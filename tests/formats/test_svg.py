@@ -130,6 +130,11 @@ SAME = {
         '<path stroke="#fff" d="M70 10V70"/><rect width="99" height="79" fill="#021"/>'
         + L.replace("<path", '<path stroke="rgb(255 255 255 / 90%)"')
     ),
+    "under a card that is cut away": svg(
+        f'{L}<clipPath id="c"><rect width="9" height="9"/></clipPath><g clip-path="url(#c)">'
+        '<path stroke="none" fill="#fff" d="M0 0H90V70H0z"/></g>'
+    ),
+    "for a printer": svg(f'<style media="print">path{{display:none}}</style>{L}'),
     "with a halo": svg(L.replace("<path", '<path stroke="white" stroke-width="5"') + L),
     "a switch of languages": svg(f'<switch>{L}<path d="M70 10V70"/></switch>'),
     "on paper": svg('<rect width="100%" height="100%" stroke="none" fill="#fff"/>' + L),

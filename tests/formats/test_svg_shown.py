@@ -167,6 +167,22 @@ def test_a_small_filled_disc_beside_a_line_is_a_dot(tmp_path, size):
     assert np.allclose(first.position, [0, 0.045], rtol=0, atol=1e-5)
 
 
+ROUND = "a2 2 0 1 0 4 0a2 2 0 1 0-4 0z"
+AREAS = {
+    f"M8 15{ROUND}M18 15{ROUND}": 2,
+    f"M8 15{ROUND}M9 15a1 1 0 1 0 2 0a1 1 0 1 0-2 0z": 0,
+    "M60 60h8v2h-6l6-8v-3h-8v2h5l-6 7z": 0,
+}
+
+
+@pytest.mark.parametrize("way", AREAS)
+def test_two_dots_may_be_one_path_and_a_filled_ring_or_sign_is_none(tmp_path, way):
+    area = f'<path stroke="none" fill-rule="evenodd" d="{way}"/>'
+    recording = read(tmp_path, svg(STEM + area))
+    assert len(recording.strokes()) == 1 + AREAS[way]
+    assert bool(AREAS[way]) != bool(recording.notes)
+
+
 def test_a_large_filled_disc_or_one_without_a_line_is_no_dot(tmp_path):
     check_hook(read(tmp_path, svg(f'<circle r="40" {DISC}/>{L}'.replace("black", "pink"))))
     with pytest.raises(RecordingError, match="only areas of a colour"):

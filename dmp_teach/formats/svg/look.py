@@ -98,7 +98,7 @@ class Styles:
     def __init__(self, root: Element) -> None:
         self._rules: dict[str, tuple[int, Properties]] = {}
         for sheet in root.iter():
-            if local_tag(sheet) == "style":
+            if local_tag(sheet) == "style" and sheet.get("media", "all") in ("", "all", "screen"):
                 self._read(COMMENT.sub(" ", "".join(sheet.itertext())))
 
     def look(self, element: Element, above: Look | None) -> Look:

@@ -36,18 +36,18 @@ from dmp_teach.formats.safe_xml import has_root, local_tag, parse_xml
 from dmp_teach.formats.svg.drawing import Shape, ShapeFinder
 from dmp_teach.formats.svg.frames import has_unit
 from dmp_teach.formats.svg.pieces import area_of, is_outline, joined, unrepeated
-from dmp_teach.formats.svg.seen import WHY_UNSEEN, Outline, Painted, look_at
+from dmp_teach.formats.svg.seen import WHY_UNSEEN, Outline, Painted, is_seen, look_at
 from dmp_teach.formats.svg.shapes import is_closed, path_strokes
 from dmp_teach.formats.svg.writer import write_svg
 from dmp_teach.ink import Recording
-from dmp_teach.trajectory import Array
+from dmp_teach.trajectory import Array, path_length
 
 MOST_SEGMENTS = 100_000
 MOST_LINES = 10_000  # of strokes
 CURVE_POINTS = (8, 128)  # the fewest and the most on one curve
 MOST_CURVE_POINTS = 60_000  # on all of them
 LARGEST_DOT = 1 / 3  # of the lines
-COMPACT = 0.4  # the least share of its box that a dot fills, and of its length that it is wide
+ROUNDNESS = 0.6  # how round a dot is at least: 1 is a circle, pi / 4 a square
 TITLE = re.compile(r"(?:(.*) )?by (\S+)")
 DRAW_LINE = "Draw the middle of the letter with a line (a stroke, no fill), and save that."
 NO_LINE = {
@@ -129,23 +129,26 @@ def _painted(shape: Shape, count: int, paper: Array) -> Iterator[Painted]:
     elif stroke is not None and fill is not None:
         if not look.says("fill"):
             fill = None
-        elif np.abs(fill - paper).max() > 0 and (closed or np.array_equal(fill, stroke)):
+        elif is_seen(fill, paper) and (closed or np.array_equal(fill, stroke)):
             stroke = None  # the edge of an area
     parts = [] if fill is stroke is None else list(path_strokes(shape.path, place.matrix, count))
     if fill is not None and parts:
         area = Outline(parts, look.inherited.get("fill-rule") == "evenodd")
-        yield Painted(_dot(parts), fill, place.clips, area=area)
+        yield Painted(_dots(area), fill, place.clips, area=area)
     if stroke is not None and parts:
         width = look.width * float(np.sqrt(abs(np.linalg.det(place.matrix[:2, :2]))))
         yield Painted(parts, stroke, place.clips, width, is_closed=closed)
 
 
-def _dot(parts: list[Array]) -> list[Array]:
-    """Return the middle of a compact area as the way of a pen that only taps; [] of others."""
-    low, high = parts[0].min(axis=0), parts[0].max(axis=0)
-    short, long = sorted(high - low)
-    is_compact = abs(area_of(parts[0])) > COMPACT * short * long and short > COMPACT * long
-    return [np.tile((low + high) / 2, (2, 1))] if is_compact and len(parts) == 1 else []
+def _dots(area: Outline) -> list[Array]:
+    """Return the middles of an area's round parts, each as the way of a pen that only taps."""
+    dots = []
+    for part in area.parts:
+        middle = np.tile((part.min(axis=0) + part.max(axis=0)) / 2, (2, 1))
+        is_round = 4 * np.pi * abs(area_of(part)) > ROUNDNESS * path_length(part) ** 2
+        if is_round and area.holds(middle, 0.0).any():
+            dots.append(middle)
+    return dots
 
 
 def _seen(painted: list[Painted], paper: Array) -> tuple[list[Array], list[str]]:
@@ -156,16 +159,12 @@ def _seen(painted: list[Painted], paper: Array) -> tuple[list[Array], list[str]]
         reasons = " and ".join(WHY_UNSEEN[why] for why in unseen)
         raise RecordingError(f"draws only lines that one does not see: they are {reasons}.")
     largest = LARGEST_DOT * np.ptp(np.concatenate(ink), axis=0).max()
-    strokes = [
-        way
-        for way, each in seen
-        if each.area is None or np.ptp(each.area.parts[0], axis=0).max() < largest
-    ]
-    areas -= len(strokes) - len(ink)
+    kept = [(way, each.area) for way, each in seen if not each.area or each.area.size < largest]
+    areas -= len({id(area) for _, area in kept if area})
     notes = [f"Left out, for one does not see it: what is {WHY_UNSEEN[why]}." for why in unseen]
     if areas > 0:
         notes.append(f"Left out, as no line: {areas} area{'s' * (areas > 1)} of a colour.")
-    return strokes, notes
+    return [way for way, _ in kept], notes
 
 
 def _why_no_line(root: Element, has_areas: bool) -> str:

@@ -39,6 +39,11 @@ class Outline:
     parts: Sequence[Array]
     is_even_odd: bool = False
 
+    @property
+    def size(self) -> float:
+        """How large its largest part is [m]."""
+        return float(max(np.ptp(part, axis=0).max() for part in self.parts))
+
     def holds(self, points: Array, slack: float) -> Array:
         """Return whether points are inside: 1, outside: 0, or within `slack` of an edge: between.
 
@@ -145,28 +150,36 @@ def _why_unseen(
             cut.setdefault(id(clip[1]), (clip, []))[1].append(k)
     for (reason, outlines), ks in cut.values():
         own = np.flatnonzero(np.isin(owner, ks))
-        held = [outline.holds(points[own], slack) for outline in outlines]
-        why[own[np.sum([np.zeros(len(own)), *held], axis=0) == 0]] = reason
+        why[own[_any_holds(outlines, points[own], slack) == 0]] = reason
     for k, each in enumerate(painted):
         if each.area is None:
             continue
         inside, opacity = each.area.holds(points, slack), each.colour[3]
+        for _, outlines in each.clips:
+            inside *= _any_holds(outlines, points, slack)
         if 1 - opacity < PALE:
             why[(owner < k) & (inside == 1)] = COVERED
         above = (owner > k) & (inside > 0)
         under[above] = (1 - opacity) * under[above] + opacity * each.colour[:3]
         is_ground = (inside[owner != k] > 0).all()
-        areas += int(_is_seen(each.colour, paper) and not is_ground)
+        areas += int(is_seen(each.colour, paper) and not is_ground)
     colours = np.array([each.colour for each in painted])[owner]
-    is_pale = _is_seen(colours, under) == 0
+    is_pale = is_seen(colours, under) == 0
+    erasing = is_pale & (why == 0) & (1 - colours[:, 3] < PALE)
     why[is_pale] = PAINTED
-    for k in np.unique(owner[is_pale & (1 - colours[:, 3] < PALE)]):
-        far, _ = scipy.spatial.KDTree(points[is_pale & (owner == k)]).query(points[owner < k])
+    for k in np.unique(owner[erasing]):
+        far, _ = scipy.spatial.KDTree(points[erasing & (owner == k)]).query(points[owner < k])
         why[: len(far)][far < painted[k].width / 2] = COVERED
     return why, areas
 
 
-def _is_seen(paint: Array, under: Array) -> Array:
+def _any_holds(outlines: Sequence[Outline], points: Array, slack: float) -> Array:
+    """Return whether one of outlines holds points (N, 2), as `Outline.holds`."""
+    held = [outline.holds(points, slack) for outline in outlines]
+    return np.max([np.zeros(len(points)), *held], axis=0)
+
+
+def is_seen(paint: Array, under: Array) -> Array:
     """Return whether colours (..., 4) are seen over others, shape (..., 3) or (..., 4)."""
     apart = np.abs(paint[..., :3] - under[..., :3]).max(axis=-1)
     return np.asarray(apart * paint[..., 3] > PALE)
