@@ -33,30 +33,32 @@ def strokes(page, number):
     page.wait_for_selector(f".dt-pad[data-dt-strokes='{number}']")
 
 
+LINES = """() => ['base', 'mid'].map((name) => {
+    const line = document.querySelector(`.dt-sheet:has(canvas) .dt-${name}line`);
+    const at = (far) => line.getPointAtLength(far).matrixTransform(line.getScreenCTM());
+    return [0, line.getTotalLength()].map(at).map(({ x, y }) => [x, y]);
+})"""
+
+
 class Sheet:
     """Where metres of the sheet are on the screen, from its two writing lines and its middle."""
 
     def __init__(self, page, ask):
-        frame = page.locator(".dt-ink").bounding_box()
-        lines = [
-            page.locator(f".dt-sheet .dt-{name}").first.bounding_box()
-            for name in ("baseline", "midline")
-        ]
-        base, middle = (line["y"] + line["height"] / 2 for line in lines)
+        base, middle = np.array(page.evaluate(LINES))
         left, _, right, _ = json.loads(
             ast.literal_eval(ask(page, "__import__('json').dumps(pad.sheet)"))
         )
         height = float(ask(page, "pad.lines[1]"))
-        self.pixels = (base - middle) / height
-        self.origin = np.array(
-            [frame["x"] + frame["width"] / 2 - self.pixels * (left + right) / 2, base]
-        )
+        along = (base[1] - base[0]) / np.linalg.norm(base[1] - base[0])
+        up = np.array([along[1], -along[0]])
+        self.axes = (middle[0] - base[0]) @ up / height * np.array([along, up])
+        self.origin = base.mean(axis=0) - (left + right) / 2 * self.axes[0]
 
     def on_screen(self, places):
-        return (self.origin + self.pixels * np.asarray(places) * [1, -1]).round().tolist()
+        return (self.origin + np.asarray(places) @ self.axes).round().tolist()
 
     def in_metres(self, pixels):
-        return (np.asarray(pixels) - self.origin) / self.pixels * [1, -1]
+        return (np.asarray(pixels) - self.origin) @ np.linalg.inv(self.axes)
 
 
 def caught(page, ask, number=-1):
