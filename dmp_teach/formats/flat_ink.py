@@ -7,7 +7,7 @@ median height of its letters is taken for 50 mm.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from itertools import chain
 
 import numpy as np
@@ -27,6 +27,8 @@ LONGEST_LABEL = 40  # a longer text is no label ...
 LONGEST_OWN_LABEL = 1000  # ... but in a file of ours, where it can be nothing else
 TAP = 0.02  # how long a single point lasts [s]
 LONGEST_STROKE = 3600.0  # [s]
+NO_UNIT = "The file says no unit of length: its letters are taken to be 50 mm high."
+NO_TIMES = "The file says no times: the ink is written at a hand's pace."
 
 
 @dataclass(frozen=True)
@@ -54,6 +56,7 @@ class FlatLetter:
         writer: A pseudonym.
         origin: Where the page's origin is, shape (2,) [m]; None is the ink's lower left corner.
         baseline: Where the writing line is [m].
+        notes: What is doubtful in it, a sentence each.
     """
 
     strokes: Sequence[FlatStroke]
@@ -61,6 +64,7 @@ class FlatLetter:
     writer: str | None = None
     origin: ArrayLike | None = None
     baseline: float | None = None
+    notes: tuple[str, ...] = ()
 
 
 def flat_recordings(
@@ -78,12 +82,13 @@ def flat_recordings(
     """
     with np.errstate(all="ignore"):
         ink = [[stroke.xy for stroke in letter.strokes] for letter in letters]
+        notes = (NO_UNIT,) if scale is None else ()
         scale = _usual_scale(ink) if scale is None else scale
         check_size([xy * scale for xy in chain.from_iterable(ink)])
-    return tuple(_recording(letter, scale) for letter in letters)
+    return tuple(_recording(letter, scale, notes) for letter in letters)
 
 
-def _recording(letter: FlatLetter, scale: float) -> Recording:
+def _recording(letter: FlatLetter, scale: float, notes: tuple[str, ...]) -> Recording:
     """Return one letter."""
     strokes = letter.strokes
     rows = [stroke.xy * scale for stroke in strokes]
@@ -95,17 +100,20 @@ def _recording(letter: FlatLetter, scale: float) -> Recording:
         rows = [np.column_stack([xy, f / hardest]) for xy, f in zip(rows, forces, strict=True)]
     # Times that stand still say no more than none.
     times = [t for t in (stroke.t for stroke in strokes) if t is not None and _goes_on(t)]
-    laid = on_one_clock(times, rows) if len(times) == len(strokes) else at_hand_pace(rows)
+    is_timed = len(times) == len(strokes)
+    laid = on_one_clock(times, rows) if is_timed else at_hand_pace(rows)
     corner = np.concatenate([row[:, :2] for _, row in laid]).min(axis=0)
     origin = corner if letter.origin is None else np.asarray(letter.origin)
     begin = laid[0][0][0]
-    return add_lifts(
+    recording = add_lifts(
         [Trajectory(t - begin, row[:, :2] - origin) for t, row in laid],
         [row[:, 2] for _, row in laid] if is_forced else None,
         character=letter.character,
         writer=letter.writer,
         baseline=letter.baseline,
     )
+    notes = (*letter.notes, *notes, *(() if is_timed else (NO_TIMES,)))
+    return replace(recording, notes=notes)
 
 
 def _goes_on(t: Array) -> bool:

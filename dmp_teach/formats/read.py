@@ -9,6 +9,7 @@ from pathlib import Path
 from dmp_teach.errors import RecordingError, TrajectoryError
 from dmp_teach.files import contents
 from dmp_teach.formats.registry import CaptureOptions, Format, known_formats
+from dmp_teach.formats.strangers import describe_stranger
 from dmp_teach.ink import Recording
 
 LETTERS_IN_A_SENTENCE = 60
@@ -26,12 +27,13 @@ def read_recording(
     """Read one letter from a file.
 
     Motion capture (Motive CSV), digital ink (InkML, UNIPEN), the field's reference sets (Character
-    Trajectories and LASA, `.mat`), drawings (SVG), and JSON of ours: what is in the file decides,
-    not its name. The recording stands in the frame of its page: x to the right, y up the page, z
-    out of it, the origin at the lower left corner of the ink (a file of ours says where it is). A
-    CSV keeps its clock; it begins with the first stroke and ends with the last one, gaps are filled
-    with straight lines, and nothing is smoothed. Flat ink begins at 0 s, keeps its strokes, and
-    gets lifts between them.
+    Trajectories and LASA, `.mat`), drawings (SVG), JSON of ours, and tables of t, x, y, and z or
+    pressure (text, NumPy, JSON): what is in the file decides, not its name. The recording stands in
+    the frame of its page: x to the right, y up the page, z out of it, the origin at the lower left
+    corner of the ink (a file of ours says where it is). A CSV keeps its clock; it begins with the
+    first stroke and ends with the last one, gaps are filled with straight lines, and nothing is
+    smoothed. Flat ink begins at 0 s, keeps its strokes, and gets lifts between them. What is
+    doubtful, or was guessed, is in the recording's `notes`.
 
     Args:
         path: The file. From a name such as `a_w01.csv` come the letter "a" and the writer "w01" of
@@ -85,10 +87,11 @@ def _format_of(data: bytes, name: str) -> Format:
         if each.sniff(data):
             return each
     kinds = ", ".join(map(str, known_formats()))
-    raise RecordingError(
-        f"{name} is in none of the formats that are read: {kinds}. Save or export the ink in one "
-        "of them."
+    what, cure = describe_stranger(data) or (
+        "nothing that is known here",
+        "write the pen's places as a table with the columns t, x, y, or record it on the pad",
     )
+    raise RecordingError(f"{name} looks like {what}, but ink is read from {kinds}: {cure}.")
 
 
 def _listed(letters: tuple[Recording, ...]) -> str:

@@ -191,19 +191,6 @@ def test_what_is_in_a_file_decides_and_not_its_name(tmp_path):
             assert len(read_recordings(tmp_path / name)) == 1
 
 
-UNKNOWN = {"a.pdf": b"%PDF-1.7 ...", "a.csv": b"t,x,y\n0,1,2\n", "b.csv": b"\x89PNG\0\0\1"}
-UNKNOWN |= {"a.mat": bytes(200), "a.dat": b"Dear Anna", "a.svg": b"<html></html>"}
-
-
-@pytest.mark.parametrize("name", UNKNOWN)
-def test_a_file_of_no_known_format_hears_which_ones_are_read(tmp_path, name):
-    """Whatever its name says."""
-    (tmp_path / name).write_bytes(UNKNOWN[name])
-    with pytest.raises(RecordingError, match=rf"{name} is in none of the formats that") as caught:
-        read_recording(tmp_path / name)
-    assert [each.name for each in known_formats() if str(each) not in str(caught.value)] == []
-
-
 def test_the_readme_names_every_format():
     text = README.read_text(encoding="utf-8")
     assert [each.name for each in known_formats() if f"{each}" not in text] == []

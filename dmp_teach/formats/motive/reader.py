@@ -27,8 +27,7 @@ def read_motive(data: bytes, name: str, options: CaptureOptions) -> tuple[Record
     out = level_axes(options.up, options.right)[:, 2]
     take = read_take(data, options.marker, out)
     try:
-        position = on_page(take.t, take.position, options.up, options.right)
-        strokes, (start, end) = _cut_to_writing(take.t, position)
+        position, strokes, (start, end) = written(take.t, take.position, options.up, options.right)
     except RecordingError as error:
         raise RecordingError(f"marker {take.pen.name!r}: {error}") from None
     samples = sum(b - a for a, b in strokes)
@@ -38,13 +37,11 @@ def read_motive(data: bytes, name: str, options: CaptureOptions) -> tuple[Record
             f"{FEWEST_FRAMES}. Does up={options.up!r} point out of the paper? Otherwise record "
             "again."
         )
-    ink = np.concatenate([position[a:b] for a, b in strokes])
-    page = position - [*ink[:, :2].min(axis=0), np.median(ink[:, 2])]
-    character, writer = _labels(name)
+    character, writer = labels_in(name)
     notes, doubtful = find_doubts(take, position, strokes)
     recording = Recording(
         take.t[start:end],
-        page[start:end],
+        position[start:end],
         character,
         writer,
         notes=notes,
@@ -52,6 +49,28 @@ def read_motive(data: bytes, name: str, options: CaptureOptions) -> tuple[Record
         doubtful=find_runs(doubtful[start:end]),
     )
     return (recording,)
+
+
+def written(t: Array, points: Array, up: str, right: str) -> tuple[Array, Spans, tuple[int, int]]:
+    """Find the writing of a pen that was followed in three dimensions.
+
+    Args:
+        t: Times, shape (T,) [s].
+        points: The pen in the cameras' world, shape (T, 3) [m].
+        up: The direction out of the paper.
+        right: The direction to the right on the page.
+
+    Returns:
+        The pen on its page, shape (T, 3) [m], its strokes, and the samples (start, end) that
+        hold them.
+
+    Raises:
+        RecordingError: As `on_page`.
+    """
+    position = on_page(t, points, up, right)
+    strokes, part = _cut_to_writing(t, position)
+    ink = np.concatenate([position[a:b] for a, b in strokes])
+    return position - [*ink[:, :2].min(axis=0), np.median(ink[:, 2])], strokes, part
 
 
 def _cut_to_writing(t: Array, position: Array) -> tuple[Spans, tuple[int, int]]:
@@ -75,7 +94,7 @@ def _cut_to_writing(t: Array, position: Array) -> tuple[Spans, tuple[int, int]]:
             strokes, last = again, end
 
 
-def _labels(name: str) -> tuple[str | None, str | None]:
+def labels_in(name: str) -> tuple[str | None, str | None]:
     """Return letter and pseudonym from a file name such as `a_w01.csv`; others stay private."""
     # macOS takes the dots off an ä in a file's name.
     match = FILE_NAME.fullmatch(unicodedata.normalize("NFC", Path(name).stem))

@@ -23,6 +23,7 @@ from dmp_teach.trajectory import Array
 HEADER = re.compile(
     rb"(?:^|[\r\n])[^,;\r\n]{0,8}frame[\"\t ]{0,8}([,;\t])[\"\t ]{0,8}time", re.IGNORECASE
 )
+TYPES = re.compile(rb"Format Version|\b(?:Marker|Rigid Body|Bone)\b", re.IGNORECASE)
 MOST_NAMES = 20  # in a sentence
 LONGEST_NAME = 60  # in a sentence [characters]
 LONGEST_ROW_STEP = 60.0  # no take waits longer from row to row [s]
@@ -55,8 +56,9 @@ class Table:
 
 
 def has_motive_header(data: bytes) -> bool:
-    """Tell whether a file has the row `Frame,Time`."""
-    return _find_header(data) is not None
+    """Tell whether a file has the row `Frame,Time`, and says of its columns what they follow."""
+    header = _find_header(data)
+    return header is not None and TYPES.search(data[:100_000].replace(b"\0", b"")) is not None
 
 
 def _find_header(data: bytes) -> re.Match[bytes] | None:

@@ -1,0 +1,239 @@
+"""Columns of a pen's places, whatever program wrote them: which is what, and in which unit.
+
+A column is known by its name, such as `x`, `pos_x [mm]`, `time (ms)` or `pressure`; without names
+by its place and its numbers. The pen is up where a row has no place, where a column says so, where
+the pressure is 0, or where nobody looked for a while. With a height z, and nothing else that tells,
+strokes are found as in a motion capture. What was guessed is told in a note.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from itertools import pairwise
+
+import numpy as np
+
+from dmp_teach.errors import RecordingError
+from dmp_teach.formats.flat_ink import FlatLetter, FlatStroke, flat_recordings
+from dmp_teach.formats.inkml.channels import METRES, SECONDS
+from dmp_teach.formats.motive.reader import labels_in, written
+from dmp_teach.formats.motive.take import FEWEST_FRAMES
+from dmp_teach.formats.registry import CaptureOptions
+from dmp_teach.ink import Recording
+from dmp_teach.segmentation import Flags, find_runs
+from dmp_teach.trajectory import Array
+
+UNITS = METRES | SECONDS | {"sec": 1.0, "secs": 1.0, "second": 1.0, "seconds": 1.0, "msec": 0.001}
+UNITS |= {"millis": 0.001, "milliseconds": 0.001, "millimeter": 0.001, "millimetre": 0.001}
+UNITS |= {"meter": 1.0, "metre": 1.0, "inch": 0.0254, "inches": 0.0254}
+WITH_UNIT = re.compile(r"(.+?)(?:\s+in\s+|[\s_/|-]*[\[({<]\s*|[\s_/|-]+)([a-zµ]+)\s*[\])}>]?")
+PLACE = "(?:pos|position|coord|coordinate|pen|tip|ink|point|pose|marker|p|page|client)*"
+ROLES = {
+    "t": "t|times?|timestamps?|stamp|zeit|temps|tiempo|tempo|elapsed|clock|ms|s|secs?|seconds?",
+    **{axis: f"{PLACE}{axis}(?:pos|position|coord|coordinate|value)?" for axis in "xyz"},
+    "force": "(?:pen|tip|normal)?(?:p|pressure|force|f|druck|press|pression|presion)",
+    "down": "(?:is)?(?:pen|tip|touch|contact|button)?(?:down|state|status|switch|onpaper)?",
+    "up": "(?:is)?(?:pen)?(?:up|lifted|inair)",
+    "stroke": "(?:stroke|trace|segment|path)s?(?:id|no|nr|num|number|index)?",
+}
+FEWEST_ROWS = 5
+USUAL_STEP = (0.0005, 0.5)  # from row to row [s]
+USUAL_SIZE = (0.005, 1.0)  # of ink that is in metres, where nothing says so [m]
+LOOKED_AWAY = (0.1, 10.0)  # a pause is longer than this [s], and so many usual steps
+LEAST_HEIGHT = 0.002  # a height that changes less tells no lift [m]
+Roles = dict[str, tuple[int, float | None]]
+"""Which column is what, and what its unit is in SI, or None."""
+
+
+def read_columns(
+    values: Array, names: Sequence[str] | None, file: str, options: CaptureOptions
+) -> tuple[Recording, ...]:
+    """Return the letter of a table.
+
+    Args:
+        values: A row of numbers each, shape (N, C); NaN where there is none.
+        names: Of the columns, C of them; None where the file has none.
+        file: The name of the file, which may tell the letter.
+        options: How a pen in three dimensions looks at its page.
+
+    Raises:
+        RecordingError: No column for x and y, or rows that cannot be ink.
+    """
+    with np.errstate(all="ignore"):
+        notes: list[str] = []
+        roles = _named_roles(names) if names else _guessed_roles(values, notes)
+        if not {"x", "y"} <= set(roles):
+            shown = ", ".join(map(repr, (names or [])[:20])) or f"{values.shape[1]}, without names"
+            raise RecordingError(
+                f"is a table, but which columns are x and y? Its columns: {shown[:300]}. Name them "
+                "in its first row: t, x, y, and z, pressure or pen where there is one."
+            )
+        columns = {role: values[:, column] for role, (column, _) in roles.items()}
+        t = _seconds(columns.get("t"), roles, notes)
+        xy, scale = _on_page(columns, roles, notes)
+        parts = _parts(columns, t, xy, notes)
+        if not parts or sum(b - a for a, b in parts) < FEWEST_ROWS:
+            raise RecordingError(
+                f"has fewer than {FEWEST_ROWS} rows in which the pen is down; save all of it."
+            )
+        about = labels_in(file)
+        if "z" in columns and t is not None and len(parts) == 1:
+            height = columns["z"] * (roles["z"][1] or scale or 1.0)
+            part = slice(*parts[0])
+            points = np.column_stack([xy * (scale or 1.0), height])[part]
+            if np.isfinite(points).all() and np.ptp(points[:, 2]) > LEAST_HEIGHT:
+                found = _from_height(t[part], points, options, notes)
+                return (Recording(*found, *about, notes=tuple(notes)),)
+        force = columns.get("force")
+        force = None if force is None else np.nan_to_num(np.maximum(force, 0.0))
+        strokes = [
+            FlatStroke(xy[a:b], *(None if each is None else each[a:b] for each in (t, force)))
+            for a, b in parts
+        ]
+        return flat_recordings([FlatLetter(strokes, *about, notes=tuple(notes))], scale)
+
+
+def _named_roles(names: Sequence[str]) -> Roles:
+    """Return the roles of columns with names; the first of each counts."""
+    roles: Roles = {}
+    for k, name in enumerate(names):
+        words = name.strip().lower()
+        match = WITH_UNIT.fullmatch(words)
+        unit = UNITS.get(match[2]) if match else None
+        bare = "".join(re.findall("[a-z]+", match[1] if match and unit else words))
+        role = next((each for each, rule in ROLES.items() if re.fullmatch(rule, bare)), None)
+        if bare and role is not None:
+            roles.setdefault(role, (k, UNITS.get(bare) if role == "t" and bare != "t" else unit))
+            if unit is not None:
+                roles[role] = (roles[role][0], unit) if roles[role][0] == k else roles[role]
+    return roles
+
+
+def _guessed_roles(values: Array, notes: list[str]) -> Roles:
+    """Return the roles of columns without names, by their numbers; told in a note."""
+    count = values.shape[1]
+    rows = values[np.isfinite(values).all(axis=1)]
+    if len(rows) < FEWEST_ROWS or not 2 <= count <= 4:
+        return {}
+    steps = np.diff(rows, axis=0)
+    unevenness = np.where(
+        (steps >= 0).all(axis=0) & (np.ptp(rows, axis=0) > 0),
+        steps.std(axis=0) / np.maximum(steps.mean(axis=0), 1e-300),
+        np.inf,
+    )
+    ends = [0, count - 1] if count > 2 else []
+    time = min(ends, key=lambda k: unevenness[k], default=None)
+    order = list(range(count))
+    roles: Roles = {}
+    if time is not None and np.isfinite(unevenness[time]):
+        roles["t"] = (order.pop(order.index(time)), None)
+    roles |= {"x": (order[0], None), "y": (order[1], None)}
+    if len(order) == 3:
+        last = rows[:, order[2]]
+        share = np.ptp(last) / max(np.ptp(rows[:, order[:2]], axis=0).max(), 1e-300)
+        is_height = 0.02 < share < 2 and (last != np.round(last)).any()
+        role = "down" if np.isin(last, (0, 1)).all() else "z" if is_height else "force"
+        roles[role] = (order[2], None)
+    elif len(order) > 3:
+        return {}
+    told = {"down": "pen down", "force": "pressure"}
+    named = sorted((column, told.get(role, role)) for role, (column, _) in roles.items())
+    notes.append(f"Its columns have no names: taken as {', '.join(role for _, role in named)}.")
+    return roles
+
+
+def _seconds(times: Array | None, roles: Roles, notes: list[str]) -> Array | None:
+    """Return the times [s]; None where there are none, or they only count the rows."""
+    if times is None:
+        return None
+    unit, step = roles["t"][1], np.diff(times[np.isfinite(times)])
+    usual = float(np.median(step)) if len(step) else 0.0
+    if unit is not None:
+        return times * unit
+    if (step == 1).all():
+        notes.append("Its times count the rows, and say no unit: they are left out.")
+        return None
+    fitting = (each for each in (1.0, 1e-3, 1e-6, 1e-9) if each * usual < USUAL_STEP[1])
+    unit = next(fitting, 1.0)
+    if unit != 1:
+        notes.append(f"Its times say no unit: taken as {unit:g} s.")
+    return times * unit
+
+
+def _on_page(
+    columns: dict[str, Array], roles: Roles, notes: list[str]
+) -> tuple[Array, float | None]:
+    """Return the places (N, 2), y up, and the metres in their unit; None where unknown."""
+    xy = np.column_stack([columns["x"], columns["y"]])
+    lost = (xy == -1).all(axis=1)
+    if (xy[~lost] >= 0).all():
+        xy[lost] = np.nan
+    scale = roles["x"][1] or roles["y"][1]
+    size = float(np.ptp(xy[np.isfinite(xy).all(axis=1)], axis=0).max(initial=0.0))
+    if scale is None and USUAL_SIZE[0] <= size <= USUAL_SIZE[1]:
+        scale = 1.0
+        notes.append("The file says no unit of length: taken as metres.")
+    if scale == METRES["px"]:
+        notes.append("Pixels are taken as 96 to the inch, and y as down the screen.")
+        xy = xy * [1, -1]
+    else:
+        notes.append("Taken is that y points up the page.")
+    return xy, scale
+
+
+def _parts(
+    columns: dict[str, Array], t: Array | None, xy: Array, notes: list[str]
+) -> list[tuple[int, int]]:
+    """Return the runs of rows in which the pen is down."""
+    known = xy if t is None else np.column_stack([xy, t])
+    down: Flags = np.logical_and.reduce(np.isfinite(known), axis=1)
+    if "down" in columns:
+        down &= columns["down"] > 0
+    elif "up" in columns:
+        down &= ~(columns["up"] > 0)
+    elif "force" in columns and (columns["force"] > 0).any():
+        down &= columns["force"] > 0
+    ends = np.zeros(len(down), dtype=bool)
+    if "stroke" in columns:
+        ends[1:] = np.diff(columns["stroke"]) != 0
+    elif t is not None and not {"down", "up", "force", "z"} & set(columns):
+        step = np.diff(t)
+        pause = max(LOOKED_AWAY[0], LOOKED_AWAY[1] * float(np.nanmedian(step)))
+        ends[1:] = step > pause
+        if ends.any():
+            notes.append(f"Where no row is for more than {pause:.2g} s, the pen is taken to be up.")
+    cuts = np.flatnonzero(ends)
+    parts = []
+    for first, last in find_runs(down):
+        edges = [first, *cuts[(cuts > first) & (cuts < last)].tolist(), last]
+        parts += list(pairwise(edges))
+    return parts
+
+
+def _from_height(
+    t: Array, points: Array, options: CaptureOptions, notes: list[str]
+) -> tuple[Array, Array]:
+    """Return times (T,) and places (T, 3) of the part of a table that holds its strokes.
+
+    Tables mostly have z out of the paper; else the axes of the options hold.
+    """
+    if len(t) < FEWEST_FRAMES or not (np.diff(t) > 0).all():
+        raise RecordingError(
+            f"has a height, for which it needs {FEWEST_FRAMES} rows or more, and times that "
+            "increase from each to the next."
+        )
+    ways = [(options.up, options.right)]
+    if ways == [("+y", "-x")]:
+        ways.insert(0, ("+z", "+x"))
+    faults = []
+    for up, right in ways:
+        try:
+            position, _, (start, end) = written(t, points, up, right)
+        except RecordingError as error:
+            faults.append(error)
+            continue
+        notes[:] = [note for note in notes if "y points up" not in note]
+        notes.append(f"Taken is that {up} is out of the paper, and {right} to the right on it.")
+        return t[start:end], position[start:end]
+    raise faults[0]

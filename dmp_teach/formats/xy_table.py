@@ -1,0 +1,150 @@
+"""Plain tables: text with a row of numbers for each sample, as spreadsheets and scripts write it.
+
+Columns may be divided by commas, semicolons, tabs, bars or spaces, numbers may have a decimal
+comma, and the line above them may name the columns and their units. An empty line, or one of
+words, lifts the pen.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+
+import numpy as np
+
+from dmp_teach.errors import RecordingError
+from dmp_teach.formats.columns import FEWEST_ROWS, UNITS, read_columns
+from dmp_teach.formats.registry import CaptureOptions, Format
+from dmp_teach.formats.strangers import describe_stranger
+from dmp_teach.ink import Recording
+
+BEGIN = 20_000  # bytes of a file in which a table shows
+MOST_ROWS = 500_000
+MOST_COLUMNS = 64
+WORDS = {"true": 1.0, "down": 1.0, "false": 0.0, "up": 0.0, "": np.nan, "na": np.nan}
+DECIMAL_COMMA = re.compile(r"\s*-?\d+,\d+(?:\s+-?\d+,\d+)+\s*")
+DECIMAL_PAIR = re.compile(r"(-?\d+),(\d+)")
+SIGN_BEFORE = re.compile(r"^\s*(?:#|%|//|\")?\s*")
+
+
+def is_table(data: bytes) -> bool:
+    """Tell whether a file is text with rows of numbers, and of no kind that has a name."""
+    if b"\0" in data[:BEGIN].removeprefix(b"\xff\xfe") and not data.startswith(b"\xff\xfe"):
+        return False
+    if describe_stranger(data) is not None:
+        return False
+    lines = _lines(data[:BEGIN])
+    sign = _divider(lines)
+    rows = [row for line in lines if (row := _numbers(line, sign)) is not None]
+    return len(rows) >= FEWEST_ROWS or (len(rows) > 0 and 2 * len(rows) >= len(lines))
+
+
+def read_table_of_text(data: bytes, name: str, options: CaptureOptions) -> tuple[Recording, ...]:
+    """Read the letter in a table; errors as `read_columns`."""
+    lines = _lines(data)
+    if len(lines) > MOST_ROWS:
+        raise RecordingError(f"has more than {MOST_ROWS} rows; cut it.")
+    sign = _divider(lines)
+    if sign == "," and _has_two_cells_each(lines):
+        lines = [DECIMAL_PAIR.sub(r"\1.\2", line) for line in lines]
+    rows: list[list[float] | None] = [_numbers(line, sign) for line in lines]
+    first = next((k for k, row in enumerate(rows) if row is not None), 0)
+    width = len(rows[first] or ())
+    if not 0 < width <= MOST_COLUMNS:
+        raise RecordingError(f"has {width} columns; give t, x, y, and z or pressure.")
+    names = _names(lines[:first], sign, width)
+    blank = [np.nan] * width
+    table = [blank if row is None else row[:width] + blank[len(row) :] for row in rows[first:]]
+    odd = next((k for k, row in enumerate(rows) if row and len(row) > width), None)
+    if odd is not None:
+        raise RecordingError(
+            f"row {odd + 1} has {len(rows[odd] or ())} cells, but the first one {width}; are there "
+            "decimal commas? Write points."
+        )
+    values = np.array(table)
+    # Line ends of two signs may show as an empty line after each row.
+    filled = ~np.isnan(values).all(axis=1)
+    if filled.sum() < 0.6 * len(filled):
+        values = values[filled]
+    return read_columns(values, names, name, options)
+
+
+def _has_two_cells_each(lines: Sequence[str]) -> bool:
+    """Tell whether numbers with a decimal comma are divided by commas under a line of names."""
+    first = next((k for k, line in enumerate(lines) if _numbers(line, ",") is not None), 0)
+    width = len(_cells(lines[first], ","))
+    return width % 2 == 0 and bool(_names(lines[:first], ",", width // 2))
+
+
+def _lines(data: bytes) -> list[str]:
+    """Return a file's lines, without the empty ones at its end."""
+    is_wide = data.startswith((b"\xff\xfe", b"\xfe\xff"))
+    text = data.decode("utf-16" if is_wide else "utf-8-sig", errors="replace")
+    return text.rstrip().splitlines()
+
+
+def _divider(lines: Sequence[str]) -> str | None:
+    """Return the sign between columns; None for spaces."""
+    for line in lines:
+        if DECIMAL_COMMA.fullmatch(line):
+            return "\t" if "\t" in line else None
+        for sign in (";", "\t", ",", "|", None):
+            row = _numbers(line, sign)
+            if row is not None and len(row) > 1 and np.isfinite(row).sum() > 1:
+                return sign
+    return None
+
+
+def _cells(line: str, sign: str | None) -> list[str]:
+    """Return the cells of a line, without spaces and quotation marks."""
+    return [cell.strip().strip("\"'").strip() for cell in line.split(sign)]
+
+
+def _numbers(line: str, sign: str | None) -> list[float] | None:
+    """Return the numbers in a line; None where fewer than half of its cells are one."""
+    cells = _cells(line.strip("\r\n |[]"), sign)
+    row = []
+    for cell in cells:
+        text = cell.lower().replace(",", ".") if sign != "," else cell.lower()
+        try:
+            row.append(WORDS[text] if text in WORDS else float(text.replace("_", "x")))
+        except ValueError:
+            row.append(np.nan)
+    found = sum(bool(np.isfinite(value)) for value in row)
+    if found < 2 or 2 * found < len(row):
+        return None
+    return [value if abs(value) < 1e100 else np.nan for value in row]
+
+
+def _names(above: Sequence[str], sign: str | None, width: int) -> list[str] | None:
+    """Return the names of the columns from the lines above them; None without any.
+
+    A line of units below the names is added to them.
+    """
+    units: list[str] = []
+    for line in reversed(above):
+        cells = _cells_of_head(SIGN_BEFORE.sub("", line), sign, width)
+        if cells is None:
+            continue
+        bare = [cell.strip("[]()").lower() for cell in cells]
+        if not units and all(cell in UNITS or not cell for cell in bare):
+            units = bare
+        else:
+            return (
+                [f"{cell} [{unit}]" for cell, unit in zip(cells, units, strict=True)]
+                if units
+                else cells
+            )
+    return None
+
+
+def _cells_of_head(line: str, sign: str | None, width: int) -> list[str] | None:
+    """Return the cells of a line with a name for each column, however it is divided."""
+    for each in (sign, ",", ";", "\t", None):
+        cells = _cells(line, each)
+        if len(cells) == width and any(re.search("[A-Za-z]", cell) for cell in cells):
+            return cells
+    return None
+
+
+FORMAT = Format("plain table", (".csv", ".txt", ".tsv"), is_table, read_table_of_text)
