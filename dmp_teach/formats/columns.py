@@ -24,14 +24,15 @@ from dmp_teach.ink import Recording
 from dmp_teach.segmentation import Flags, find_runs
 from dmp_teach.trajectory import Array
 
-UNITS = METRES | SECONDS | {"sec": 1.0, "secs": 1.0, "second": 1.0, "seconds": 1.0, "msec": 0.001}
-UNITS |= {"millis": 0.001, "milliseconds": 0.001, "millimeter": 0.001, "millimetre": 0.001}
-UNITS |= {"meter": 1.0, "metre": 1.0, "inch": 0.0254, "inches": 0.0254}
+COLUMN_UNITS = METRES | SECONDS
+COLUMN_UNITS |= dict.fromkeys(("sec", "secs", "second", "seconds", "meter", "metre"), 1.0)
+COLUMN_UNITS |= dict.fromkeys(("msec", "millis", "milliseconds", "millimeter", "millimetre"), 1e-3)
+COLUMN_UNITS |= dict.fromkeys(("inch", "inches"), METRES["in"])
 WITH_UNIT = re.compile(r"(.+?)(?:\s+in\s+|[\s_/|-]*[\[({<]\s*|[\s_/|-]+)([a-zµ]+)\s*[\])}>]?")
-PLACE = "(?:pos|position|coord|coordinate|pen|tip|ink|point|pose|marker|p|page|client)*"
-ROLES = {
+PLACE_WORDS = "(?:pos|position|coord|coordinate|pen|tip|ink|point|pose|marker|p|page|client)*"
+COLUMN_ROLES = {
     "t": "t|times?|timestamps?|stamp|zeit|temps|tiempo|tempo|elapsed|clock|ms|s|secs?|seconds?",
-    **{axis: f"{PLACE}{axis}(?:pos|position|coord|coordinate|value)?" for axis in "xyz"},
+    **{axis: f"{PLACE_WORDS}{axis}(?:pos|position|coord|coordinate|value)?" for axis in "xyz"},
     "force": "(?:pen|tip|normal)?(?:p|pressure|force|f|druck|press|pression|presion)",
     "down": "(?:is)?(?:pen|tip|touch|contact|button)?(?:down|state|status|switch|onpaper)?",
     "up": "(?:is)?(?:pen)?(?:up|lifted|inair)",
@@ -42,7 +43,7 @@ USUAL_STEP = (0.0005, 0.5)  # from row to row [s]
 USUAL_SIZE = (0.005, 1.0)  # of ink that is in metres, where nothing says so [m]
 LOOKED_AWAY = (0.1, 10.0)  # a pause is longer than this [s], and so many usual steps
 LEAST_HEIGHT = 0.002  # a height that changes less tells no lift [m]
-Roles = dict[str, tuple[int, float | None]]
+ColumnRoles = dict[str, tuple[int, float | None]]
 """Which column is what, and what its unit is in SI, or None."""
 
 
@@ -94,23 +95,23 @@ def read_columns(
         return flat_recordings([FlatLetter(strokes, *about, notes=tuple(notes))], scale)
 
 
-def _named_roles(names: Sequence[str]) -> Roles:
+def _named_roles(names: Sequence[str]) -> ColumnRoles:
     """Return the roles of columns with names; the first of each counts."""
-    roles: Roles = {}
+    roles: ColumnRoles = {}
     for k, name in enumerate(names):
         words = name.strip().lower()
         match = WITH_UNIT.fullmatch(words)
-        unit = UNITS.get(match[2]) if match else None
+        unit = COLUMN_UNITS.get(match[2]) if match else None
         bare = "".join(re.findall("[a-z]+", match[1] if match and unit else words))
-        role = next((each for each, rule in ROLES.items() if re.fullmatch(rule, bare)), None)
-        if bare and role is not None:
-            roles.setdefault(role, (k, UNITS.get(bare) if role == "t" and bare != "t" else unit))
-            if unit is not None:
-                roles[role] = (roles[role][0], unit) if roles[role][0] == k else roles[role]
+        for role, rule in COLUMN_ROLES.items():
+            if bare and role not in roles and re.fullmatch(rule, bare):
+                # A column may be called "ms" and nothing else.
+                roles[role] = (k, unit or (COLUMN_UNITS.get(bare) if role == "t" else None))
+                break
     return roles
 
 
-def _guessed_roles(values: Array, notes: list[str]) -> Roles:
+def _guessed_roles(values: Array, notes: list[str]) -> ColumnRoles:
     """Return the roles of columns without names, by their numbers; told in a note."""
     count = values.shape[1]
     rows = values[np.isfinite(values).all(axis=1)]
@@ -125,7 +126,7 @@ def _guessed_roles(values: Array, notes: list[str]) -> Roles:
     ends = [0, count - 1] if count > 2 else []
     time = min(ends, key=lambda k: unevenness[k], default=None)
     order = list(range(count))
-    roles: Roles = {}
+    roles: ColumnRoles = {}
     if time is not None and np.isfinite(unevenness[time]):
         roles["t"] = (order.pop(order.index(time)), None)
     roles |= {"x": (order[0], None), "y": (order[1], None)}
@@ -143,7 +144,7 @@ def _guessed_roles(values: Array, notes: list[str]) -> Roles:
     return roles
 
 
-def _seconds(times: Array | None, roles: Roles, notes: list[str]) -> Array | None:
+def _seconds(times: Array | None, roles: ColumnRoles, notes: list[str]) -> Array | None:
     """Return the times [s]; None where there are none, or they only count the rows."""
     if times is None:
         return None
@@ -162,7 +163,7 @@ def _seconds(times: Array | None, roles: Roles, notes: list[str]) -> Array | Non
 
 
 def _on_page(
-    columns: dict[str, Array], roles: Roles, notes: list[str]
+    columns: dict[str, Array], roles: ColumnRoles, notes: list[str]
 ) -> tuple[Array, float | None]:
     """Return the places (N, 2), y up, and the metres in their unit; None where unknown."""
     xy = np.column_stack([columns["x"], columns["y"]])

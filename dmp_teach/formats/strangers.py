@@ -7,17 +7,17 @@ import re
 import zipfile
 from dataclasses import dataclass
 
-BEGIN = 4096  # bytes of a file in which its kind shows
+BEGIN_OF_STRANGER = 4096  # bytes of a file in which its kind shows
 
 DRAW = "redraw the letter over it as open lines, such as in Inkscape, and save that as SVG"
-PLAIN = "save the drawing as SVG in the program that made it"
+FROM_PROGRAM = "save the drawing as SVG in the program that made it"
 SHEET = "save the sheet as CSV with the columns t, x, y"
 UNPACK = "unpack it and read what is in it"
 CAPTURE = "export the pen's marker as CSV with the columns t, x, y, z"
 ROBOT = "write the poses as CSV with the columns t, x, y, z"
 NOTES = "export the page as InkML or SVG, with its pen strokes"
 PENLESS = "record the letter on the pad, or write the pen's places as CSV: t, x, y"
-NUMBERS = "write its numbers as CSV with the columns t, x, y"
+TO_NUMBERS = "write its numbers as CSV with the columns t, x, y"
 FONT = "set the letter in a single-line font, convert it to paths, and save that as SVG"
 
 
@@ -49,7 +49,7 @@ KINDS = (
     Kind("a picture (icon)", r"\x00\x00[\x01\x02]\x00[^\x00]\x00", DRAW),
     Kind("a picture (PBM, PGM or PPM)", r"P[1-6]\s+(?:#.*\s+)?\d+\s+\d+\s", DRAW),
     Kind("a PDF document", r"\s*%PDF", "open the page in Inkscape and save it as SVG"),
-    Kind("a PostScript drawing", r"%!PS|\xc5\xd0\xd3\xc6", PLAIN),
+    Kind("a PostScript drawing", r"%!PS|\xc5\xd0\xd3\xc6", FROM_PROGRAM),
     Kind("a rich-text document", r"\{\\rtf", PENLESS),
     Kind("an old Office file (.doc, .xls, .ppt)", r"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", SHEET),
     Kind("a OneNote notebook", r"\xe4\x52\x5c\x7b\x8c\xd8\xa7\x4d", NOTES),
@@ -76,21 +76,27 @@ KINDS = (
     Kind("motion capture (FBX)", r"Kaydara FBX|; FBX ", CAPTURE),
     Kind("motion of OpenSim (.mot, .sto)", r".{0,2000}?\bendheader\b", CAPTURE),
     Kind("a 3-D model", r"solid |glTF|ply\s+format|v -?[\d.]+ -?[\d.]+ -?[\d.]+\s", PENLESS),
-    Kind("a CAD drawing (DXF)", r"\s*(?:999.{0,200})?0\s+SECTION|AutoCAD|AC10\d\d", PLAIN),
-    Kind("a plotter's file (HPGL)", r"(?:\x1b\S{1,4}\s*)?(?:IN|PU|SP|PA|DF)\d*[;,\s]", PLAIN),
-    Kind("a machine's program (G-code)", r"(?:[%;(][^\n]*\n|\s)*(?:N\d+ *)?[GM]\d{1,3}\b", PLAIN),
-    Kind("a tablet's log (SVC2004 or PaHaW)", r"\s*\d+\s*\n(?:-?\d+ +){6}-?\d+\s*\n", NUMBERS),
-    Kind("the UJI pen characters", r"(?:[^\n]*\n){0,40}?WORD \S+ \S+\s+NUMSTROKES", NUMBERS),
+    Kind("a CAD drawing (DXF)", r"\s*(?:999.{0,200})?0\s+SECTION|AutoCAD|AC10\d\d", FROM_PROGRAM),
+    Kind(
+        "a plotter's file (HPGL)", r"(?:\x1b\S{1,4}\s*)?(?:IN|PU|SP|PA|DF)\d*[;,\s]", FROM_PROGRAM
+    ),
+    Kind(
+        "a machine's program (G-code)",
+        r"(?:[%;(][^\n]*\n|\s)*(?:N\d+ *)?[GM]\d{1,3}\b",
+        FROM_PROGRAM,
+    ),
+    Kind("a tablet's log (SVC2004 or PaHaW)", r"\s*\d+\s*\n(?:-?\d+ +){6}-?\d+\s*\n", TO_NUMBERS),
+    Kind("the UJI pen characters", r"(?:[^\n]*\n){0,40}?WORD \S+ \S+\s+NUMSTROKES", TO_NUMBERS),
     Kind("a notebook (Jupyter)", r'\s*\{(?=.*"(?:cells|nbformat)"\s*:)', PENLESS),
     Kind("a web page", r"\s*(?:<!DOCTYPE html|<html)", PENLESS),
-    Kind("a map (GeoJSON)", r'\s*\{.{0,200}"FeatureCollection"', NUMBERS),
-    Kind("IAM-OnDB ink", r".{0,300}<WhiteboardCaptureSession", NUMBERS),
+    Kind("a map (GeoJSON)", r'\s*\{.{0,200}"FeatureCollection"', TO_NUMBERS),
+    Kind("IAM-OnDB ink", r".{0,300}<WhiteboardCaptureSession", TO_NUMBERS),
     Kind("notes of Xournal", r".{0,300}<xournal", NOTES),
     Kind("a robot's model (URDF)", r".{0,2000}?<robot\b", PENLESS),
     Kind("an XML file of another kind", r"\s*<\?xml|\s*<[A-Za-z]", PENLESS),
     Kind("pickled Python objects", r"\x80[\x02-\x05]", "save the array with numpy.save"),
-    Kind("a table (Parquet or Arrow)", r"PAR1|ARROW1", NUMBERS),
-    Kind("data (HDF5)", r"\x89HDF", NUMBERS),
+    Kind("a table (Parquet or Arrow)", r"PAR1|ARROW1", TO_NUMBERS),
+    Kind("data (HDF5)", r"\x89HDF", TO_NUMBERS),
     Kind("a program", r"MZ|\x7fELF|#!|\xca\xfe\xba\xbe|\xcf\xfa\xed\xfe", PENLESS),
 )
 IN_ZIP = (
@@ -113,7 +119,7 @@ def describe_stranger(data: bytes) -> tuple[str, str] | None:
         return next(
             (what, cure) for sign, what, cure in IN_ZIP if any(sign in name for name in names)
         )
-    begin = data[:BEGIN].removeprefix(b"\xef\xbb\xbf")
+    begin = data[:BEGIN_OF_STRANGER].removeprefix(b"\xef\xbb\xbf")
     for kind in KINDS:
         if re.match(kind.signs.encode("latin-1"), begin, re.DOTALL):
             return kind.name, kind.cure

@@ -20,7 +20,7 @@ from dmp_teach.ink import Recording
 from dmp_teach.trajectory import Array
 
 MOST_VALUES = 200_000  # lists and objects that are looked at
-Stroke = tuple[tuple[str, ...] | None, Array]
+TableStroke = tuple[tuple[str, ...] | None, Array]
 """The names of columns, or None, and a row for each sample."""
 
 
@@ -49,7 +49,7 @@ def read_other_json(data: bytes, name: str, options: CaptureOptions) -> tuple[Re
     return read_columns(np.concatenate(rows), names, name, options)
 
 
-def _first_strokes(content: object) -> list[Stroke]:
+def _first_strokes(content: object) -> list[TableStroke]:
     """Return the strokes in the first value that holds any, breadth first."""
     queue, looked = [content], 0
     while queue and looked < MOST_VALUES:
@@ -69,13 +69,13 @@ def _first_strokes(content: object) -> list[Stroke]:
     return []
 
 
-def _stroke_in(value: object) -> Stroke | None:
+def _stroke_in(value: object) -> TableStroke | None:
     """Return the stroke that is one of an object's values, as in {"points": [...]}."""
     values = value.values() if isinstance(value, dict) else ()
     return next((stroke for each in values if (stroke := _stroke(each)) is not None), None)
 
 
-def _stroke(value: object) -> Stroke | None:
+def _stroke(value: object) -> TableStroke | None:
     """Return a value as a stroke; None where it is none."""
     if isinstance(value, dict):
         rows = {name: each for name, each in value.items() if _is_row(each)}

@@ -13,15 +13,16 @@ from collections.abc import Sequence
 import numpy as np
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.formats.columns import FEWEST_ROWS, UNITS, read_columns
+from dmp_teach.formats.columns import COLUMN_UNITS, FEWEST_ROWS, read_columns
+from dmp_teach.formats.motive.table import UTF16_MARKS
 from dmp_teach.formats.registry import CaptureOptions, Format
 from dmp_teach.formats.strangers import describe_stranger
 from dmp_teach.ink import Recording
 
-BEGIN = 20_000  # bytes of a file in which a table shows
-MOST_ROWS = 500_000
+BEGIN_OF_TABLE = 20_000  # bytes of a file in which a table shows
+MOST_TABLE_ROWS = 500_000
 MOST_COLUMNS = 64
-WORDS = {"true": 1.0, "down": 1.0, "false": 0.0, "up": 0.0, "": np.nan, "na": np.nan}
+CELL_WORDS = {"true": 1.0, "down": 1.0, "false": 0.0, "up": 0.0, "": np.nan, "na": np.nan}
 DECIMAL_COMMA = re.compile(r"\s*-?\d+,\d+(?:\s+-?\d+,\d+)+\s*")
 DECIMAL_PAIR = re.compile(r"(-?\d+),(\d+)")
 SIGN_BEFORE = re.compile(r"^\s*(?:#|%|//|\")?\s*")
@@ -29,11 +30,13 @@ SIGN_BEFORE = re.compile(r"^\s*(?:#|%|//|\")?\s*")
 
 def is_table(data: bytes) -> bool:
     """Tell whether a file is text with rows of numbers, and of no kind that has a name."""
-    if b"\0" in data[:BEGIN].removeprefix(b"\xff\xfe") and not data.startswith(b"\xff\xfe"):
+    if b"\0" in data[:BEGIN_OF_TABLE].removeprefix(b"\xff\xfe") and not data.startswith(
+        b"\xff\xfe"
+    ):
         return False
     if describe_stranger(data) is not None:
         return False
-    lines = _lines(data[:BEGIN])
+    lines = _lines(data[:BEGIN_OF_TABLE])
     sign = _divider(lines)
     rows = [row for line in lines if (row := _numbers(line, sign)) is not None]
     return len(rows) >= FEWEST_ROWS or (len(rows) > 0 and 2 * len(rows) >= len(lines))
@@ -42,8 +45,8 @@ def is_table(data: bytes) -> bool:
 def read_table_of_text(data: bytes, name: str, options: CaptureOptions) -> tuple[Recording, ...]:
     """Read the letter in a table; errors as `read_columns`."""
     lines = _lines(data)
-    if len(lines) > MOST_ROWS:
-        raise RecordingError(f"has more than {MOST_ROWS} rows; cut it.")
+    if len(lines) > MOST_TABLE_ROWS:
+        raise RecordingError(f"has more than {MOST_TABLE_ROWS} rows; cut it.")
     sign = _divider(lines)
     if sign == "," and _has_two_cells_each(lines):
         lines = [DECIMAL_PAIR.sub(r"\1.\2", line) for line in lines]
@@ -78,7 +81,7 @@ def _has_two_cells_each(lines: Sequence[str]) -> bool:
 
 def _lines(data: bytes) -> list[str]:
     """Return a file's lines, without the empty ones at its end."""
-    is_wide = data.startswith((b"\xff\xfe", b"\xfe\xff"))
+    is_wide = data.startswith(UTF16_MARKS)
     text = data.decode("utf-16" if is_wide else "utf-8-sig", errors="replace")
     return text.rstrip().splitlines()
 
@@ -107,7 +110,7 @@ def _numbers(line: str, sign: str | None) -> list[float] | None:
     for cell in cells:
         text = cell.lower().replace(",", ".") if sign != "," else cell.lower()
         try:
-            row.append(WORDS[text] if text in WORDS else float(text.replace("_", "x")))
+            row.append(CELL_WORDS[text] if text in CELL_WORDS else float(text.replace("_", "x")))
         except ValueError:
             row.append(np.nan)
     found = sum(bool(np.isfinite(value)) for value in row)
@@ -127,7 +130,7 @@ def _names(above: Sequence[str], sign: str | None, width: int) -> list[str] | No
         if cells is None:
             continue
         bare = [cell.strip("[]()").lower() for cell in cells]
-        if not units and all(cell in UNITS or not cell for cell in bare):
+        if not units and all(cell in COLUMN_UNITS or not cell for cell in bare):
             units = bare
         else:
             return (
