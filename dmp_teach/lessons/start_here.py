@@ -35,6 +35,7 @@ from dmp_teach.lessons.drawing import (
     lesson_letter,
     millimetres,
     paths_of,
+    sheet_box,
 )
 from dmp_teach.lessons.goals import CM
 from dmp_teach.letters import Letter
@@ -43,8 +44,7 @@ from dmp_teach.trajectory import Array
 
 FEW, ENOUGH, MANY = 5, 40, 400
 LEAST_BUMPS, MOST_BUMPS = 3, 80
-GOAL_REACH, BOWL_LIMIT = 9.0, 1.0
-ROOM = 0.03
+GOAL_REACH, BOWL_LIMIT = 4.0, 1.0
 # What is made of what, and how far up the stem the bowl must then end, as a share of it.
 NEW_LETTERS = (("D", "P", 0.5), ("D", "P", 0.4), ("D", "P", 0.6), ("P", "D", 0.0))
 LINE_LIMITS = (0.2, 0.1, 0.15, 0.3)
@@ -80,7 +80,7 @@ class StartHere(Lesson):
         x, y = (round(float(each), 1) for each in (self.end - bowl[-1]) / CM)
         self.start = {"letter": "a", "n_kernels": FEW, "kernel_width": 1.0}
         self.start |= {"goal_x": 0.0, "goal_y": 0.0}
-        self.solution = {"letter": self.source, "n_kernels": ENOUGH, "kernel_width": 1.0}
+        self.solution = self.start | {"letter": self.source, "n_kernels": ENOUGH}
         self.solution |= {"goal_x": x, "goal_y": y}
 
     @property
@@ -93,15 +93,16 @@ class StartHere(Lesson):
         """What a pupil can set."""
         letters = {each: each for each in ("a", "e", "S", self.source)}
         goal = {"unit": "cm", "digits": 1, "is_drawn_here": True}
-        x, y = _("Goal, left and right"), _("Goal, down and up")
+        needed = self.solution["goal_y"]
+        low, high = min(-GOAL_REACH, np.floor(needed)), max(GOAL_REACH, np.ceil(needed))
         return {
             "letter": OneOf(_("Letter"), letters),
             "n_kernels": Slider.of("n_kernels", LEAST_BUMPS, MOST_BUMPS, icons=("one", "many")),
             "kernel_width": Slider.of(
                 "kernel_width", 0.25, 10.0, is_log=True, icons=("narrow", "one")
             ),
-            "goal_x": Slider(x, "g", -GOAL_REACH, GOAL_REACH, 0.1, **goal),  # type: ignore[arg-type]
-            "goal_y": Slider(y, "g", -GOAL_REACH, GOAL_REACH, 0.1, **goal),  # type: ignore[arg-type]
+            "goal_x": Slider(_("Goal, left and right"), "g", -GOAL_REACH, GOAL_REACH, 0.1, **goal),  # type: ignore[arg-type]
+            "goal_y": Slider(_("Goal, down and up"), "g", float(low), float(high), 0.1, **goal),  # type: ignore[arg-type]
         }
 
     @property
@@ -243,11 +244,11 @@ class StartHere(Lesson):
         to_goal = letter.responses[last]
         terms = dict(zip(GOAL_KNOBS, CM * to_goal.to_goal, strict=True))
         lines = [*paths_of(letter.write())[:last], Affine(to_goal.base, terms)]
-        points = np.concatenate(paths_of(letter.strokes))
+        moves = [by * CM * GOAL_REACH * term for term in to_goal.to_goal for by in (-1, 1)]
         sheet = draw_sheet(
             letter.strokes,
             lines,
-            box=[*(points.min(axis=0) - ROOM), *(points.max(axis=0) + ROOM)],
+            box=sheet_box([*paths_of(letter.strokes), *(to_goal.base + move for move in moves)]),
             rings=[goal_ring(letter.primitives[last].goal, state.step == "bet")],
             caption=_("On paper"),
             note=_("{n} bumps").format(n=values["n_kernels"]),

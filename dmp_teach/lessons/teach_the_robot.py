@@ -127,7 +127,7 @@ class TeachTheRobot(TeachingLesson):
     @property
     def tasks(self) -> Sequence[Task]:
         """What to try: show, answer, and show again."""
-        session = None if self.is_doubted else self.session
+        session = None if self.session and self.session.is_doubted else self.session
         turns = session.turns if session else ()
         show = _("Write a good {letter} on the sheet and press “Show it”. Does its line move?")
         if not self.takes_ink:

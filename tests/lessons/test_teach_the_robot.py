@@ -123,6 +123,15 @@ def test_what_is_forgotten_is_seen_before_a_question_is_answered(panel):
     assert float(panel.message["number"]) > 1000 * panel.session.learned[-1] + 1
 
 
+@pytest.mark.parametrize(("shown", "is_taught"), [("XXXb", False), ("bXXb", True)])
+def test_only_a_letter_that_was_shown_before_can_be_taught_again(panel, shown, is_taught):
+    for character in shown:
+        write(panel, character)
+        panel.show()
+    assert any(pupil.memory.lost for pupil in panel.session.met)
+    assert (2 in panel.progress["done"]) == is_taught
+
+
 def test_a_slip_of_the_pen_is_refused_and_another_letter_ticks_nothing(panel):
     write(panel, size=0.05)
     with pytest.raises(LetterError, match="dot"):

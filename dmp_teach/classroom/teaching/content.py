@@ -20,8 +20,6 @@ class TeachingContent(LessonContent):
     ink: tuple[Trajectory, ...] = ()
     # A page of its own has no kernel to write to.
     takes_ink = True
-    # Whether what was shown last does not look like the letter.
-    is_doubted = False
     # A pupil that gets wrong what was weakest in what was shown last by hand.
     echo = PupilTraits("Echo", {"lean": 25.0})
 
@@ -51,5 +49,4 @@ class TeachingContent(LessonContent):
         traits = self.traits_of(values)
         if self.session is None or self.session.traits != traits:
             self.session, self.ink = TeachingSession.begin(traits, self.letter), ()
-            self.is_doubted = False
         return self.session

@@ -17,7 +17,7 @@ from dmp_teach.classroom.teaching.traits import PupilTraits
 from dmp_teach.errors import LetterError, RecordingError, TeachError
 from dmp_teach.files import join_modules, join_styles
 from dmp_teach.ink import PadStroke, pad_recording, pad_stroke, recording_of
-from dmp_teach.scoring import read_letter, score, size_of
+from dmp_teach.scoring import score, size_of
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Trajectory
 
@@ -106,7 +106,6 @@ class TeachingPanel(LessonPanel):
     def _teach(self, shown: tuple[Trajectory, ...]) -> None:
         """Let the pupil learn, and take an empty sheet."""
         self.lesson.session = self.session.show(shown)
-        self.lesson.is_doubted = read_letter(shown, self.lesson.letter) is not None
         self._pen = []
         self.lesson.ink = ()
         self._after_turn()
@@ -115,7 +114,7 @@ class TeachingPanel(LessonPanel):
         """Tick what is done, and draw."""
         done = {i for i, task in enumerate(self.lesson.tasks) if task.is_done(self.values)}
         words = _("I learned that, but I cannot read {letter} in it. Is it one?")
-        self.status = words.format(letter=self.lesson.letter) if self.lesson.is_doubted else ""
+        self.status = words.format(letter=self.lesson.letter) if self.session.is_doubted else ""
         self._change(done=sorted(done.union(self._progress()["done"])))
 
     def _draw_ink(self) -> None:

@@ -14,7 +14,7 @@ from dmp_teach.classroom.teaching.traits import PupilTraits
 from dmp_teach.errors import RecordingError, shown
 from dmp_teach.files import checked_object, must
 from dmp_teach.ink import LONGEST_PAD_STROKE, recording_of
-from dmp_teach.scoring import LetterLike, to_strokes
+from dmp_teach.scoring import LetterLike, read_letter, to_strokes
 from dmp_teach.trajectory import Trajectory
 
 FORMAT, SESSION_VERSION = "dmp_teach teaching", 1
@@ -50,6 +50,7 @@ class TeachingSession:
         far: How far each of these was from the letter that was shown last [m].
         learned: How far it was when it had been shown each turn [m].
         good: Whether it was good then.
+        read: Whether what was shown each turn may well be the letter.
         placed: What was shown last, laid on what the pupil then wrote.
     """
 
@@ -61,6 +62,7 @@ class TeachingSession:
     far: tuple[float, ...] = ()
     learned: tuple[float, ...] = ()
     good: tuple[bool, ...] = ()
+    read: tuple[bool, ...] = ()
     placed: tuple[Trajectory, ...] = ()
 
     @classmethod
@@ -94,6 +96,7 @@ class TeachingSession:
             far=(*far, next_one.score(kept).distance),
             learned=(*self.learned, seen.distance),
             good=(*self.good, is_good(seen)),
+            read=(*self.read, read_letter(kept, self.letter) is None),
             placed=tuple(replace(s, position=s.position - seen.shift) for s in kept),
         )
 
@@ -138,9 +141,15 @@ class TeachingSession:
 
     @property
     def is_taught_again(self) -> bool:
-        """Whether something was forgotten, and the letter was good again after that."""
-        lapsed = [turn for turn, pupil in enumerate(self.met[1:]) if pupil.memory.lost]
-        return any(any(self.good[turn + 1 :]) for turn in lapsed)
+        """Whether the letter was shown, something forgotten, and the letter then good again."""
+        good = [both == (True, True) for both in zip(self.good, self.read, strict=True)]
+        lapsed = [turn for turn, pupil in enumerate(self.met[1:], start=1) if pupil.memory.lost]
+        return any(any(self.read[:turn]) and any(good[turn:]) for turn in lapsed)
+
+    @property
+    def is_doubted(self) -> bool:
+        """Whether what was shown last does not look like the letter."""
+        return not all(self.read[-1:])
 
     def as_json(self) -> dict[str, Any]:
         """Return the log: nothing in it says who has taught, or when."""
