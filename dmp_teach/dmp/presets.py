@@ -101,3 +101,25 @@ PRESETS: dict[str, SettingChanges] = {
     },
     "as_fixed": _PAPER,
 }
+
+WHOSE_CHOICE = (
+    ("choice", "the paper's", "ours, in `star`"),
+    ("form", "DMP*, equation 11", "the same"),
+    ("phase", "linear", "the same, as 1 - t/T"),
+    ("kernels", "touching, truncated Gaussians", "touching boxes"),
+    ("weights", "each kernel alone, equation 5", "the same, bends sharpened before"),
+    ("N", "Num/10", "12 for each second"),
+    ("alpha, beta", "not given", "2 N (at least 12), alpha/4"),
+    ("demonstration", "as captured", "smoothed at 10 Hz"),
+    ("start velocity", "as demonstrated", "fitted to the whole path"),
+    ("a goal that moved", "as equation 11 has it", "its change fed forward"),
+)
+"""What of `star` is the paper's and what is ours; `Settings.as_fixed()` has the paper's alone."""
+
+
+def table_of_choices() -> str:
+    """Return whose choice is what as a table, for the documentation."""
+    wide = [max(len(row[k]) for row in WHOSE_CHOICE) for k in range(3)]
+    rows = [WHOSE_CHOICE[0], tuple("-" * n for n in wide), *WHOSE_CHOICE[1:]]
+    lines = (" | ".join(word.ljust(n) for word, n in zip(row, wide, strict=True)) for row in rows)
+    return "\n".join(f"| {line} |" for line in lines)

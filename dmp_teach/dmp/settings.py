@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, fields
 from functools import cache
+from textwrap import indent
 from typing import Self, Unpack
 
 from dmp_teach.dmp.fit import FITS
@@ -12,7 +13,7 @@ from dmp_teach.dmp.integrators import DERIVATIVES, INTEGRATORS, most_alpha
 from dmp_teach.dmp.kernels import KERNELS, PLACEMENTS
 from dmp_teach.dmp.knob import Knob, knob
 from dmp_teach.dmp.phases import PHASES
-from dmp_teach.dmp.presets import PRESETS, SettingChanges
+from dmp_teach.dmp.presets import PRESETS, SettingChanges, table_of_choices
 from dmp_teach.dmp.transformations import TRANSFORMATIONS
 from dmp_teach.errors import SettingError
 
@@ -175,7 +176,10 @@ class Settings:
 
     @classmethod
     def star(cls, **changes: Unpack[SettingChanges]) -> Self:
-        """Return DMP*, the paper's choice: linear phase, touching boxes, LWR."""
+        """Return our DMP*: the paper's form and phase with improvements that are not in it.
+
+        `as_fixed` is the paper without them.
+        """
         return cls._preset("star", changes)
 
     @classmethod
@@ -255,6 +259,10 @@ class Settings:
         if self.kernel_spread is not None:
             same.__dict__["kernel_sigma"] = self.kernel_spread * n_kernels
         return same
+
+
+# One source for the words here and in the documentation.
+vars(Settings)["star"].__func__.__doc__ += "\n" + indent(table_of_choices(), 8 * " ")
 
 
 @cache

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections import Counter
+from dataclasses import replace
 from pathlib import Path
 
 from dmp_teach.errors import RecordingError, TrajectoryError
@@ -22,7 +23,9 @@ def read_recording(
     right: str = "-x",
     *,
     number: int | None = None,
+    which: str | None = None,
     character: str | None = None,
+    writer: str | None = None,
 ) -> Recording:
     """Read one letter from a file.
 
@@ -42,23 +45,24 @@ def read_recording(
         up: In a CSV, the direction out of the paper in the cameras' world, one of +x -x +y -y +z
             -z.
         right: In a CSV, the direction to the right on the page.
-        number: Which letter of a file that holds several, from 0; with `character`, which one of
-            those.
-        character: Which letter of a file that holds several.
+        number: Which letter of a file that holds several, from 0; with `which`, which one of those.
+        which: Which letter of a file that holds several, such as "a".
+        character: The letter that was meant, where the file does not say it.
+        writer: A pseudonym of the writer, where the file does not say it.
 
     Raises:
-        RecordingError: What is wrong, in which file and where in it, and what would work; or a file
-            that holds several letters, and which ones.
+        RecordingError: What is wrong, in which file and where in it, and what would work; a file
+            that holds several letters, and which ones; or a label that is not the file's own.
     """
     letters = read_recordings(path, marker, up, right)
     name = Path(path).name
-    matching = [each for each in letters if character is None or each.character == character]
+    matching = [each for each in letters if which is None or each.character == which]
     if not matching:
-        raise RecordingError(f"{name} has no {character!r}; it holds {_listed(letters)}.")
+        raise RecordingError(f"{name} has no {which!r}; it holds {_listed(letters)}.")
     last = len(matching) - 1
     if number is None and last > 0:
-        of = "" if character is None else f" of {character!r}"
-        others = f" or character=...: {_listed(letters)}" if character is None else ""
+        of = "" if which is None else f" of {which!r}"
+        others = f" or which=...: {_listed(letters)}" if which is None else ""
         raise RecordingError(
             f"{name} holds {last + 1} letters{of}; choose with number=0 to {last}{others}."
         )
@@ -66,7 +70,7 @@ def read_recording(
         raise RecordingError(
             f"number is {number!r}, but {name} has the letters 0 to {last} to choose from."
         )
-    return matching[number or 0]
+    return _labelled(matching[number or 0], name, character=character, writer=writer)
 
 
 def read_recordings(
@@ -79,6 +83,28 @@ def read_recordings(
         return tuple(kind.read(data, name, CaptureOptions(marker, up, right)))
     except (RecordingError, TrajectoryError) as error:
         raise RecordingError(f"{name}: {error}") from None
+
+
+def _labelled(recording: Recording, name: str, **labels: str | None) -> Recording:
+    """Return a recording with labels that its file does not have."""
+    for label, given in labels.items():
+        own = getattr(recording, label)
+        if given is None or given == own:
+            continue
+        if not isinstance(given, str) or not given:
+            raise RecordingError(f"{label} is {given!r}, but must be text.")
+        # What a name alone says gives way.
+        if own is not None and own not in Path(name).stem.split("_"):
+            choose = f" To choose a letter of several, say which={given!r}."
+            raise RecordingError(
+                f"{label} is {given!r}, but {name} says {own!r}: a label is for what a file does "
+                f"not say.{choose if label == 'character' else ''}"
+            )
+    return replace(
+        recording,
+        character=labels["character"] or recording.character,
+        writer=labels["writer"] or recording.writer,
+    )
 
 
 def _format_of(data: bytes, name: str) -> Format:

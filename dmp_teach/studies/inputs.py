@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import os
+import re
 from collections.abc import Iterable
 from dataclasses import dataclass
+from pathlib import Path
 
 from dmp_teach.errors import RecordingError, kind_of
 from dmp_teach.formats import read_recording
@@ -46,7 +48,7 @@ class Stroke:
 
 Given = Recording | Trajectory | Written | str | os.PathLike[str]
 RecordingsLike = Given | Iterable[Given | Iterable[Trajectory]] | None
-"""Recordings, files of them or strokes; None takes our own alphabets."""
+"""Recordings, files or folders of them, or strokes; None takes our own alphabets."""
 
 
 def own_recordings(letters: str = PAPER_LETTERS) -> tuple[Recording, ...]:
@@ -55,9 +57,15 @@ def own_recordings(letters: str = PAPER_LETTERS) -> tuple[Recording, ...]:
 
 
 def list_recordings(
-    recordings: RecordingsLike = None,
+    recordings: RecordingsLike = None, labels: str | None = None
 ) -> tuple[Recording | Trajectory | Written | Iterable[Trajectory], ...]:
-    """Return what was given as a tuple, files read; our own letters where nothing was."""
+    """Return what was given as a tuple, files read; our own letters where nothing was.
+
+    Args:
+        recordings: As in `claims`.
+        labels: A pattern (regular expression) for names of files without their ending, with a group
+            `character`, a group `writer`, or both, for what the files do not say.
+    """
     if recordings is None:
         return own_recordings()
     if isinstance(recordings, Recording | Trajectory | Written | str | os.PathLike):
@@ -66,14 +74,44 @@ def list_recordings(
         raise RecordingError(
             f"recordings is {kind_of(recordings)}, but must be recordings, or their files."
         )
+    pattern = None if labels is None else _pattern(labels)
     read = tuple(
-        read_recording(each) if isinstance(each, str | os.PathLike) else each for each in recordings
+        read
+        for each in recordings
+        for read in (_files(each, pattern) if isinstance(each, str | os.PathLike) else (each,))
     )
     if not read:
         raise RecordingError(
             "recordings is empty; give at least one, or None for our own alphabets."
         )
     return read
+
+
+def _pattern(labels: str) -> re.Pattern[str]:
+    """Return the pattern, or raise a RecordingError."""
+    try:
+        pattern = re.compile(labels)
+    except (re.error, TypeError) as error:
+        raise RecordingError(f"labels is {labels!r}, which is no pattern: {error}.") from None
+    if not pattern.groupindex or not set(pattern.groupindex) <= {"character", "writer"}:
+        raise RecordingError(
+            f"labels is {labels!r}, but must have a group character or writer, such as "
+            r"'(?P<character>\w)_(?P<writer>\w+)'."
+        )
+    return pattern
+
+
+def _files(path: str | os.PathLike[str], labels: re.Pattern[str] | None) -> Iterable[Recording]:
+    """Yield the letter of a file, or those of all files in a folder that are labelled."""
+    folder = Path(path)
+    files = sorted(each for each in folder.iterdir() if each.is_file()) if folder.is_dir() else ()
+    for each in files or (folder,):
+        found = labels.search(each.stem) if labels else None
+        if found or not labels:
+            said = found.groupdict() if found else {}
+            yield read_recording(each, character=said.get("character"), writer=said.get("writer"))
+        elif not files:
+            raise RecordingError(f"labels is {labels.pattern!r}, which {each.name} does not match.")
 
 
 def list_letters(recordings: RecordingsLike = None) -> tuple[Written, ...]:

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import dmp_teach.dmp
-from dmp_teach.dmp.presets import PRESETS, SettingChanges
+from dmp_teach.dmp.presets import PRESETS, SettingChanges, table_of_choices
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import SettingWarning
@@ -137,3 +137,14 @@ def test_the_readings_on_recordings():
     assert cost(strokes("a"), Settings.as_fixed()) < 0.5
     assert 1.0 < cost(strokes("a"), Settings.as_coded()) < 5.0
     assert cost(strokes("a"), Settings.as_printed()) > 5
+
+
+def test_whose_choice_is_what_stands_in_one_table_everywhere():
+    table = table_of_choices()
+    for text in (ROOM / "README.md", ROOM.parents[1] / "README.md"):
+        lines = text.read_text(encoding="utf-8").splitlines()
+        assert set(table.splitlines()) <= {line.strip() for line in lines}
+    assert table.splitlines()[-1] in Settings.star.__doc__
+    star, paper = PRESETS["star"], PRESETS["as_fixed"]
+    assert star == {}
+    assert len(paper) <= len(table.splitlines()) - 2

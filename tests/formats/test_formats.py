@@ -196,11 +196,25 @@ def test_the_readme_names_every_format():
     assert [each.name for each in known_formats() if f"{each}" not in text] == []
 
 
+def test_a_file_is_labelled_with_what_it_does_not_say(tmp_path):
+    bare = replace(recording_of("a"), character=None, writer=None)
+    path = write_recording(bare, tmp_path / "take 7.json")
+    read = read_recording(path, character="a", writer="w03")
+    assert (read.character, read.writer) == ("a", "w03")
+    said = write_recording(recording_of("l"), tmp_path / "take 8.json")
+    with pytest.raises(
+        RecordingError, match=r"character is 'a', but take 8\.json says 'l'.*which="
+    ):
+        read_recording(said, character="a")
+    with pytest.raises(RecordingError, match="writer is 3, but must be text"):
+        read_recording(path, writer=3)
+
+
 def test_files_of_one_letter_are_chosen_from_like_any_other(tmp_path):
     path = write_recording(recording_of("l"), tmp_path / "l.json")
-    assert read_recording(path, character="l", number=0).character == "l"
+    assert read_recording(path, which="l", number=0).character == "l"
     with pytest.raises(RecordingError, match=r"l\.json has no 'a'; it holds 'l'\."):
-        read_recording(path, character="a")
+        read_recording(path, which="a")
     with pytest.raises(RecordingError, match=r"number is 1, but l\.json has the letters 0 to 0"):
         read_recording(path, number=1)
 

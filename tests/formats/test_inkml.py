@@ -252,9 +252,9 @@ def test_a_full_stop_is_a_dot_on_the_page_of_others(tmp_path):
     """A letter of one point, beside one without a unit, which stays 50 mm high."""
     body = labelled_body("D", BODY) + labelled_body(".", "<trace>99 -9 9000 400</trace>")
     text = inkml(body, FORCED.replace(' units="mm"', ""))
-    dot = read(tmp_path, text, character=".").strokes()
+    dot = read(tmp_path, text, which=".").strokes()
     assert np.ptp(dot[0].position, axis=0).max() == 0
-    letter = read(tmp_path, text, character="D").strokes()
+    letter = read(tmp_path, text, which="D").strokes()
     assert np.ptp(np.vstack([s.position for s in letter])[:, 1]) == pytest.approx(0.05)
 
 
@@ -330,18 +330,18 @@ def test_labelled_groups_are_letters(tmp_path):
     assert {letter.writer for letter in letters} == {"w12"}
     with pytest.raises(
         RecordingError,
-        match=r"holds 3 letters; choose with number=0 to 2 or character=\.\.\.: 'D' \(2\), 'p'",
+        match=r"holds 3 letters; choose with number=0 to 2 or which=\.\.\.: 'D' \(2\), 'p'",
     ):
         read(tmp_path, text)
-    assert read(tmp_path, text, character="p").character == "p"
+    assert read(tmp_path, text, which="p").character == "p"
     assert read(tmp_path, text, number=2).character == "D"
-    check_d(read(tmp_path, text, number=1, character="D"))
+    check_d(read(tmp_path, text, number=1, which="D"))
     with pytest.raises(
         RecordingError, match=r"holds 2 letters of 'D'; choose with number=0 to 1\."
     ):
-        read(tmp_path, text, character="D")
+        read(tmp_path, text, which="D")
     with pytest.raises(RecordingError, match=r"has no 'q'; it holds 'D' \(2\), 'p'"):
-        read(tmp_path, text, character="q")
+        read(tmp_path, text, which="q")
     for odd in (3, -1, "1", True, 1.0):
         with pytest.raises(
             RecordingError, match=r"number is .*has the letters 0 to 2 to choose from"

@@ -36,7 +36,10 @@ def test_every_kernel_and_fit_has_its_error_at_every_width():
 
 def test_gaps_cost_more_than_touching_kernels_whatever_the_fit():
     curves = sweep_kernel_width(INK, widths=(0.5, 1.0))
-    assert (curves.at(0.5) > 2 * curves.at(1.0)).all()
+    # With as many kernels as samples the program's leave no sample bare.
+    few = [curves.variants.index("the authors' program")]
+    narrow, touching = (np.delete(curves.at(x), few, axis=0) for x in (0.5, 1.0))
+    assert (narrow > 2 * touching).all()
 
 
 def test_error_does_not_depend_on_place_and_grows_with_size():

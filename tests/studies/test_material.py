@@ -1,11 +1,13 @@
 """What studies take: recordings, their files, strokes; nothing means our own letters."""
 
+from dataclasses import replace
+
 import pytest
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.ink.alphabet import recording_of
 from dmp_teach.ink.recording_json import write_json
-from dmp_teach.studies.inputs import list_letters, named_strokes
+from dmp_teach.studies.inputs import list_letters, list_recordings, named_strokes
 from tests.dmp.ink import letter
 
 
@@ -41,3 +43,17 @@ def test_what_is_no_recording_is_named():
         list_letters(3)
     with pytest.raises(RecordingError, match="recordings is empty; give at least one"):
         list_letters([])
+
+
+def test_a_folder_is_labelled_by_the_pattern_of_its_names(tmp_path):
+    bare = replace(recording_of("a"), character=None, writer=None)
+    for name in ("aa_AB", "D3_CD", "notes"):
+        write_json(bare, tmp_path / f"{name}.json")
+    found = list_recordings(tmp_path, r"^(?P<character>\w)\w*_(?P<writer>\w+)$")
+    assert [(each.character, each.writer) for each in found] == [("D", "CD"), ("a", "AB")]
+    assert len(list_recordings(tmp_path)) == 3
+    with pytest.raises(RecordingError, match=r"labels is .* which notes\.json does not match"):
+        list_recordings(tmp_path / "notes.json", "(?P<writer>q)")
+    for pattern in ("(", "a", "(?P<who>a)", 3):
+        with pytest.raises(RecordingError, match="labels is "):
+            list_recordings(tmp_path, pattern)

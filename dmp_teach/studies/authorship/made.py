@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
 
@@ -42,43 +42,64 @@ OneTake = dict[str, Written]
 """One take of each letter that one writer wrote."""
 
 
+LedWith = Mapping[str, tuple[Settings, str | None]]
+
+
 @dataclass(frozen=True, eq=False)
 class _Bowl:
     """A bowl that a recipe leads, of T takes: as written (T, F), and made (T, ways, V, F)."""
 
+    letter: str
     takes: tuple[int, ...]
     writers: tuple[str, ...]
     real: Array
     made: Array
 
-    def neighbours(self) -> NDArray[np.bool_]:
-        """Return which bowls a made one may be given to (T, T): not its source, unless alone."""
-        whose = np.array(self.writers)
-        several = (whose[:, None] == whose).sum(axis=1) > 1
-        return ~(np.eye(len(whose), dtype=bool) & several)
+    def shown(self, less: bool) -> Array:
+        """Return the real bowls, less everybody's mean where asked for, shape (T, F)."""
+        return self.real - self.real.mean(axis=0) * less
 
-    def named(self, way: int, variations: slice, less: bool) -> list[list[str | None]]:
-        """Return whose bowl is nearest to each made one; None where nothing was drawn."""
-        made, real = self.made[:, way, variations], self.real
-        if less:
-            drawn = np.isfinite(made[:, :, 0])
-            total = np.where(drawn[:, :, None], made, 0).sum(axis=0)
-            made = made - total / np.maximum(drawn.sum(axis=0), 1)[:, None]
-            real = real - real.mean(axis=0)
-        far = np.linalg.norm(made[:, :, None] - real, axis=3)
-        near = np.where(self.neighbours()[:, None], far, np.inf)
-        return [
-            [
-                self.writers[int(np.argmin(each))] if np.isfinite(each).any() else None
-                for each in row
-            ]
-            for row in np.where(np.isnan(near), np.inf, near)
-        ]
+    def drawn(self, way: int, variations: slice, less: bool) -> Array:
+        """Return the made ones alike, NaN where nothing was drawn, shape (T, V, F)."""
+        made = self.made[:, way, variations]
+        there = np.isfinite(made[:, :, 0])
+        total = np.where(there[:, :, None], made, 0).sum(axis=0)
+        return made - total / np.maximum(there.sum(axis=0), 1)[:, None] * less
+
+
+@dataclass(frozen=True, eq=False)
+class _References:
+    """Real bowls (R, F), whose they are, and which a made one may be given to (T, R)."""
+
+    shown: Array
+    writers: NDArray[np.str_]
+    allowed: NDArray[np.bool_]
+
+    @classmethod
+    def of(cls, bowl: _Bowl, bowls: Sequence[_Bowl], less: bool) -> _References:
+        """Return other takes of the bowl, and where its writer has none bowls of other letters."""
+        others = list({each.letter: each for each in bowls if each.letter != bowl.letter}.values())
+        shown = np.concatenate([each.shown(less) for each in (bowl, *others)])
+        writers = np.array([name for each in (bowl, *others) for name in each.writers])
+        whose, T = np.array(bowl.writers), len(bowl.writers)
+        several = (whose[:, None] == whose).sum(axis=1) > 1
+        known = np.isin(whose, writers[T:])
+        allowed = np.empty((T, len(writers)), dtype=bool)
+        allowed[:, :T] = ~np.eye(T, dtype=bool) & several[:, None]
+        allowed[:, T:] = (~several & known)[:, None]
+        return cls(shown, writers, allowed)
+
+    def named(self, drawn: Array, take: int) -> list[str | None]:
+        """Return whose bowl is nearest to each made one (V, F); None where nothing was drawn."""
+        far = np.linalg.norm(drawn[:, None] - self.shown, axis=2)
+        far = np.where(self.allowed[take] & np.isfinite(far), far, np.inf)
+        return [str(self.writers[row.argmin()]) if np.isfinite(row).any() else None for row in far]
 
 
 def attribute_made_letters(
     recordings: RecordingsLike = None,
     variations: int = DEFAULT_VARIATIONS,
+    led_with: LedWith | None = None,
     *,
     executor: Executor | None = None,
     progress: Progress | None = None,
@@ -88,9 +109,9 @@ def attribute_made_letters(
     Every recipe that leads a stroke to other ends (D to P, R and B, B to P) is made from every
     writer's letters. Strokes that were only moved are the writer's own, and a bar whose ends are
     both given is a line: only bowls that were led are asked about. Their neighbours are the bowls
-    that all writers wrote themselves, in the same role: other takes by the same writer, and only if
-    there is none the stroke that the made one comes from. In that case the question is whether the
-    primitive changes a shape less than writers differ, and nothing more.
+    that all writers wrote themselves, in the same role, but never the stroke that the made one
+    comes from. Where its writer has no other take of it, they are the bowls of all other letters,
+    and where there are none of these, nothing is asked.
 
     The distance is the root mean square difference of the directions of the ink at 40 points of
     equal arc length: place and size do not count, lean does. Every question is asked "as drawn",
@@ -103,6 +124,8 @@ def attribute_made_letters(
             writers in it.
         variations: How often starts and goals are moved, by a tenth of the stroke's size (normal,
             in each direction).
+        led_with: By the name of a way, the settings that strokes are learned with, and the
+            transformation to other ends; `LED_WITH` unless given.
         executor: As in `claims`; a piece is one take by one writer.
         progress: As in `claims`.
 
@@ -114,13 +137,14 @@ def attribute_made_letters(
         raise SettingError(
             f"variations is {variations!r}, but must be a whole number of at least 1."
         )
-    found = _bowls(list_letters(recordings), variations, executor, progress)
+    ways = dict(LED_WITH if led_with is None else led_with)
+    found = _bowls(list_letters(recordings), variations, ways, executor, progress)
     borrowed = not found
     if borrowed:
-        found = _bowls(list_letters(), variations, executor, progress)
+        found = _bowls(list_letters(), variations, ways, executor, progress)
     answers = [
-        _answers(found, way, varied, less)
-        for way in LED_WITH
+        _answers(found, (number, way), varied, less)
+        for number, way in enumerate(ways)
         for varied in (False, True)
         for less in (True, False)
     ]
@@ -143,25 +167,28 @@ def ink_directions(path: Array) -> Array:
 def _bowls(
     letters: Sequence[Written],
     variations: int,
+    ways: LedWith,
     executor: Executor | None,
     progress: Progress | None,
 ) -> list[_Bowl]:
-    """Return every bowl that a recipe leads, as far as two writers or more have it."""
+    """Return every bowl that a recipe leads, as far as two writers or more can be named."""
     takes = sort_takes(letters)
     # Every transformation is asked for by name.
     table = [how.replace(" alike", "") for _, how in recipes()]
     hows = dict.fromkeys(
         ",".join(how.split(",")[: number + 1]) for how in table for number in _led(how)
     )
-    made = run(_make, [(take, tuple(hows), variations) for _, take in takes], executor, progress)
+    pieces = [(take, tuple(hows), variations, ways) for _, take in takes]
+    made = run(_make, pieces, executor, progress)
     found = []
-    for bowl in zip(*made, strict=True):
+    for how, bowl in zip(hows, zip(*made, strict=True), strict=True):
         there = tuple(number for number, each in enumerate(bowl) if each is not None)
         writers = tuple(takes[number][0] for number in there)
         if len(set(writers)) > 1:
             real, drawn = (np.array([bowl[number][side] for number in there]) for side in (0, 1))
-            found.append(_Bowl(there, writers, real, drawn))
-    return found
+            found.append(_Bowl(_led_stroke(how)[0], there, writers, real, drawn))
+    can_be_asked = (_References.of(each, found, less=False).allowed.any() for each in found)
+    return found if any(can_be_asked) else []
 
 
 def _led(how: str) -> list[int]:
@@ -186,28 +213,35 @@ def sort_takes(letters: Sequence[Written]) -> list[tuple[str, OneTake]]:
     return [(writer, take) for (writer, _), take in takes.items()]
 
 
-def _make(piece: tuple[OneTake, Sequence[str], int]) -> list[tuple[Array, Array] | None]:
+def _led_stroke(how: str) -> list[str]:
+    """Return letter and role of the last stroke of a recipe."""
+    return how.rsplit(",", maxsplit=1)[-1].split()[:2]
+
+
+def _make(
+    piece: tuple[OneTake, Sequence[str], int, LedWith],
+) -> list[tuple[Array, Array] | None]:
     """Return what one take gives for the last stroke of each recipe."""
-    take, hows, variations = piece
+    take, hows, variations, ways = piece
     return [
-        _last(take, how, variations) if set(letters_needed(how)) <= take.keys() else None
+        _last(take, how, variations, ways) if set(letters_needed(how)) <= take.keys() else None
         for how in hows
     ]
 
 
-def _last(take: OneTake, how: str, variations: int) -> tuple[Array, Array] | None:
+def _last(take: OneTake, how: str, variations: int, ways: LedWith) -> tuple[Array, Array] | None:
     """Return the last stroke of a recipe, real (F,) and made (ways, 1 + variations, F).
 
     None where this D has no such stroke; NaN where it cannot be drawn.
     """
-    letter, role = how.rsplit(",", maxsplit=1)[-1].split()[:2]
+    letter, role = _led_stroke(how)
     try:
         (piece,) = strokes_in_role(role, _shelf(take, how, Settings.star())[letter])
     except LetterError:
         return None
     real = piece.shown.position
-    made = np.full((len(LED_WITH), 1 + variations, 2 * DIRECTION_STEPS), np.nan)
-    for row, (settings, transform) in zip(made, LED_WITH.values(), strict=True):
+    made = np.full((len(ways), 1 + variations, 2 * DIRECTION_STEPS), np.nan)
+    for row, (settings, transform) in zip(made, ways.values(), strict=True):
         try:
             led = follow_recipe(how, _shelf(take, how, settings), transform)[-1]
         except (SettingError, LetterError):
@@ -230,20 +264,18 @@ def _varied(piece: Piece, size: float, number: int) -> Piece:
     return piece.led(start=piece.at("start") + start, goal=piece.at("goal") + goal)
 
 
-def _answers(bowls: Sequence[_Bowl], way: str, varied: bool, less: bool) -> Answers:
+def _answers(bowls: Sequence[_Bowl], way: tuple[int, str], varied: bool, less: bool) -> Answers:
     """Return one question with its answers."""
-    number, which = list(LED_WITH).index(way), slice(1, None) if varied else slice(1)
+    which = slice(1, None) if varied else slice(1)
     found: list[tuple[int, str, str | None]] = []
     guess: list[float] = []
     for bowl in bowls:
-        named = bowl.named(number, which, less)
-        found += [
-            (take, writer, name)
-            for take, writer, row in zip(bowl.takes, bowl.writers, named, strict=True)
-            for name in row
-        ]
-        whose, allowed = np.array(bowl.writers), bowl.neighbours()
-        own = allowed & (whose[:, None] == whose)
-        guess += list(own.sum(axis=1) / allowed.sum(axis=1))
+        references, drawn = _References.of(bowl, bowls, less), bowl.drawn(way[0], which, less)
+        for k, (take, writer) in enumerate(zip(bowl.takes, bowl.writers, strict=True)):
+            allowed = references.allowed[k]
+            if allowed.any():
+                found += [(take, writer, name) for name in references.named(drawn[k], k)]
+                guess.append(float((references.writers[allowed] == writer).mean()))
     items = tuple((writer, name) for _, writer, name in found)
-    return Answers(question(way, varied, less), items, float(np.mean(guess)), takes_luck(found))
+    chance = float(np.mean(guess)) if guess else float("nan")
+    return Answers(question(way[1], varied, less), items, chance, takes_luck(found))

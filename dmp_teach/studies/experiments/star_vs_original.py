@@ -19,7 +19,7 @@ from dmp_teach.studies.tables import Columns, Tabled
 from dmp_teach.trajectory import Array, Trajectory, rms
 
 REPEATS_PER_TIMING = 5
-TIMED_STROKES = 12
+TIMED_STROKES = 6
 _TIMES: dict[tuple, float] = {}
 
 
@@ -32,7 +32,7 @@ class OriginalComparison(Tabled):
         kernels: How many, the same for both, shape (S,).
         error: Of DMP* and of the original form, root mean square, shape (S, 2) [m].
         time_ratio: How long DMP* takes to learn and draw, as a share of what the original form
-            takes: the median over a dozen strokes, the quickest of five tries each. Measured once
+            takes: the median over six strokes, the quickest of five tries each. Measured once
             in a process, then kept.
     """
 
@@ -75,7 +75,7 @@ def compare_with_original(
         tuple(stroke.name for stroke in kept),
         np.array([star.on(stroke.path).n_kernels for stroke in kept]),
         np.array([each for each in found if each is not None]).reshape(-1, 2),
-        _time_ratio([stroke.path for stroke in kept[:TIMED_STROKES]], variants),
+        time_ratio([stroke.path for stroke in kept], star.settings, variants[1].settings),
     )
 
 
@@ -90,8 +90,9 @@ def _errors_of_both(piece: tuple[Stroke, Variant, Variant]) -> list[float] | Non
     return [rms(position - path.position) for position in drawn]
 
 
-def _time_ratio(paths: Sequence[Trajectory], variants: tuple[Variant, Variant]) -> float:
-    """Return the time of the first variant over that of the second, kept for the same strokes."""
+def time_ratio(paths: Sequence[Trajectory], settings: Settings, original: Settings) -> float:
+    """Return the time of the settings over that of the original, kept for the same strokes."""
+    variants, paths = (Variant(settings), Variant(original)), paths[:TIMED_STROKES]
     key = (variants, *(path.position.tobytes() for path in paths))
     if key not in _TIMES:
         ratios = [_quickest(path, variants[0]) / _quickest(path, variants[1]) for path in paths]

@@ -26,10 +26,14 @@ STEADY_THRESHOLDS = (
 
 @dataclass(frozen=True)
 class RuleResult:
-    """How many strokes one rule finds, and whether that and every end is right, to 0.05 s."""
+    """How many strokes one rule finds, and whether that and every end is right, to 0.05 s.
+
+    Where the number is right, `off` is how far the worst end is from the true one [m].
+    """
 
     strokes: int
     right: bool
+    off: float = float("inf")
 
 
 @dataclass(frozen=True)
@@ -131,7 +135,12 @@ def _found(plain: Recording, rule: str, truth: tuple[Trajectory, ...]) -> RuleRe
         (s.t[0] - other.t[0], s.t[-1] - other.t[-1])
         for s, other in zip(strokes, truth, strict=True)
     ]
-    return RuleResult(len(strokes), bool(np.abs(ends).max() <= END_TOLERANCE))
+    off = [
+        float(np.linalg.norm(s.position[end] - other.position[end]))
+        for s, other in zip(strokes, truth, strict=True)
+        for end in (0, -1)
+    ]
+    return RuleResult(len(strokes), bool(np.abs(ends).max() <= END_TOLERANCE), max(off))
 
 
 def _steady(plain: Recording, count: int) -> bool:

@@ -46,7 +46,9 @@ WIDTH_VARIANTS: Mapping[str, Variant] = {
         ),
         share=None,
     ),
-    "the authors' program": Variant(Settings.as_coded(n_kernels=200), share=None),
+    "the authors' program": Variant(
+        Settings.as_coded(n_kernels=200, kernel_spread=0.02, kernel_floor=1e-10), share=None
+    ),
     "Gaussian, LWR": Variant(Settings.as_fixed()),
     "Gaussian, joint": Variant(Settings.joint()),
     "box, LWR": Variant(Settings.star(**AS_PRINTED_FIT)),
@@ -57,8 +59,8 @@ WIDTH_VARIANTS: Mapping[str, Variant] = {
 """Kernel kinds and fits for error against width; N = Num/10 except for the authors' own 200.
 
 The first has the authors' constants (N = 200, sigma 4/N, LWR, a soft spring) in the paper's mended
-formulas, the second is their program line by line: centres i/N, an underdamped spring, Euler steps
-that lag. Gaussians have sigma 4/N, with the joint fit 0.65/N.
+formulas, the second is their program with the kernels of its class that has several widths: sigma
+0.02, and 1e-10 beyond their ends. Gaussians have sigma 4/N, with the joint fit 0.65/N.
 """
 
 NUMBER_VARIANTS: Mapping[str, Variant] = {

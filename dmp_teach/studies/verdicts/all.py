@@ -6,7 +6,8 @@ from concurrent.futures import Executor
 
 from dmp_teach.studies.inputs import RecordingsLike
 from dmp_teach.studies.parallel import Progress, run
-from dmp_teach.studies.verdicts import goals, kernels, letters
+from dmp_teach.studies.readings import READINGS, Reading
+from dmp_teach.studies.verdicts import accuracy, goals, kernels, letters
 from dmp_teach.studies.verdicts.claim import Claims
 from dmp_teach.studies.verdicts.evidence import Evidence, evidence_of
 
@@ -17,8 +18,11 @@ ALL_CLAIMS = (
     kernels.truncation,
     kernels.gaps_between_kernels,
     kernels.four_widths_on_a,
+    kernels.fewer_kernels,
     kernels.number_of_kernels,
-    letters.accuracy_and_efficiency,
+    accuracy.linear_decay,
+    accuracy.accuracy_and_efficiency,
+    accuracy.state_of_the_art,
     goals.goal_on_start,
     goals.huge_accelerations,
     goals.decay_term,
@@ -28,23 +32,35 @@ ALL_CLAIMS = (
     letters.d_becomes_p,
     letters.writing_style,
     letters.any_ink,
+    letters.any_scale,
 )
 
 
 def claims(
     recordings: RecordingsLike | Evidence = None,
     *,
+    labels: str | None = None,
+    readings: tuple[Reading, ...] = READINGS,
     executor: Executor | None = None,
     progress: Progress | None = None,
 ) -> Claims:
-    """Compute every claim of the paper with its verdict, from recordings.
+    r"""Compute every claim of the paper with its verdict, from recordings.
 
     Each row has `.name`, `.claim`, `.verdict` ("HOLDS", "DOES NOT HOLD" or "DEPENDS ON"), `.figure`
-    (the numbers, as a sentence), `.depends_on` and `.call`, the line that computes the figure
-    again. The thresholds of a verdict stand in the docstring of the function that the call names.
+    (the numbers, as a sentence), `.depends_on`, `.n` (of how many), `.warning` (letters that were
+    not recorded, and what was taken instead) and `.call`, the line that computes the figure again.
+    Claims about DMP* have a verdict `.by_reading` of the paper, too, and HOLD if they do by all.
+    The thresholds of a verdict stand in the docstring of the function that the call names.
+
+        teach.claims("recordings", labels=r"(?P<character>\w)_(?P<writer>\w+)")
 
     Args:
-        recordings: Recordings, files or strokes, or `Evidence`; None takes our own alphabets.
+        recordings: Recordings, files, folders of them or strokes, or `Evidence`; None takes our own
+            alphabets.
+        labels: A pattern (regular expression) that finds letter and writer in a file's name, by a
+            group `character`, a group `writer`, or both; of a folder it takes the files that match.
+        readings: By which claims about DMP* are judged: ours, the text mended, the authors'
+            program, and as printed.
         executor: Any `concurrent.futures.Executor`; the studies send it one stroke at a time.
         progress: Called as `progress(done, total)` after each claim, such as
             `teach.progress_bar("claims")`.
@@ -52,5 +68,5 @@ def claims(
     Raises:
         RecordingError: Something that no letter can be read from.
     """
-    evidence = evidence_of(recordings, executor)
+    evidence = evidence_of(recordings, executor, labels, readings)
     return Claims(tuple(run(lambda claim: claim(evidence), ALL_CLAIMS, progress=progress)))

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from concurrent.futures import Executor
 from dataclasses import dataclass, field, replace
-from functools import cached_property
-from typing import Any
+from functools import cached_property, wraps
+from typing import Any, Concatenate, ParamSpec, TypeVar, cast
 
-from dmp_teach.dmp import DMP, Settings
-from dmp_teach.errors import RecordingError, SettingError
+import numpy as np
+
+from dmp_teach.dmp import Settings
+from dmp_teach.errors import RecordingError
 from dmp_teach.studies.authorship import answers, made, real
 from dmp_teach.studies.experiments import (
     d_to_p,
@@ -21,6 +24,7 @@ from dmp_teach.studies.experiments import (
     star_vs_original,
     stroke_segmentation,
 )
+from dmp_teach.studies.experiments.variants import PAPER_SHARE, Variant
 from dmp_teach.studies.inputs import (
     RecordingsLike,
     Stroke,
@@ -29,9 +33,37 @@ from dmp_teach.studies.inputs import (
     list_recordings,
     named_strokes,
 )
-from dmp_teach.trajectory import Trajectory
+from dmp_teach.studies.parallel import run
+from dmp_teach.studies.readings import READINGS, Reading
+from dmp_teach.studies.verdicts.single import can_learn_original, find_error, find_stray
+from dmp_teach.trajectory import Array, Trajectory
 
 KEPT_SAMPLES = 4
+# Fewer than the studies take when they are called alone: what a verdict needs.
+JUDGED_WIDTHS = (0.2, 0.5, 2 / 3, 0.8, 1.0, 1.5, 2.0, 3.0, 4.0, 10.0, 20.0, 40.0, np.inf)
+JUDGED_SHARES = (0.02, 0.04, 0.07, 0.1, 0.2, 0.5)
+JUDGED_OFFSETS = (0.005, 0.0005)
+JUDGED_RATES = (0.5, 1.0, 2.0, 3.0, 4.0, 6.0)
+JUDGED_PIECES = 5
+JUDGED_VARIATIONS = 5
+
+P = ParamSpec("P")
+R = TypeVar("R")
+
+
+def _once(
+    study: Callable[Concatenate[Evidence, P], R],
+) -> Callable[Concatenate[Evidence, P], R]:
+    """Make a study of evidence once for the same arguments."""
+
+    @wraps(study)
+    def kept(evidence: Evidence, *args: P.args, **kwargs: P.kwargs) -> R:
+        key = (study.__name__, *args, *kwargs.values())
+        if key not in evidence.kept:
+            evidence.kept[key] = study(evidence, *args, **kwargs)
+        return cast(R, evidence.kept[key])
+
+    return kept
 
 
 @dataclass(frozen=True, eq=False)
@@ -39,22 +71,29 @@ class Evidence:
     """The evidence that verdicts are computed from; every claim takes recordings, or this.
 
     Args:
-        recordings: Recordings, files or strokes; None takes our own alphabets.
-        star: How DMP* is learned in the claims about DMP*; `Settings.star()` unless given.
-        original: How the original form is learned; `Settings.original()` unless given.
+        recordings: Recordings, files, folders or strokes; None takes our own alphabets.
+        readings: The readings of the paper that claims about DMP* are judged by.
+        labels: How letters and writers are read off the names of files, as in `claims`.
         executor: Any `concurrent.futures.Executor`.
     """
 
     recordings: RecordingsLike = None
-    star: Settings = field(default_factory=Settings.star)
-    original: Settings = field(default_factory=Settings.original)
+    readings: tuple[Reading, ...] = READINGS
+    labels: str | None = None
     executor: Executor | None = None
+    # Any: what each of the studies finds.
+    kept: dict[tuple, Any] = field(default_factory=dict, repr=False)
 
     @property
     def argument(self) -> str:
-        """The argument of the call that computes a claim again."""
-        usual = self.star == Settings.star() and self.original == Settings.original()
-        return "" if usual and self.recordings is None else "recordings"
+        """The arguments of the call that computes a claim again."""
+        usual = self.readings == READINGS and self.recordings is None
+        return ("" if usual else "recordings") + ", labels=labels" * (self.labels is not None)
+
+    @cached_property
+    def read(self) -> tuple[Any, ...]:
+        """What was given, files read.  Any: recordings or strokes."""
+        return list_recordings(self.recordings, self.labels)
 
     @cached_property
     def letters(self) -> tuple[Written, ...]:
@@ -63,7 +102,7 @@ class Evidence:
         Raises:
             RecordingError: A stroke that is not 2-D: these claims are about ink on a page.
         """
-        found = list_letters(self.recordings)
+        found = list_letters(self.read)
         for letter in found:
             for stroke in letter.strokes:
                 if stroke.dimensions != 2:
@@ -76,113 +115,162 @@ class Evidence:
     @cached_property
     def open_letters(self) -> tuple[Written, ...]:
         """The letters, or our own where all strokes are closed, which the original form refuses."""
-        open_strokes = map(self._can_learn_original, named_strokes(self.letters))
+        open_strokes = map(can_learn_original, named_strokes(self.letters))
         return self.letters if any(open_strokes) else list_letters()
+
+    @cached_property
+    def open_strokes(self) -> tuple[Stroke, ...]:
+        """Their strokes that the original form can learn."""
+        return tuple(filter(can_learn_original, named_strokes(self.open_letters)))
 
     @property
     def borrowed(self) -> str:
         """Words that say whether our own letters were taken."""
         if self.open_letters is self.letters:
             return ""
-        return "; our own letters, since all strokes end where they began"
+        return "our own letters were taken, since all strokes end where they began"
 
-    def _can_learn_original(self, stroke: Stroke) -> bool:
-        try:
-            DMP.imitate(stroke.path, self.original)
-        except SettingError:
-            return False
-        return True
+    def missing(self, letters: str, instead: str) -> str:
+        """Return words that name those of the letters that were not recorded, or nothing."""
+        there = {each.character for each in self.letters}
+        absent = [letter for letter in letters if letter not in there]
+        if not absent:
+            return ""
+        words = f"not recorded: {', '.join(absent)}"
+        return words + f", so that {instead}" * (len(absent) == len(letters))
+
+    @cached_property
+    def size(self) -> float:
+        """The median size of the letters [m]."""
+        return float(np.median([letter.size for letter in self.letters]))
 
     # Any: the keywords of several studies.
-    @property
-    def _forms(self) -> dict[str, Any]:
-        return {"settings": self.star, "original": self.original, "executor": self.executor}
+    def _forms(self, reading: Reading) -> dict[str, Any]:
+        return {
+            **{"settings": reading.star, "original": reading.original},
+            "executor": self.executor,
+        }
 
-    @cached_property
+    @_once
+    def errors(
+        self,
+        settings: Settings,
+        stretch: float = 1.0,
+        pace: float = 1.0,
+        *,
+        share: float = PAPER_SHARE,
+    ) -> Array:
+        """Return the error of every open stroke as a share of its size, (S,).
+
+        The strokes are drawn `stretch` times as large and `pace` times as fast beforehand, seen by
+        the same clock; kernels are a `share` of their samples.
+        """
+        variant = Variant(settings, share)
+        pieces = [(each.path, variant, stretch, pace) for each in self.open_strokes]
+        return np.array(run(find_error, pieces, self.executor))
+
+    @_once
     def widths(self) -> error_curves.ErrorCurves:
-        """Error against kernel width."""
-        return error_curves.sweep_kernel_width(self.letters, executor=self.executor)
+        """Return error against kernel width."""
+        return error_curves.sweep_kernel_width(self.letters, JUDGED_WIDTHS, executor=self.executor)
 
-    @cached_property
+    @_once
     def numbers(self) -> error_curves.ErrorCurves:
-        """Error against the number of kernels."""
-        return error_curves.sweep_kernel_number(self.letters, executor=self.executor)
+        """Return error against the number of kernels."""
+        return error_curves.sweep_kernel_number(self.letters, JUDGED_SHARES, executor=self.executor)
 
-    @cached_property
+    @_once
     def fewer_samples(self) -> error_curves.ErrorCurves:
-        """The same with every fourth sample of every stroke that has enough of them."""
+        """Return the same with every fourth sample of every stroke that has enough of them."""
         paths = [stroke.path for stroke in named_strokes(self.letters)]
         kept = [
             Trajectory(path.t[::KEPT_SAMPLES], path.position[::KEPT_SAMPLES])
             for path in paths
             if len(path) >= 12 * KEPT_SAMPLES
         ]
-        return error_curves.sweep_kernel_number(kept or paths, executor=self.executor)
+        return error_curves.sweep_kernel_number(
+            kept or paths, JUDGED_SHARES[-3:], executor=self.executor
+        )
 
-    @cached_property
-    def small_shifts(self) -> goal_change.GoalChanges:
-        """Goals moved by 0.01 m in one coordinate."""
-        return goal_change.change_goals_1d(self.open_letters, **self._forms)
+    @_once
+    def shifts(self, reading: Reading, shift: float) -> goal_change.GoalChanges:
+        """Return goals moved in one coordinate (0.01 m), or in two (0.1 m)."""
+        study = goal_change.change_goals_1d if shift < 0.05 else goal_change.change_goals_2d
+        return study(self.open_letters, shift, **self._forms(reading))
 
-    @cached_property
-    def large_shifts(self) -> goal_change.GoalChanges:
-        """Goals moved by 0.1 m in two."""
-        return goal_change.change_goals_2d(self.open_letters, **self._forms)
+    @_once
+    def strays(self, original: Settings) -> Array:
+        """Return how far each open stroke strays whose goal is its start, shape (S,) [m]."""
+        return np.array(
+            run(find_stray, [(s.path, original) for s in self.open_strokes], self.executor)
+        )
 
-    @cached_property
-    def closeness(self) -> goal_near_start.GoalsNearStart:
-        """Goals near the start."""
-        return goal_near_start.change_goals_near_start(self.open_letters, **self._forms)
+    @_once
+    def closeness(self, reading: Reading) -> goal_near_start.GoalsNearStart:
+        """Return goals near the start."""
+        return goal_near_start.change_goals_near_start(
+            self.open_letters, ways=JUDGED_OFFSETS, **self._forms(reading)
+        )
 
-    @cached_property
-    def first(self) -> initial_acceleration.InitialAcceleration:
-        """Initial accelerations."""
+    @_once
+    def first(self, reading: Reading) -> initial_acceleration.InitialAcceleration:
+        """Return initial accelerations."""
         return initial_acceleration.measure_initial_acceleration(
-            self.letters, settings=self.star, executor=self.executor
+            self.letters, settings=reading.star, executor=self.executor
         )
 
-    @cached_property
-    def redrawn(self) -> redraw.Redrawings:
-        """The letters a, b, e and m drawn again."""
-        return redraw.redraw_letters(self.letters, settings=self.star, executor=self.executor)
+    @_once
+    def redrawn(self, reading: Reading) -> redraw.Redrawings:
+        """Return the letters a, b, e and m drawn again."""
+        return redraw.redraw_letters(self.letters, settings=reading.star, executor=self.executor)
 
-    @cached_property
+    @_once
     def new_letters(self) -> d_to_p.MadeLetters:
-        """Every D made into a P."""
-        return d_to_p.make_p_from_d(self.letters, executor=self.executor)
+        """Return every D made into a P, by each reading, the original form and similarity."""
+        ways = {each.name: each.star for each in self.readings}
+        others = {name: form for name, form in d_to_p.goal_transforms().items() if name != "DMP*"}
+        return d_to_p.make_p_from_d(self.letters, ways | others, executor=self.executor)
 
-    @cached_property
+    @_once
     def lifts(self) -> stroke_segmentation.Segmentation:
-        """Strokes as the paper finds them."""
-        return stroke_segmentation.compare_segmentation(
-            list_recordings(self.recordings), executor=self.executor
-        )
+        """Return strokes as the paper finds them."""
+        return stroke_segmentation.compare_segmentation(self.read, executor=self.executor)
 
-    @cached_property
+    @_once
     def hands(self) -> answers.Attributions:
-        """Made letters attributed to their writers."""
+        """Return made letters attributed to their writers, as each reading led them."""
         given = None if self.recordings is None else self.letters
-        return made.attribute_made_letters(given, executor=self.executor)
+        led: dict[str, tuple[Settings, str | None]]
+        led = {each.name: (each.star, "star") for each in self.readings}
+        led["original"] = made.LED_WITH["original"]
+        return made.attribute_made_letters(given, JUDGED_VARIATIONS, led, executor=self.executor)
 
-    @cached_property
+    @_once
     def real_hands(self) -> answers.Attributions:
-        """Real letters attributed to their writers."""
+        """Return real letters attributed to their writers."""
         return real.classify_writers(self.letters, executor=self.executor)
 
-    @cached_property
-    def against(self) -> star_vs_original.OriginalComparison:
-        """DMP* against the original form."""
-        return star_vs_original.compare_with_original(self.open_letters, **self._forms)
+    @_once
+    def time_ratio(self, reading: Reading) -> float:
+        """Return the time that DMP* takes, as a share of what Ijspeert's form takes."""
+        paths = [each.path for each in self.open_strokes]
+        return star_vs_original.time_ratio(paths, reading.star, Settings.original())
 
-    @cached_property
-    def shapes(self) -> random_ink.RandomInkErrors:
-        """Random ink."""
-        return random_ink.learn_random_ink(self.star, executor=self.executor)
+    @_once
+    def shapes(self, reading: Reading) -> random_ink.RandomInkErrors:
+        """Return random ink."""
+        return random_ink.learn_random_ink(
+            reading.star, JUDGED_RATES, JUDGED_PIECES, executor=self.executor
+        )
 
 
 def evidence_of(
-    recordings: RecordingsLike | Evidence, executor: Executor | None = None
+    recordings: RecordingsLike | Evidence,
+    executor: Executor | None = None,
+    labels: str | None = None,
+    readings: tuple[Reading, ...] = READINGS,
 ) -> Evidence:
     """Return the evidence from recordings; evidence is returned as it is."""
-    evidence = recordings if isinstance(recordings, Evidence) else Evidence(recordings)
-    return evidence if executor is None else replace(evidence, executor=executor)
+    if isinstance(recordings, Evidence):
+        return recordings if executor is None else replace(recordings, executor=executor)
+    return Evidence(recordings, readings, labels, executor)

@@ -1,0 +1,40 @@
+"""What is asked of a single stroke."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from dmp_teach.dmp import DMP, Settings
+from dmp_teach.errors import SettingError
+from dmp_teach.studies.experiments.variants import Variant, rms_error
+from dmp_teach.studies.inputs import Stroke
+from dmp_teach.trajectory import Trajectory
+
+
+def can_learn_original(stroke: Stroke) -> bool:
+    """Return whether the original form can learn a stroke: no coordinate ends where it began."""
+    try:
+        DMP.imitate(stroke.path, Settings.original(n_kernels=1))
+    except SettingError:
+        return False
+    return True
+
+
+def find_stray(piece: tuple[Trajectory, Settings]) -> float:
+    """Return how far one stroke gets from its start where that is its goal [m]."""
+    learned = DMP.imitate(*piece)
+    away = learned.rollout(goal=learned.start).position - learned.start
+    return float(np.linalg.norm(away, axis=1).max())
+
+
+def find_error(piece: tuple[Trajectory, Variant, float, float]) -> float:
+    """Return the error of one stroke as a share of its size."""
+    path, variant, stretch, pace = piece
+    t, position = path.t, path.position
+    if pace != 1:
+        t = np.linspace(t[0], t[-1], max(12, round(len(t) / pace)))
+        position = np.column_stack([np.interp(t, path.t, x) for x in path.position.T])
+        t = t[0] + (t - t[0]) / pace
+    path = Trajectory(t, stretch * position)
+    error = rms_error(path, variant.on(path))
+    return error / float(np.ptp(path.position, axis=0).max())
