@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from dmp_teach.scoring.linear_map import centre, fit_linear_map, size_ratio
 from dmp_teach.scoring.matching import Matching
 from dmp_teach.scoring.overlay import ways_to_nearest
-from dmp_teach.scoring.resampling import Resampled, features, rms_radius, squared_distances
+from dmp_teach.scoring.resampling import Resampled, dot, features, rms_radius, squared_distances
 from dmp_teach.scoring.trimming import (
     CHANGE_PENALTY,
     Line,
@@ -237,11 +237,16 @@ def _follow_closest_points(
     inks = [(mine.points, yours.points) for mine, yours in problem.inks]
     shifts = np.array([a.mean(axis=0) - linear @ b.mean(axis=0) for a, b in inks])
     unit = scale * rms_radius(centre(np.concatenate([yours for _, yours in inks]))) or 1.0
+    before = None
     for _ in range(rounds):
-        pairs = []
+        pairs, closest = [], []
         for ink, (a, b), shift in zip(problem.inks, inks, shifts, strict=True):
             there, back = _closest_points(*ink, linear, shift, unit)
             pairs.append((np.concatenate([a, a[back]]), np.concatenate([b[there], b])))
+            closest += [there, back]
+        if before is not None and all(map(np.array_equal, closest, before)):
+            break
+        before = closest
         linear = fit_linear_map(
             np.concatenate([centre(a) for a, _ in pairs]),
             np.concatenate([centre(b) for _, b in pairs]),
@@ -252,7 +257,7 @@ def _follow_closest_points(
     for (mine, yours), shift in zip(problem.inks, shifts, strict=True):
         fitted = replace(yours, points=yours.points @ linear.T + shift)
         to_model, to_writing = ways_to_nearest(mine, fitted)
-        far.append(((to_model**2).sum(axis=1), (to_writing**2).sum(axis=1)))
+        far.append((dot(to_model, to_model), dot(to_writing, to_writing)))
     return _Solution(problem, linear, shifts, far, scale)
 
 
@@ -261,7 +266,7 @@ def _closest_points(
 ) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
     """Return the closest point of the model for each of the writing, and the reverse."""
     directions = yours.directions @ linear.T
-    directions /= np.maximum(np.sqrt((directions**2).sum(axis=1, keepdims=True)), 1e-12)
+    directions /= np.maximum(np.sqrt(dot(directions, directions)), 1e-12)[:, None]
     apart = squared_distances(
         features(mine.points / unit, mine.directions),
         features((yours.points @ linear.T + shift) / unit, directions),

@@ -11,7 +11,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from dmp_teach.scoring.resampling import Resampled, squared_distances
+from dmp_teach.scoring.resampling import Resampled, dot, squared_distances
 from dmp_teach.trajectory import Array
 
 MOST_SHIFTS = 40
@@ -34,7 +34,7 @@ def lay_on(ink: Resampled, other: Resampled) -> Array:
 
 def rms_apart(ink: Resampled, other: Resampled) -> float:
     """Return how far two inks are from the nearest of each other (rms, both ways) [as points]."""
-    squares = [(away**2).sum(axis=1).mean() for away in ways_to_nearest(ink, other)]
+    squares = [dot(away, away).mean() for away in ways_to_nearest(ink, other)]
     return float(np.sqrt(np.mean(squares)))
 
 
@@ -48,15 +48,15 @@ def ways_to_nearest(ink: Resampled, other: Resampled) -> tuple[Array, Array]:
 
 def _to_line(points: Array, ink: Resampled, vertex: NDArray[np.intp]) -> Array:
     """Return what leads points (P, 2) to the nearest place of ink beside its vertices (P,)."""
-    pieces = np.clip(vertex + np.array([[-1], [0]]), 0, len(ink.points) - 2)
+    pieces = np.minimum(np.maximum(vertex + np.array([[-1], [0]]), 0), len(ink.points) - 2)
     begin, along = ink.points[pieces], ink.points[pieces + 1] - ink.points[pieces]
     # Between two strokes there is no ink, only their ends.
     gap = ink.stroke[pieces] != ink.stroke[pieces + 1]
     begin = np.where(gap[..., None], ink.points[vertex], begin)
     along = np.where(gap[..., None], 0.0, along)
-    at = ((points - begin) * along).sum(axis=2) / np.maximum((along**2).sum(axis=2), 1e-30)
-    away = begin + np.clip(at, 0, 1)[..., None] * along - points
-    nearer = (away**2).sum(axis=2).argmin(axis=0)
+    at = dot(points - begin, along) / np.maximum(dot(along, along), 1e-30)
+    away = begin + np.minimum(np.maximum(at, 0), 1)[..., None] * along - points
+    nearer = dot(away, away).argmin(axis=0)
     return away[nearer, np.arange(len(points))]
 
 

@@ -122,8 +122,15 @@ def features(points: Array, directions: Array) -> Array:
 
 def squared_distances(a: Array, b: Array) -> Array:
     """Return squared distances of points (..., P, D) from points (Q, D), shape (..., P, Q)."""
-    apart = (a * a).sum(axis=-1)[..., None] + (b * b).sum(axis=-1) - 2 * a @ b.T
-    return np.maximum(apart, 0.0)
+    apart = dot(a, a)[..., None] + dot(b, b) - 2 * a @ b.T
+    return np.maximum(apart, 0.0, out=apart)
+
+
+def dot(a: Array, b: Array) -> Array:
+    """Return the dot product of each vector of `a` (..., D) with that of `b`, shape (...)."""
+    # Many times as fast as (a * b).sum(axis=-1), whose loop is over D.
+    products: Array = np.einsum("...d,...d->...", a, b)
+    return products
 
 
 def size_of(strokes: Iterable[Trajectory]) -> float:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from functools import cache
 from inspect import signature
 from typing import Any, NamedTuple
 
@@ -22,6 +23,8 @@ from dmp_teach.texts import ngettext
 # The names of the model stay open, see `Wording`.
 _KEPT = {"model": "{model}", "models": "{models}"}
 
+_signature = cache(signature)
+
 
 class Wording(NamedTuple):
     """A difference in words; the model is `{model}` or, of something of its own, `{models}`."""
@@ -39,7 +42,7 @@ def word_difference(name: str, steps: float, facts: dict[str, Any]) -> Wording:
         steps: By how many of the steps that an eye begins to see.
         facts: What is known of it, such as degrees or the number of the stroke.
     """
-    wanted = signature(_WORDINGS[name]).parameters
+    wanted = _signature(_WORDINGS[name]).parameters
     return _WORDINGS[name](steps, **{key: facts[key] for key in facts if key in wanted})
 
 

@@ -88,12 +88,13 @@ class TeachingSession:
         pupil = self.met[-1].learn(kept)
         far = self.far if self.turns else (self.met[0].score(kept).distance,)
         next_one, seen = pupil.forget(), pupil.score(kept)
+        then = seen if next_one is pupil else next_one.score(kept)
         return replace(
             self,
             turns=(*self.turns, turn),
             shown=(*self.shown, pupil),
             met=(*self.met, next_one),
-            far=(*far, next_one.score(kept).distance),
+            far=(*far, then.distance),
             learned=(*self.learned, seen.distance),
             good=(*self.good, is_good(seen)),
             read=(*self.read, read_letter(kept, self.letter) is None),
@@ -109,8 +110,10 @@ class TeachingSession:
         must(isinstance(is_yes, bool | np.bool_), "answer", is_yes, "True or False")
         if not self.turns:
             return self
-        next_one = self.shown[-1].answer(is_yes).forget()
-        far = next_one.score(self.placed).distance
+        pupil = self.shown[-1].answer(is_yes)
+        next_one, far = pupil.forget(), self.learned[-1]
+        if next_one is not pupil:
+            far = next_one.score(self.placed).distance
         turns = (*self.turns[:-1], replace(self.turns[-1], answer=bool(is_yes)))
         return replace(self, turns=turns, met=(*self.met[:-1], next_one), far=(*self.far[:-1], far))
 
