@@ -1,6 +1,7 @@
 import numpy as np
 import pytest
 from hypothesis import strategies as st
+from scipy.spatial import cKDTree
 
 from dmp_teach.robot.layout import lay_out
 from dmp_teach.robot.page import Page
@@ -32,13 +33,12 @@ def pieces(plan):
 
 
 def distances(points, path):
-    """From each point to the polyline through `path` [m]."""
-    a, b = path[:-1], path[1:]
-    along = b - a
-    part = ((points[:, None] - a) * along).sum(-1) / np.maximum((along**2).sum(-1), 1e-30)
-    return np.linalg.norm(
-        points[:, None] - a - np.clip(part, 0, 1)[..., None] * along, axis=-1
-    ).min(axis=1)
+    """From each point to the polyline through `path` [m], by the pieces at its nearest corners."""
+    corners = cKDTree(path).query(points, min(30, len(path)))[1]
+    pieces = np.clip(np.concatenate([corners - 1, corners], axis=1), 0, len(path) - 2)
+    away, along = points[:, None] - path[pieces], (path[1:] - path[:-1])[pieces]
+    part = (away * along).sum(-1) / np.maximum((along**2).sum(-1), 1e-30)
+    return np.linalg.norm(away - np.clip(part, 0, 1)[..., None] * along, axis=-1).min(axis=1)
 
 
 @law(letter=ink.letters())
