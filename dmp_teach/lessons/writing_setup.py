@@ -182,5 +182,8 @@ def tell_push(force: float, pen: str) -> str:
     if force > BREAKING_FORCE:
         words = _("The pen was pushed with up to {n} N. A real one breaks at {breaks:g} N.")
         if pen == "rigid":
-            words += " " + _("Now try the pen with a spring.")
+            words = _(
+                "The pen broke: it was pushed with up to {n} N, and {breaks:g} N are enough. Now "
+                "try the pen with a spring."
+            )
     return words.format(n=tell_number(force, BREAKING_FORCE, 0), breaks=BREAKING_FORCE)

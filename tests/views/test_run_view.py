@@ -115,6 +115,22 @@ def test_the_pen_slides_in_a_run_and_is_put_back_for_a_plan(run, stage):
     assert "pen_link" not in {clip["path"].split("/")[-1] for clip in plan[-1]["animations"]}
 
 
+def test_a_rigid_pen_breaks_where_it_is_pushed_too_hard_and_writes_no_more():
+    motion = sway()
+    force = pressed(motion).force + 20 * (motion.t > 1.5)
+    run = replace(pressed(motion), motion=motion, pen="rigid", force=force)
+    stage = Stage(run.motion, run)
+    assert stage.breaks_at == pytest.approx(1.5, abs=0.01)
+    assert stage.ink.t.max() <= stage.breaks_at
+    clips = {clip["path"].split("/")[-1]: clip for clip in commands(stage)[-1]["animations"]}
+    assert clips["pen_link"]["clip"]["tracks"][0]["name"] == ".quaternion"
+    whole, broken = ({each.name: each for each in stage.robot(t)} for t in (1.49, 1.52))
+    tip = next(name for name in whole if name.startswith("pen_tip"))
+    moved = np.linalg.norm(broken[tip].vertices - whole[tip].vertices, axis=1)
+    assert moved.min() > 0.05
+    assert np.isinf(Stage(run.planned).breaks_at)
+
+
 def test_the_drawn_pen_touches_the_paper_where_the_ink_is(run, stage):
     for row in np.flatnonzero(run.contact)[::60]:
         tip = stage.model.frame("pen_tip", run.motion.q[row], run.motion.joint_names)[0, :3, 3]

@@ -23,7 +23,12 @@ from dmp_teach.views.scene.pen_force import FORCE_SHADES, shade_rgb
 from dmp_teach.views.scene.ribbon import Ribbon
 from dmp_teach.views.scene.shapes import ColoredMesh, build_floor, place_lamp
 from dmp_teach.views.scene.stage import Stage, build_visual, load_robot_model
-from dmp_teach.views.scene.tracks import build_ink_track, build_joint_track, find_link_paths
+from dmp_teach.views.scene.tracks import (
+    build_break_track,
+    build_ink_track,
+    build_joint_track,
+    find_link_paths,
+)
 
 INK_HEX = 0x0072B2
 PLAN_HEX = 0x9AA1A9
@@ -134,6 +139,8 @@ def record_stage(stage: Stage) -> tuple[bytes, ...]:
         node.set_transform(joint.pose(column[:1])[0])
         if np.ptp(column) > 0:
             clips[node.path] = _build_clip(build_joint_track(joint, times, column))
+    if np.isfinite(stage.breaks_at):
+        clips[viewer[paths["pen_link"]].path] = _build_clip(build_break_track(stage.breaks_at))
     if len(stage.ink.t):
         clips[viewer["ink/<object>"].path] = _build_clip(build_ink_track(stage.ink))
     viewer.set_animation(Animation(clips), play=False)

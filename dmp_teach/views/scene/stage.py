@@ -8,7 +8,17 @@ from functools import cached_property, lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from dmp_teach.robot import JOINTS, PENS, START_POSTURES, Model, Motion, Page, Run, Visual
+from dmp_teach.robot import (
+    BREAKING_FORCE,
+    JOINTS,
+    PENS,
+    START_POSTURES,
+    Model,
+    Motion,
+    Page,
+    Run,
+    Visual,
+)
 from dmp_teach.texts import gettext as _
 from dmp_teach.texts import ngettext
 from dmp_teach.trajectory import Array, Trajectory
@@ -23,6 +33,11 @@ INK_WIDTH = 0.0022
 INK_HEIGHT = 0.0006
 PLAN_WIDTH = 0.0008
 PLAN_HEIGHT = 0.0003
+
+BROKEN_PEN = np.array(
+    [[1, 0, 0, 0], [0, 0.6, -0.8, 0], [0, 0.8, 0.6, 0], [0, 0, 0, 1]], dtype=float
+)
+"""How a broken pen hangs in its holder, a pose (4, 4)."""
 
 # What cameras are fitted to: moments of the writing, and points of the letter.
 _MOMENTS = 7
@@ -84,13 +99,27 @@ class Stage:
         return self.motion.t[rows] - self.motion.t[0], self.motion.q[rows]
 
     @cached_property
+    def breaks_at(self) -> float:
+        """When a rigid pen is pushed harder than it survives [s]; infinity: never."""
+        if self.run is None or self.run.pen != "rigid":
+            return np.inf
+        hard = self.run.t[self.run.force > BREAKING_FORCE]
+        return float(hard[0] - self.run.t[0]) if len(hard) else np.inf
+
+    @cached_property
     def ink(self) -> Ribbon:
-        """The nib's ink in its order, as wide as a run was pressed."""
+        """The nib's ink in its order, as wide as a run was pressed, until the pen breaks."""
         run = self.run
         if run is None:
             strokes = () if self.motion is None else find_inked_strokes(self.motion)
             return build_ribbon(strokes, INK_WIDTH, INK_HEIGHT)
-        strokes = tuple(Trajectory(stroke.t - run.t[0], stroke.position) for stroke in run.ink)
+        begin, last = run.t[0], run.t[0] + self.breaks_at
+        whole = [(each, int(np.searchsorted(each.t, last))) for each in run.ink]
+        strokes = tuple(
+            Trajectory(each.t[:count] - begin, each.position[:count])
+            for each, count in whole
+            if count > 1
+        )
         return build_ribbon(strokes, lambda t: find_ink_width(_find_force(run, t)), INK_HEIGHT)
 
     @cached_property
@@ -149,6 +178,10 @@ class Stage:
         """Return the robot's shell in the world at time `t` [s], or the pen alone."""
         model = self.model
         poses = model.link_poses(self.joints(t), self.joint_names)
+        if t >= self.breaks_at:
+            X = poses["pen_link"]
+            broken = X @ BROKEN_PEN @ np.linalg.inv(X)
+            poses |= {link: broken @ poses[link] for link in ("pen_link", "pen_tip")}
         return tuple(
             build_visual(visual, f"{visual.link} {number}").moved(
                 poses[visual.link][0] @ visual.X_link_visual

@@ -11,7 +11,10 @@ from dmp_teach.robot import Joint
 from dmp_teach.trajectory import Array
 from dmp_teach.views.scene.packing import KeyframeTrack
 from dmp_teach.views.scene.ribbon import Ribbon
-from dmp_teach.views.scene.stage import load_robot_model
+from dmp_teach.views.scene.stage import BROKEN_PEN, load_robot_model
+
+# A pen breaks in that time [s].
+SNAP = 0.05
 
 
 @lru_cache(maxsize=1)
@@ -32,6 +35,15 @@ def build_joint_track(joint: Joint, times: Array, positions: Array) -> KeyframeT
     turns = scipy.spatial.transform.Rotation.from_matrix(poses[:, :3, :3]).as_quat()
     # Steps of 1/65536 are 0.03 mm at the end of the arm, and compress well.
     return KeyframeTrack("quaternion", "quaternion", times, np.rint(turns * 65536) / 65536)
+
+
+def build_break_track(t: float) -> KeyframeTrack:
+    """Return how a pen breaks at a time [s]: it snaps, and hangs in its holder."""
+    whole, broken = scipy.spatial.transform.Rotation.from_matrix(
+        [np.eye(3), BROKEN_PEN[:3, :3]]
+    ).as_quat()
+    times = np.array([0.0, t, t + SNAP])
+    return KeyframeTrack("quaternion", "quaternion", times, np.array([whole, whole, broken]))
 
 
 def build_ink_track(ink: Ribbon) -> KeyframeTrack:
