@@ -3,6 +3,7 @@
 import re
 import time
 from itertools import product
+from string import ascii_lowercase
 
 import numpy as np
 import pytest
@@ -56,6 +57,20 @@ def test_a_check_says_no_at_the_start_and_yes_to_a_solution_that_the_sliders_hav
         if not isinstance(value, str):
             steps = value / float(f"{value:.2g}") if knob.is_log else value / knob.step
             assert steps == pytest.approx(round(steps)), name
+
+
+def test_every_lesson_runs_with_a_schools_own_letters(tmp_path):
+    for letter in ascii_lowercase:
+        file = tmp_path / f"{letter}.json"
+        teach.write_recording(teach.recording_of(letter, "slanted"), file)
+    try:
+        teach.use_script(tmp_path)
+        for key in KEYS:
+            lesson = teach.lesson(key, pupil="w03")
+            found = [lesson.check(answer_of(lesson, at)) for at in (lesson.start, lesson.solution)]
+            assert [verdict.done for verdict in found] == [False, True], key
+    finally:
+        teach.use_script(None)
 
 
 def test_neighbours_have_other_challenges_and_a_pupil_has_the_same_again(key):
