@@ -8,12 +8,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from itertools import chain
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from dmp_teach.errors import RecordingError
+from dmp_teach.errors import RecordingError, TrajectoryError
 from dmp_teach.files import is_pseudonym
 from dmp_teach.formats.hand_pace import LIFT_DURATION, at_hand_pace
 from dmp_teach.formats.safe_xml import finite_number
@@ -27,7 +26,9 @@ LONGEST_LABEL = 40  # a longer text is no label ...
 LONGEST_OWN_LABEL = 1000  # ... but in a file of ours, where it can be nothing else
 TAP = 0.02  # how long a single point lasts [s]
 LONGEST_STROKE = 3600.0  # [s]
+MOST_FAULTS_TOLD = 3  # in a note
 NO_UNIT = "The file says no unit of length: its letters are taken to be 50 mm high."
+NO_INK = "has no stroke of a pen that was down, so there is no ink in it."
 NO_TIMES = "The file says no times: the ink is written at a hand's pace."
 
 
@@ -68,30 +69,48 @@ class FlatLetter:
 
 
 def flat_recordings(
-    letters: Sequence[FlatLetter], scale: float | None = 1.0
+    letters: Sequence[FlatLetter], scale: float | None = 1.0, faults: Sequence[str] = ()
 ) -> tuple[Recording, ...]:
     """Return the letters of a file as recordings; the clock of each begins at 0.
 
+    A letter that cannot be is left out, and the notes of the others tell it.
+
     Args:
-        letters: With at least one stroke each.
+        letters: Those without strokes are left out.
         scale: The metres in a unit of the points; None where the file does not say.
+        faults: Why other letters of the file are left out already, a sentence each.
 
     Raises:
-        RecordingError: All ink is far larger or smaller than a hand's, a time that cannot be, or
-            as `add_lifts`.
+        RecordingError: No letter can be read, or all ink is far smaller than a hand's.
     """
+    left_out, read = list(faults), []
+    letters = [letter for letter in letters if letter.strokes]
+    notes = (NO_UNIT,) if scale is None else ()
     with np.errstate(all="ignore"):
-        ink = [[stroke.xy for stroke in letter.strokes] for letter in letters]
-        notes = (NO_UNIT,) if scale is None else ()
-        scale = _usual_scale(ink) if scale is None else scale
-        check_size([xy * scale for xy in chain.from_iterable(ink)])
-    return tuple(_recording(letter, scale, notes) for letter in letters)
+        if scale is None and letters:
+            scale = _usual_scale([[stroke.xy for stroke in each.strokes] for each in letters])
+        for number, letter in enumerate(letters):
+            try:
+                read.append(_recording(letter, scale or 1.0, notes))
+            except (RecordingError, TrajectoryError) as error:
+                name = f"letter {number}" if letter.character is None else repr(letter.character)
+                left_out.append(str(error) if len(letters) == 1 else f"{name}: {error}")
+    if not read:
+        raise RecordingError([*left_out, NO_INK][0])
+    check_size([stroke.position for each in read for stroke in each.strokes()])
+    if left_out:
+        more = len(left_out) - MOST_FAULTS_TOLD
+        told = [*left_out[:MOST_FAULTS_TOLD], *([f"And {more} more."] if more > 0 else [])]
+        note = f"Of this file is left out what cannot be read: {' '.join(told)}"
+        read = [replace(each, notes=(*each.notes, note)) for each in read]
+    return tuple(read)
 
 
 def _recording(letter: FlatLetter, scale: float, notes: tuple[str, ...]) -> Recording:
     """Return one letter."""
     strokes = letter.strokes
     rows = [stroke.xy * scale for stroke in strokes]
+    check_size(rows, smallest=-1.0)
     forces = [stroke.force for stroke in strokes if stroke.force is not None]
     is_forced = len(forces) == len(strokes)
     if is_forced:
@@ -149,11 +168,14 @@ def on_one_clock(times: Sequence[Array], rows: Sequence[Array]) -> list[tuple[Ar
     return laid
 
 
-def check_size(strokes: Sequence[Array]) -> None:
-    """Raise a RecordingError where strokes (K, 2) are not finite, or no hand writes that size."""
+def check_size(strokes: Sequence[Array], smallest: float = SMALLEST_INK) -> None:
+    """Raise a RecordingError where strokes (K, 2) are not finite, or no hand writes that size.
+
+    Of a page with other letters a dot may be the `smallest` there is [m].
+    """
     ink = np.concatenate(strokes)
     size = float(np.ptp(ink, axis=0).max()) if np.isfinite(ink).all() else np.inf
-    if not SMALLEST_INK < size < LARGEST_INK:
+    if not smallest < size < LARGEST_INK:
         raise RecordingError(
             f"the ink is {size:.4g} m large, but must be {SMALLEST_INK} to {LARGEST_INK} m; is "
             "its unit right?"

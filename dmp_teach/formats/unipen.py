@@ -53,8 +53,6 @@ def read_unipen(data: bytes, _name: str, _: CaptureOptions) -> tuple[Recording, 
         FlatLetter([stroke for k in places if (stroke := strokes[k])], label)
         for label, places in segments
     ]
-    if not all(letter.strokes for letter in letters):
-        raise RecordingError("has a letter without a pen that was down, so there is no ink in it.")
     return flat_recordings(letters, _metres(said))
 
 

@@ -1,5 +1,7 @@
 """InkML: channels as they are declared, and every quirk of tablets, forms and offices."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -258,6 +260,26 @@ def test_a_full_stop_is_a_dot_on_the_page_of_others(tmp_path):
     assert np.ptp(np.vstack([s.position for s in letter])[:, 1]) == pytest.approx(0.05)
 
 
+@pytest.mark.parametrize(
+    "bad",
+    [
+        "<trace>1 2 3 4, one 3 5 4</trace>",
+        "<trace contextRef='#nowhere'>1 2 3 4, 2 3 9 4</trace>",
+        "<trace continuation='end'>1 2 3 4, 2 3 9 4</trace>",
+        "<trace>1 2 3 4, 1e7 3 5 4</trace>",
+        "<trace>1 2 9 4, 2 3 4 4</trace>",
+    ],
+)
+def test_a_letter_that_cannot_be_read_is_left_out_of_its_page_and_told(tmp_path, bad):
+    text = inkml(labelled_body("x", bad) + labelled_body("D", BODY))
+    letter = read(tmp_path, text)
+    alone = read(tmp_path, inkml(labelled_body("D", BODY)))
+    assert letter.character == "D"
+    assert np.array_equal(letter.position, alone.position)
+    (note,) = letter.notes
+    assert re.match("Of this file is left out what cannot be read: ('x'|trace 0)", note)
+
+
 def labelled_body(label, body):
     return f'<traceGroup><annotation type="truth">{label}</annotation>{body}</traceGroup>'
 
@@ -371,10 +393,10 @@ def test_real_names_stay_out(tmp_path):
 
 SPACE = "<ink xmlns='http://www.w3.org/2003/InkML'>{}</ink>"
 BROKEN = {
-    "no ink": (SPACE.format(""), "has no trace of a pen that was down"),
+    "no ink": (SPACE.format(""), "has no stroke of a pen that was down"),
     "hover only": (
         SPACE.format('<trace type="penUp">1 2, 3 4</trace>'),
-        "has no trace of a pen that was down",
+        "has no stroke of a pen that was down",
     ),
     "not closed": ("<ink><trace>1 2", "is not well-formed XML"),
     "a word": (

@@ -287,6 +287,13 @@ def test_what_is_no_letter_is_named(tmp_path, fault):
         read_recordings(saved(tmp_path, variables))
 
 
+def test_a_letter_that_cannot_be_read_is_left_out_of_its_set_and_told(tmp_path):
+    broken = {"mixout": cells([*uci(PATHS)["mixout"][0], np.zeros((3, 99))])}
+    letters = read_recordings(saved(tmp_path, broken))
+    assert len(letters) == 3
+    assert "mixout, letter 3: moves in 0 samples" in letters[0].notes[-1]
+
+
 @settings(max_examples=20, deadline=None)
 @given(factor=st.floats(1e-6, 1e6))
 def test_the_unit_of_a_set_without_one_does_not_matter(tmp_path_factory, factor):

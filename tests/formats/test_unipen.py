@@ -59,7 +59,7 @@ def test_characters_are_letters_and_words_are_not(tmp_path):
 BROKEN = {
     "a word": (HEAD + ".PEN_DOWN\n1 2\none 2\n", "row 7 is 'one 2', but a point must have 2"),
     "no Y": (".COORD X\n.PEN_DOWN\n1\n", "has the columns X, but must have X and Y"),
-    "no ink": (HEAD, "has a letter without a pen that was down"),
+    "no ink": (HEAD, "has no stroke of a pen that was down"),
     "a part": (
         d_unipen(segments='.SEGMENT CHARACTER 0:3-1:5 OK "l"\n'),
         "row 5 is '.SEGMENT CHARACTER 0:3-1:5 .*must be of whole components, from 0 to 3",

@@ -48,22 +48,22 @@ def read_inkml(data: bytes, _name: str, _: CaptureOptions) -> tuple[Recording, .
     root = parse_xml(data, "ink", "InkML")
     contexts = Contexts(root)
     groups = labelled_letters(root, contexts.named)
-    strokes, in_metres = _read_traces(root, contexts, {each for _, some in groups for each in some})
+    shown = {each for _, some in groups for each in some}
+    strokes, faults, in_metres = _read_traces(root, contexts, shown)
     letters = [
         _letter(root, group, [stroke for trace in traces for stroke in strokes.get(trace, ())])
         for group, traces in groups
+        if not faults.keys() & set(traces)
     ]
-    letters = [letter for letter in letters if letter.strokes]
-    if not letters:
-        raise RecordingError("has no trace of a pen that was down, so there is no ink in it.")
-    return flat_recordings(letters, 1.0 if in_metres else None)
+    return flat_recordings(letters, 1.0 if in_metres else None, list(faults.values()))
 
 
 def _read_traces(
     root: Element, contexts: Contexts, shown: set[Element]
-) -> tuple[dict[Element, list[FlatStroke]], bool]:
-    """Return the strokes of the traces that are shown, and whether all are in metres."""
+) -> tuple[dict[Element, list[FlatStroke]], dict[Element, str], bool]:
+    """Return the strokes of the traces that are shown, why others have none, and if in metres."""
     strokes: dict[Element, list[FlatStroke]] = {}
+    faults: dict[Element, str] = {}
     points, in_metres = 0, True
     for trace, context in _traces_with_contexts(root):
         text = "".join(trace.itertext())
@@ -80,10 +80,11 @@ def _read_traces(
             values = read_points(text, len(form.channels), needed, MOST_POINTS - points)
             strokes[trace], known = _pen_down(values, form, trace)
         except RecordingError as error:
-            raise RecordingError(f"trace {len(strokes)} {error}") from None
+            faults[trace] = f"trace {len(strokes) + len(faults)} {error}"
+            continue
         points += len(values)
         in_metres &= known
-    return strokes, in_metres
+    return strokes, faults, in_metres
 
 
 def _traces_with_contexts(root: Element) -> Iterator[tuple[Element, InkContext]]:

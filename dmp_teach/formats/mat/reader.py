@@ -45,19 +45,20 @@ def read_sets(data: bytes, name: str, _: CaptureOptions) -> tuple[Recording, ...
     """
     variables = parse_mat(data)
     if "mixout" in variables:
-        strokes = _strokes("mixout", variables["mixout"], _pen_speeds)
+        strokes, faults = _strokes("mixout", variables["mixout"], _pen_speeds)
         labels = _character_labels(variables.get("consts"), len(strokes))
-        letters = [
-            FlatLetter([stroke], label) for stroke, label in zip(strokes, labels, strict=True)
-        ]
-        return flat_recordings(letters, None)
+        letters = [FlatLetter(stroke, label) for stroke, label in zip(strokes, labels, strict=True)]
+        return flat_recordings(letters, None, faults)
     if "demos" in variables:
         shape = variables.get("name")
         match = LASA_SHAPE.fullmatch(shape if isinstance(shape, str) else Path(name).stem)
         character = match[1].upper() if match else None
         dt = variables.get("dt")
-        strokes = _strokes("demos", variables["demos"], lambda cell: _demonstration(cell, dt))
-        return flat_recordings([FlatLetter([stroke], character) for stroke in strokes], 0.001)
+        strokes, faults = _strokes(
+            "demos", variables["demos"], lambda cell: _demonstration(cell, dt)
+        )
+        letters = [FlatLetter(stroke, character) for stroke in strokes]
+        return flat_recordings(letters, 0.001, faults)
     names = ", ".join(map(repr, list(variables)[:20])) or "none"
     raise RecordingError(
         f"has neither 'mixout' (Character Trajectories) nor 'demos' (LASA); its variables: {names}."
@@ -66,18 +67,19 @@ def read_sets(data: bytes, name: str, _: CaptureOptions) -> tuple[Recording, ...
 
 def _strokes(
     name: str, value: MatValue, make: Callable[[MatValue], FlatStroke]
-) -> list[FlatStroke]:
-    """Return what `make` makes of each of a cell array; its error gets the letter's number."""
+) -> tuple[list[list[FlatStroke]], list[str]]:
+    """Return what `make` makes of each of a cell array, or nothing, and why."""
     cells = [value] if isinstance(value, dict) else value
     if not isinstance(cells, list) or not cells:
         raise RecordingError(f"{name} must be a cell array with at least one letter.")
-    strokes = []
+    strokes, faults = [], []
     for number, cell in enumerate(cells):
         try:
-            strokes.append(make(cell))
+            strokes.append([make(cell)])
         except RecordingError as error:
-            raise RecordingError(f"{name}, letter {number}: {error}") from None
-    return strokes
+            strokes.append([])
+            faults.append(f"{name}, letter {number}: {error}")
+    return strokes, faults
 
 
 def _pen_speeds(cell: MatValue) -> FlatStroke:
