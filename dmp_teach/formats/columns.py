@@ -38,6 +38,7 @@ COLUMN_ROLES = {
     "up": "(?:is)?(?:pen)?(?:up|lifted|inair)",
     "stroke": "(?:stroke|trace|segment|path)s?(?:id|no|nr|num|number|index)?",
 }
+ARRAY_CURE = "Save t, x, y as the columns of one array of numbers."
 FEWEST_ROWS = 5
 USUAL_STEP = (0.0005, 0.5)  # from row to row [s]
 USUAL_SIZE = (0.005, 1.0)  # of ink that is in metres, where nothing says so [m]
@@ -93,6 +94,32 @@ def read_columns(
             for a, b in parts
         ]
         return flat_recordings([FlatLetter(strokes, *about, notes=tuple(notes))], scale)
+
+
+def read_arrays(
+    arrays: dict[str, Array], file: str, options: CaptureOptions
+) -> tuple[Recording, ...]:
+    """Return the letter in arrays with names, of one column or of x, y and z; as `read_columns`.
+
+    Raises:
+        RecordingError: Also where an array is no table of numbers, or not as long as the others.
+    """
+    names, columns = [], []
+    for label, array in arrays.items():
+        if array.dtype.kind not in "iufb" or array.ndim not in (1, 2) or not array.size:
+            raise RecordingError(
+                f"holds an array of shape {array.shape} and kind {array.dtype.kind!r}. {ARRAY_CURE}"
+            )
+        table = array.astype(float).reshape(len(array), -1)
+        table = table.T if len(table) < min(table.shape[1], 9) else table
+        is_place = len(arrays) > 1 and 1 < table.shape[1] <= 3
+        names += list("xyz"[: table.shape[1]]) if is_place else [label] * table.shape[1]
+        columns += list(table.T)
+    if len({len(column) for column in columns}) != 1:
+        raise RecordingError(
+            f"holds arrays of different lengths: {', '.join(map(repr, arrays))[:200]}. {ARRAY_CURE}"
+        )
+    return read_columns(np.column_stack(columns), names if len(arrays) > 1 else None, file, options)
 
 
 def _named_roles(names: Sequence[str]) -> ColumnRoles:

@@ -45,21 +45,21 @@ def read_unipen(data: bytes, _name: str, _: CaptureOptions) -> tuple[Recording, 
     columns = [name.upper() for name in said.get(".COORD", ["X", "Y"])]
     if not {"X", "Y"} <= set(columns):
         raise RecordingError(f"has the columns {' '.join(columns)[:60]}, but must have X and Y.")
-    components, segments = _components(lines, len(columns))
-    if not segments:
+    components, segments, faults = _components(lines, len(columns))
+    if not segments and not faults:
         segments = [(None, range(len(components)))]
     strokes = [_stroke(part, columns, said) for part in components]
     letters = [
         FlatLetter([stroke for k in places if (stroke := strokes[k])], label)
         for label, places in segments
     ]
-    return flat_recordings(letters, _metres(said))
+    return flat_recordings(letters, _metres(said), faults)
 
 
 def _components(
     lines: Sequence[str], width: int
-) -> tuple[list[Component], list[tuple[str | None, Sequence[int]]]]:
-    """Return all components, and each character with the numbers of its components."""
+) -> tuple[list[Component], list[tuple[str | None, Sequence[int]]], list[str]]:
+    """Return all components, each character with the numbers of its components, and faults."""
     components: list[Component] = []
     segments = []
     count = 0
@@ -78,16 +78,21 @@ def _components(
             components[-1][1].append([*row, float(count)])
             count += 1
     letters: list[tuple[str | None, Sequence[int]]] = []
-    total = 0
+    faults, total = [], 0
     for number, line in segments:
-        if (letter := _segment(line, number, len(components))) is not None:
+        try:
+            letter = _segment(line, number, len(components))
+        except RecordingError as error:
+            faults.append(str(error))
+            continue
+        if letter is not None:
             letters.append(letter)
             total += len(letter[1])
         if total > MOST_UNIPEN_LINES:
             raise RecordingError(
                 f"has more than {MOST_UNIPEN_LINES} components in its segments; cut it."
             )
-    return components, letters
+    return components, letters, faults
 
 
 def _segment(line: str, number: int, count: int) -> tuple[str | None, list[int]] | None:
@@ -124,7 +129,8 @@ def _stroke(
         t = values[:, columns.index("T")] / 1000
     elif rate is not None and 1 <= rate <= 1e5:
         t = values[:, -1] / rate
-    return FlatStroke(values[:, [columns.index("X"), columns.index("Y")]], t)
+    force = np.maximum(values[:, columns.index("P")], 0.0) if "P" in columns else None
+    return FlatStroke(values[:, [columns.index("X"), columns.index("Y")]], t, force)
 
 
 def _metres(said: dict[str, list[str]]) -> float | None:

@@ -11,14 +11,12 @@ import zipfile
 import numpy as np
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.formats.columns import read_columns
+from dmp_teach.formats.columns import ARRAY_CURE, read_arrays
 from dmp_teach.formats.registry import CaptureOptions, Format
 from dmp_teach.ink import Recording
-from dmp_teach.trajectory import Array
 
 NPY = b"\x93NUMPY"
 MOST_UNPACKED = 128_000_000  # [bytes]
-NUMPY_CURE = "Save t, x, y as the columns of one array of numbers."
 
 
 def is_numpy(data: bytes) -> bool:
@@ -33,21 +31,9 @@ def read_numpy(data: bytes, name: str, options: CaptureOptions) -> tuple[Recordi
     # NumPy, zipfile and zlib raise many kinds of errors on a damaged file.
     except Exception as error:
         raise RecordingError(
-            f"holds no array of numbers: {str(error)[:120]}. {NUMPY_CURE}"
+            f"holds no array of numbers: {str(error)[:120]}. {ARRAY_CURE}"
         ) from None
-    names, columns = [], []
-    for label, array in arrays.items():
-        table = _columns(array)
-        for k, column in enumerate(table.T):
-            wide = table.shape[1] > 1
-            names.append("xyz"[k] if wide and label and table.shape[1] <= 3 else label)
-            columns.append(column)
-    lengths = {len(column) for column in columns}
-    if len(lengths) != 1:
-        raise RecordingError(
-            f"holds arrays of different lengths: {', '.join(map(repr, arrays))[:200]}. {NUMPY_CURE}"
-        )
-    return read_columns(np.column_stack(columns), names if any(names) else None, name, options)
+    return read_arrays(arrays, name, options)
 
 
 def _array(data: bytes) -> np.ndarray:
@@ -66,7 +52,7 @@ def _array(data: bytes) -> np.ndarray:
 
 
 def _archive(data: bytes) -> dict[str, np.ndarray]:
-    """Return the arrays of a file by their names; one that is alone needs none."""
+    """Return the arrays of a file by their names."""
     if data.startswith(NPY):
         array = _array(data)
         fields = array.dtype.names
@@ -79,17 +65,7 @@ def _archive(data: bytes) -> dict[str, np.ndarray]:
         for each in parts:
             with file.open(each) as part:
                 found[each.filename.removesuffix(".npy")] = _array(part.read(MOST_UNPACKED))
-    return {"": next(iter(found.values()))} if len(found) == 1 else found
-
-
-def _columns(array: np.ndarray) -> Array:
-    """Return an array as a column for each quantity, shape (N, C)."""
-    if array.dtype.kind not in "iufb" or array.ndim not in (1, 2) or not array.size:
-        raise RecordingError(
-            f"holds an array of shape {array.shape} and kind {array.dtype.kind!r}. {NUMPY_CURE}"
-        )
-    table = array.astype(float).reshape(len(array), -1)
-    return table.T if len(table) < min(table.shape[1], 9) else table
+    return found
 
 
 FORMAT = Format("NumPy", (".npy", ".npz"), is_numpy, read_numpy)

@@ -244,7 +244,7 @@ def test_objects_and_functions_are_passed_over():
 FAULTS = {
     "neither set": (
         {"x": 1.0},
-        r"has neither 'mixout' \(Character Trajectories\) nor 'demos' \(LASA\); its variables: 'x'",
+        r"neither 'mixout' \(Character Trajectories\) nor 'demos' \(LASA\), .* its variables: 'x'",
     ),
     "no cells": ({"mixout": np.eye(3)}, "mixout must be a cell array with at least one letter"),
     "text in a cell": (
@@ -285,6 +285,18 @@ def test_what_is_no_letter_is_named(tmp_path, fault):
     variables, sentence = FAULTS[fault]
     with pytest.raises(RecordingError, match=rf"a\.mat: .*{sentence}"):
         read_recordings(saved(tmp_path, variables))
+
+
+def test_numbers_with_names_are_a_table(tmp_path):
+    t, way = np.arange(160) / 200, 0.05 * PATHS[0]
+    for variables in (
+        {"t": t, "x": way[:, 0], "y": way[:, 1]},
+        {"time": t[:, None], "pos": way, "about": "a loop"},
+        {"ink": np.column_stack([t, way])},
+    ):
+        (stroke,) = read_recording(saved(tmp_path, variables)).strokes()
+        np.testing.assert_allclose(stroke.position, way - way.min(axis=0), atol=1e-9)
+        np.testing.assert_allclose(stroke.t, t, atol=1e-9)
 
 
 def test_a_letter_that_cannot_be_read_is_left_out_of_its_set_and_told(tmp_path):

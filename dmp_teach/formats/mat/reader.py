@@ -1,4 +1,4 @@
-"""The field's two reference sets, as their authors gave them to MATLAB.
+"""The field's two reference sets, as their authors gave them to MATLAB, and arrays t, x, y.
 
 *UCI Character Trajectories* (B. Williams 2008): the cell array `mixout` holds a 3 x T matrix for
 each character: the speed of the pen to the right and up, and its force or how fast that changes, at
@@ -20,6 +20,7 @@ from pathlib import Path
 import numpy as np
 
 from dmp_teach.errors import RecordingError
+from dmp_teach.formats.columns import read_arrays
 from dmp_teach.formats.flat_ink import FlatLetter, FlatStroke, flat_recordings, label_from
 from dmp_teach.formats.mat.parser import HDF5, MatValue, parse_mat
 from dmp_teach.formats.registry import CaptureOptions, Format
@@ -37,7 +38,7 @@ def begins_like_mat(data: bytes) -> bool:
     return data.startswith((b"MATLAB", HDF5)) or data[512:520] == HDF5
 
 
-def read_sets(data: bytes, name: str, _: CaptureOptions) -> tuple[Recording, ...]:
+def read_sets(data: bytes, name: str, options: CaptureOptions) -> tuple[Recording, ...]:
     """Read the letters of a `.mat` file of either set; a LASA file says only in its name which.
 
     Raises:
@@ -59,9 +60,17 @@ def read_sets(data: bytes, name: str, _: CaptureOptions) -> tuple[Recording, ...
         )
         letters = [FlatLetter(stroke, character) for stroke in strokes]
         return flat_recordings(letters, 0.001, faults)
+    arrays = {
+        label: value
+        for label, value in variables.items()
+        if isinstance(value, np.ndarray) and value.size > 1
+    }
+    if arrays:
+        return read_arrays(arrays, name, options)
     names = ", ".join(map(repr, list(variables)[:20])) or "none"
     raise RecordingError(
-        f"has neither 'mixout' (Character Trajectories) nor 'demos' (LASA); its variables: {names}."
+        f"has neither 'mixout' (Character Trajectories) nor 'demos' (LASA), nor the numbers t, x, "
+        f"y; its variables: {names}."
     )
 
 
