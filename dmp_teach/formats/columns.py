@@ -198,7 +198,8 @@ def _on_page(
     if (xy[~lost] >= 0).all():
         xy[lost] = np.nan
     scale = roles["x"][1] or roles["y"][1]
-    size = float(np.ptp(xy[np.isfinite(xy).all(axis=1)], axis=0).max(initial=0.0))
+    known = xy[np.isfinite(xy).all(axis=1)]
+    size = float(np.ptp(known, axis=0).max()) if len(known) else 0.0
     if scale is None and USUAL_SIZE[0] <= size <= USUAL_SIZE[1]:
         scale = 1.0
         notes.append("The file says no unit of length: taken as metres.")
