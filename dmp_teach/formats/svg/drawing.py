@@ -181,7 +181,7 @@ class ShapeFinder:
         within = within.moved(transform_matrix(own.own.get("transform", "none")))
         outlines = [
             Outline(
-                list(path_strokes(shape.path, shape.place.matrix, CLIP_POINTS)),
+                path_strokes(shape.path, shape.place.matrix, CLIP_POINTS),
                 shape.look.inherited.get("clip-rule") == "evenodd",
             )
             for child in clip

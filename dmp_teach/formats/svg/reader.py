@@ -107,7 +107,7 @@ def _strokes(root: Element, is_ours: bool) -> tuple[list[Array], list[str]]:
     if bends:
         times = f"{bends} time{'s' * (bends > 1)}"
         notes.append(f"A line begins where the one before ends, {times}: the pen is lifted there.")
-    if any(is_outline(each.ways) for each in lines if each.is_closed):
+    if any(is_outline(each.ways) for each in lines):
         notes.append(f"A line runs round a narrow area, as the outline of a letter. {DRAW_LINE}")
     if not has_unit(root):
         notes.append("Its pixels are read as 96 to the inch; some programs mean 72 or 90.")
@@ -131,13 +131,13 @@ def _painted(shape: Shape, count: int, paper: Array) -> Iterator[Painted]:
             fill = None
         elif is_seen(fill, paper) and (closed or np.array_equal(fill, stroke)):
             stroke = None  # the edge of an area
-    parts = [] if fill is stroke is None else list(path_strokes(shape.path, place.matrix, count))
+    parts = [] if fill is stroke is None else path_strokes(shape.path, place.matrix, count)
     if fill is not None and parts:
         area = Outline(parts, look.inherited.get("fill-rule") == "evenodd")
         yield Painted(_dots(area), fill, place.clips, area=area)
     if stroke is not None and parts:
         width = look.width * float(np.sqrt(abs(np.linalg.det(place.matrix[:2, :2]))))
-        yield Painted(parts, stroke, place.clips, width, is_closed=closed)
+        yield Painted(parts, stroke, place.clips, width)
 
 
 def _dots(area: Outline) -> list[Array]:

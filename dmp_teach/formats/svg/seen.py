@@ -18,6 +18,7 @@ MOST_PLACES = 200_000  # that are looked at
 SLACK = 1e-3  # so near an edge is on both of its sides [share of the drawing]
 CRUMB = 0.01  # a shorter rest of a cut line is left out [share of the drawing]
 MOST_LOOKS = 3e9  # places times edges
+CORNERS = np.array([[1, 1], [-1, 1], [1, -1], [-1, -1]])
 BESIDE, CUT, PAINTED, COVERED = range(1, 5)  # why something is not seen
 WHY_UNSEEN = {
     BESIDE: "beside the page",
@@ -52,28 +53,20 @@ class Outline:
             slack: [m].
         """
         inside = np.zeros(len(points))
-        corners = np.concatenate([*self.parts, np.empty((0, 2))])
-        if not len(corners):
-            return inside
-        low, high = corners.min(axis=0) - slack, corners.max(axis=0) + slack
-        near = np.flatnonzero(((points >= low) & (points <= high)).all(axis=1))
-        if len(near) * len(corners) > MOST_LOOKS:
+        starts = np.concatenate([*self.parts, np.empty((0, 2))])
+        ends = np.concatenate([*(np.roll(part, -1, axis=0) for part in self.parts), starts[:0]])
+        low, high = starts.min(axis=0, initial=np.inf), starts.max(axis=0, initial=-np.inf)
+        near = np.flatnonzero(((points >= low - slack) & (points <= high + slack)).all(axis=1))
+        if len(near) * len(starts) > MOST_LOOKS:
             raise RecordingError("has areas with too many edges over its lines; simplify it.")
-        around = slack * np.array([[1, 1], [-1, 1], [1, -1], [-1, -1]])
-        inside[near] = np.mean([self._hold(points[near] + each) for each in around], axis=0)
+        x, y = (points[near, None] + slack * CORNERS).transpose(2, 0, 1)
+        turns = np.zeros(x.shape, int)
+        for (x0, y0), (x1, y1) in zip(starts, ends, strict=True):
+            crossed = (y0 <= y) != (y1 <= y)
+            crossed &= x < x0 + (y - y0) * (x1 - x0) / (y1 - y0)
+            turns += crossed * (1 if y1 > y0 else -1)
+        inside[near] = (turns % 2 if self.is_even_odd else turns != 0).mean(axis=1)
         return inside
-
-    def _hold(self, points: Array) -> Array:
-        """Return whether points (N, 2) are inside, shape (N,)."""
-        x, y = points.T
-        turns = np.zeros(len(points), int)
-        for part in self.parts:
-            for (x0, y0), (x1, y1) in zip(part, np.roll(part, -1, axis=0), strict=True):
-                crossed = (y0 <= y) != (y1 <= y)
-                if crossed.any():
-                    crossed &= x < x0 + (y - y0) * (x1 - x0) / (y1 - y0)
-                    turns += np.where(crossed, 1 if y1 > y0 else -1, 0)
-        return turns % 2 != 0 if self.is_even_odd else turns != 0
 
 
 # Why, and outlines of which one holds what is seen.
@@ -90,7 +83,6 @@ class Painted:
         clips: What cuts it.
         width: Of a line [m].
         area: Where it is painted all over, and its way is only its middle; None for a line.
-        is_closed: Whether a line returns to where it began.
     """
 
     ways: Sequence[Array]
@@ -98,7 +90,6 @@ class Painted:
     clips: Sequence[Clip]
     width: float = 0.0
     area: Outline | None = None
-    is_closed: bool = False
 
 
 def look_at(

@@ -3,11 +3,10 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
 from xml.etree.ElementTree import Element
 
 import numpy as np
-from svgelements import Circle, Close, Ellipse, Line, Move, Path, PathSegment, Rect
+from svgelements import Circle, Close, Ellipse, Linear, Move, Path, PathSegment, Rect, SimpleLine
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.formats.safe_xml import local_tag
@@ -16,38 +15,29 @@ from dmp_teach.trajectory import Array
 
 PATH_SIGNS = re.compile(r"[MmLlHhVvCcSsQqTtAaZz0-9eE+\-.,\s]*")
 LONGEST_PATH = 4_000_000  # [characters]
-SHAPES = ("path", "line", "polyline", "polygon", "circle", "ellipse", "rect")
+# What makes each, its coordinates, and those without which it is nothing.
+KINDS = {
+    "line": (SimpleLine, ("x1", "y1", "x2", "y2"), ()),
+    "circle": (Circle, ("cx", "cy", "r"), ("r",)),
+    "ellipse": (Ellipse, ("cx", "cy", "rx", "ry"), ("rx", "ry")),
+    "rect": (Rect, ("x", "y", "width", "height", "rx", "ry"), ("width", "height")),
+}
+SHAPES = {"path", "polyline", "polygon", *KINDS}
 
 
 def path_of_shape(element: Element, view: Array) -> Path | None:
-    """Return one of `SHAPES` as a path; None for one that has no size.
-
-    Args:
-        element: The shape.
-        view: How wide and high the view is that it is in, shape (2,).
-    """
+    """Return one of `SHAPES` in a `view` (2,) as a path; None for one that has no size."""
     kind = local_tag(element)
-    if kind == "path":
-        return _parsed_path(element.get("d") or "")
-    if kind in ("polyline", "polygon"):
-        end = "z" if kind == "polygon" else ""
-        return _parsed_path("M" + (element.get("points") or "").strip() + end)
-
-    def value(*names: str) -> tuple[float, ...]:
-        return tuple(coordinate(element, name, view) or 0.0 for name in names)
-
-    if kind == "line":
-        return _parsed_path("M{} {} L{} {}".format(*value("x1", "y1", "x2", "y2")))
-    if kind == "circle":
-        return Path(Circle(*value("cx", "cy", "r"))) if value("r") > (0,) else None
-    # A radius that is not said is like the other one.
-    said = [coordinate(element, name, view) for name in ("rx", "ry")]
-    rx, ry = (own if own is not None else other or 0.0 for own, other in (said, said[::-1]))
-    if kind == "ellipse":
-        return Path(Ellipse(*value("cx", "cy"), rx, ry)) if min(rx, ry) > 0 else None
-    x, y, wide, high = value("x", "y", "width", "height")
-    radii = (min(rx, wide / 2), min(ry, high / 2)) if min(rx, ry) > 0 else (0.0, 0.0)
-    return Path(Rect(x, y, wide, high, *radii)) if min(wide, high) > 0 else None
+    if kind not in KINDS:
+        points = element.get("points") or ""
+        ends = {"polyline": f"M{points}", "polygon": f"M{points}z"}
+        return _parsed_path(ends.get(kind, element.get("d") or ""))
+    make, names, sizes = KINDS[kind]
+    values = {name: coordinate(element, name, view) for name in names}
+    said = {name: value for name, value in values.items() if value is not None}
+    if kind == "ellipse":  # a radius that is not said is like the other one
+        said = {"rx": said.get("ry", 0.0), "ry": said.get("rx", 0.0)} | said
+    return Path(make(said)) if all(said.get(name, 0.0) > 0 for name in sizes) else None
 
 
 def is_closed(path: Path) -> bool:
@@ -72,32 +62,28 @@ def _parsed_path(text: str) -> Path:
     )
 
 
-def path_strokes(path: Path, matrix: Array, count: int) -> Iterator[Array]:
-    """Yield the strokes of a path, points (K, 2) on the page [m].
+def path_strokes(path: Path, matrix: Array, count: int) -> list[Array]:
+    """Return the strokes of a path, points (K, 2) on the page [m].
 
     Args:
         path: In the units of its drawing.
         matrix: From there to the page, shape (3, 3).
         count: How many points a curve gets.
     """
-    points: list[Array] = []
-    for segment in [*path, Move((0, 0))]:
-        if not isinstance(segment, Move):
-            points.append(_segment_points(segment, count))
-            continue
-        if points:
-            yield np.vstack(points) @ matrix[:2, :2].T + matrix[:2, 2]
-        points = []
+    strokes: list[list[Array]] = []
+    for segment in path:
+        if isinstance(segment, Move) or not strokes:
+            strokes.append([])
+        if not isinstance(segment, Move) and segment.end is not None:
+            strokes[-1].append(_segment_points(segment, count))
+    return [np.vstack(each) @ matrix[:2, :2].T + matrix[:2, 2] for each in strokes if each]
 
 
 def _segment_points(segment: PathSegment, count: int) -> Array:
     """Return points along a segment, its ends among them, shape (K, 2)."""
+    shares = np.linspace(0, 1, 2 if isinstance(segment, Linear) else count)
     try:
-        if isinstance(segment, Line | Close):
-            ends = [segment.start, segment.end] if segment.end else []
-        else:
-            ends = [segment.point(share) for share in np.linspace(0, 1, count)]
-        return np.array([(float(end.x), float(end.y)) for end in ends]).reshape(-1, 2)
+        return np.asarray(segment.npoint(shares), float)
     except (ValueError, ArithmeticError, TypeError):
         raise RecordingError(
             "draws a curve that cannot be followed: its numbers are too large. Mend the path."
