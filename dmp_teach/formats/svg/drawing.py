@@ -57,14 +57,11 @@ class Place:
         """Return a place within, whose units `matrix` (3, 3) brings to these."""
         return replace(self, matrix=self.matrix @ matrix)
 
-    def cut(self, why: int, outlines: list[Outline]) -> Place:
-        """Return the place where only what is in one of `outlines` is seen."""
-        return replace(self, clips=(*self.clips, (why, outlines)))
-
-    def box(self, left: float, top: float, size: Array) -> list[Outline]:
-        """Return the outline of a box, whose `size` has shape (2,), in the units here."""
+    def cut(self, why: int, left: float, top: float, size: Array) -> Place:
+        """Return the place where only what is in a box of a `size` (2,) is seen."""
         corners = np.array([[0, 0], [1, 0], [1, 1], [0, 1]]) * size + [left, top]
-        return [Outline([corners @ self.matrix[:2, :2].T + self.matrix[:2, 2]])]
+        outline = Outline([corners @ self.matrix[:2, :2].T + self.matrix[:2, 2]])
+        return replace(self, clips=(*self.clips, (why, [outline])))
 
 
 @dataclass(frozen=True)
@@ -88,6 +85,7 @@ class ShapeFinder:
         self._styles, self._root = Styles(root), root
         self._named = {each.get("id"): each for each in root.iter()}
         self._clones = 0
+        self._clips: dict[tuple[int, bytes], Clip] = {}
         self.others: set[str] = set()
         said = self._styles.look(root, None).own
         paper = colour(said.get("background-color", said.get("background", "white")))
@@ -98,7 +96,7 @@ class ShapeFinder:
         matrix, view, page = page_view(self._root)
         place = Place(UPWARD, view)
         if page is not None:
-            place = place.cut(BESIDE, place.box(0.0, 0.0, page))
+            place = place.cut(BESIDE, 0.0, 0.0, page)
         yield from self._shapes(self._root, None, place.moved(matrix))
 
     def _shapes(
@@ -179,15 +177,18 @@ class ShapeFinder:
         own = self._styles.look(clip, None)
         within = self._clipped(own, replace(place, clips=()), depth + 1)
         within = within.moved(transform_matrix(own.own.get("transform", "none")))
-        outlines = [
-            Outline(
-                path_strokes(shape.path, shape.place.matrix, CLIP_POINTS),
-                shape.look.inherited.get("clip-rule") == "evenodd",
-            )
-            for child in clip
-            for shape in self._shapes(child, own, within, depth)
-        ]
-        return replace(place, clips=(*place.clips, *within.clips)).cut(CUT, outlines)
+        key = (id(clip), within.matrix.tobytes())
+        if key not in self._clips:
+            shapes = [each for child in clip for each in self._shapes(child, own, within, depth)]
+            outlines = [
+                Outline(
+                    path_strokes(shape.path, shape.place.matrix, CLIP_POINTS),
+                    shape.look.inherited.get("clip-rule") == "evenodd",
+                )
+                for shape in shapes
+            ]
+            self._clips[key] = (CUT, outlines)
+        return replace(place, clips=(*place.clips, *within.clips, self._clips[key]))
 
 
 def _inner_view(element: Element, sized: Element, look: Look, place: Place) -> Place:
@@ -201,7 +202,7 @@ def _inner_view(element: Element, sized: Element, look: Look, place: Place) -> P
     size = np.array([said("width", place.view[0]), said("height", place.view[1])])
     box = view_box(element)
     if look.own.get("overflow", "hidden") not in ("visible", "auto"):
-        place = place.cut(CUT, place.box(x, y, size))
+        place = place.cut(CUT, x, y, size)
     place = replace(place.moved(translation(x, y)), view=size)
     if box is None:
         return place

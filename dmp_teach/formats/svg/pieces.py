@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from itertools import pairwise
 
 import numpy as np
+import scipy
 
 from dmp_teach.trajectory import Array, arc_lengths, interpolate_points, path_length
 
@@ -18,18 +19,21 @@ NARROW = 0.2  # how wide a closed line may be that is an outline [share of its s
 
 def unrepeated(strokes: Sequence[Array]) -> list[Array]:
     """Return strokes, points (K, 2) each, without those that were drawn before."""
-    kept: list[Array] = []
-    seen = np.empty((len(strokes), COMPARED, 2))
-    for way in strokes:
-        along = arc_lengths(way)
-        even = interpolate_points(np.linspace(0, along[-1], COMPARED), along, way)
-        slack = REPEATED * np.ptp(way, axis=0).max() + 1e-6
-        before = seen[: len(kept)]
-        near = before[np.abs(before[:, 0] - even[0]).max(axis=1) < slack]
-        if not (np.abs(near - even).max(axis=(1, 2)) < slack).any():
-            seen[len(kept)] = even
-            kept.append(way)
-    return kept
+    strokes = list({way.tobytes(): way for way in strokes}.values())
+    along = [arc_lengths(way) for way in strokes]
+    shares = np.linspace(0, 1, COMPARED)
+    even = np.array(
+        [interpolate_points(shares * s[-1], s, way) for s, way in zip(along, strokes, strict=True)]
+    )
+    slacks = REPEATED * np.ptp(even, axis=1).max(axis=1) + 1e-6
+    marks = even[:, [0, COMPARED // 2, -1]].reshape(-1, 6)
+    near = scipy.spatial.KDTree(marks).query_ball_point(marks, slacks, p=np.inf)
+    is_new = np.ones(len(strokes), bool)
+    for k, others in enumerate(near):
+        before = [j for j in others if j < k and is_new[j]]
+        apart = np.abs(even[before] - even[k]).max(axis=(1, 2), initial=0.0)
+        is_new[k] = not (apart < slacks[k]).any()
+    return [way for way, is_first in zip(strokes, is_new, strict=True) if is_first]
 
 
 def joined(strokes: Sequence[Array]) -> tuple[list[Array], int]:

@@ -43,7 +43,7 @@ from dmp_teach.ink import Recording
 from dmp_teach.trajectory import Array, path_length
 
 MOST_SEGMENTS = 100_000
-MOST_LINES = 10_000  # of strokes
+MOST_LINES = 5000  # of strokes
 CURVE_POINTS = (8, 128)  # the fewest and the most on one curve
 MOST_CURVE_POINTS = 60_000  # on all of them
 LARGEST_DOT = 1 / 3  # of the lines

@@ -13,11 +13,11 @@ from dmp_teach.errors import RecordingError
 from dmp_teach.trajectory import Array, arc_lengths, interpolate_points, path_length
 
 PALE = 1 / 12  # a colour that differs less from what is under it is not seen [share of white]
-LOOK_STEP = 1 / 1500  # between the places that are looked at [share of the drawing]
-MOST_PLACES = 200_000  # that are looked at
+LOOK_STEP = 1 / 1000  # between the places that are looked at [share of the drawing]
+MOST_PLACES = 100_000  # that are looked at
 SLACK = 1e-3  # so near an edge is on both of its sides [share of the drawing]
 CRUMB = 0.01  # a shorter rest of a cut line is left out [share of the drawing]
-MOST_LOOKS = 3e9  # places times edges
+MOST_LOOKS = 5e7  # places times edges
 CORNERS = np.array([[1, 1], [-1, 1], [1, -1], [-1, -1]])
 BESIDE, CUT, PAINTED, COVERED = range(1, 5)  # why something is not seen
 WHY_UNSEEN = {
@@ -59,6 +59,8 @@ class Outline:
         near = np.flatnonzero(((points >= low - slack) & (points <= high + slack)).all(axis=1))
         if len(near) * len(starts) > MOST_LOOKS:
             raise RecordingError("has areas with too many edges over its lines; simplify it.")
+        if not len(near):
+            return inside
         x, y = (points[near, None] + slack * CORNERS).transpose(2, 0, 1)
         turns = np.zeros(x.shape, int)
         for (x0, y0), (x1, y1) in zip(starts, ends, strict=True):
@@ -135,19 +137,17 @@ def _why_unseen(
     """
     why, areas = np.zeros(len(points), int), 0
     under = np.tile(paper[:3], (len(points), 1))
-    cut: dict[int, tuple[Clip, list[int]]] = {}
-    for k, each in enumerate(painted):
-        for clip in each.clips:
-            cut.setdefault(id(clip[1]), (clip, []))[1].append(k)
-    for (reason, outlines), ks in cut.values():
-        own = np.flatnonzero(np.isin(owner, ks))
-        why[own[_any_holds(outlines, points[own], slack) == 0]] = reason
+    clips = {id(clip): clip for each in painted for clip in each.clips}
+    held = {key: _any_holds(clip[1], points, slack) for key, clip in clips.items()}
+    for key, (reason, _) in clips.items():
+        owned = [k for k, each in enumerate(painted) if key in map(id, each.clips)]
+        why[np.isin(owner, owned) & (held[key] == 0)] = reason
     for k, each in enumerate(painted):
         if each.area is None:
             continue
         inside, opacity = each.area.holds(points, slack), each.colour[3]
-        for _, outlines in each.clips:
-            inside *= _any_holds(outlines, points, slack)
+        for clip in each.clips:
+            inside *= held[id(clip)]
         if 1 - opacity < PALE:
             why[(owner < k) & (inside == 1)] = COVERED
         above = (owner > k) & (inside > 0)
@@ -158,9 +158,12 @@ def _why_unseen(
     is_pale = is_seen(colours, under) == 0
     erasing = is_pale & (why == 0) & (1 - colours[:, 3] < PALE)
     why[is_pale] = PAINTED
-    for k in np.unique(owner[erasing]):
-        far, _ = scipy.spatial.KDTree(points[erasing & (owner == k)]).query(points[owner < k])
-        why[: len(far)][far < painted[k].width / 2] = COVERED
+    rubbers = np.unique(owner[erasing])
+    places = scipy.spatial.KDTree(points if len(rubbers) else points[:1])
+    for k in rubbers:
+        found = places.query_ball_point(points[erasing & (owner == k)], painted[k].width / 2)
+        under_it = np.unique(np.concatenate(found)).astype(int)
+        why[under_it[owner[under_it] < k]] = COVERED
     return why, areas
 
 

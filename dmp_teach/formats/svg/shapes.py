@@ -16,23 +16,23 @@ from dmp_teach.trajectory import Array
 PATH_SIGNS = re.compile(r"[MmLlHhVvCcSsQqTtAaZz0-9eE+\-.,\s]*")
 LONGEST_PATH = 4_000_000  # [characters]
 # What makes each, its coordinates, and those without which it is nothing.
-KINDS = {
+SIZED_SHAPES = {
     "line": (SimpleLine, ("x1", "y1", "x2", "y2"), ()),
     "circle": (Circle, ("cx", "cy", "r"), ("r",)),
     "ellipse": (Ellipse, ("cx", "cy", "rx", "ry"), ("rx", "ry")),
     "rect": (Rect, ("x", "y", "width", "height", "rx", "ry"), ("width", "height")),
 }
-SHAPES = {"path", "polyline", "polygon", *KINDS}
+SHAPES = {"path", "polyline", "polygon", *SIZED_SHAPES}
 
 
 def path_of_shape(element: Element, view: Array) -> Path | None:
     """Return one of `SHAPES` in a `view` (2,) as a path; None for one that has no size."""
     kind = local_tag(element)
-    if kind not in KINDS:
+    if kind not in SIZED_SHAPES:
         points = element.get("points") or ""
         ends = {"polyline": f"M{points}", "polygon": f"M{points}z"}
         return _parsed_path(ends.get(kind, element.get("d") or ""))
-    make, names, sizes = KINDS[kind]
+    make, names, sizes = SIZED_SHAPES[kind]
     values = {name: coordinate(element, name, view) for name in names}
     said = {name: value for name, value in values.items() if value is not None}
     if kind == "ellipse":  # a radius that is not said is like the other one
