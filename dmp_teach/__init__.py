@@ -23,7 +23,7 @@ _NAMES = {
     "ros": "write_rosbag",
     "studies": "claims choose_kernels sweep_kernel_width sweep_kernel_number change_goals_1d "
     "change_goals_2d progress_bar",
-    "views": "view read_stamp write_stamp",
+    "views": "figure view read_stamp write_stamp",
     "classroom": "explore pad Lesson Verdict challenge at_most at_least between exactly sliders "
     "RobotPupil PupilTraits TeachingSession",
     "lessons": "lesson check",

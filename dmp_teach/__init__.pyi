@@ -69,6 +69,7 @@ from dmp_teach.studies import sweep_kernel_number as sweep_kernel_number
 from dmp_teach.studies import sweep_kernel_width as sweep_kernel_width
 from dmp_teach.texts import set_language as set_language
 from dmp_teach.trajectory import Trajectory as Trajectory
+from dmp_teach.views import figure as figure
 from dmp_teach.views import figures as figures
 from dmp_teach.views import read_stamp as read_stamp
 from dmp_teach.views import view as view

@@ -23,7 +23,7 @@ JOINT_FIT_RIDGE = 1e-8
 
 
 def forcing(kernels: LaidKernels, s: Array, weights: Array, biases: Array | None) -> Array:
-    """Return f(s) at every sample, shape (M, D); 0 where no kernel is active."""
+    """Return f(s) at every sample (the paper's equation 2), (M, D); 0 where no kernel is active."""
     f = s * kernels.blend(weights)
     return f if biases is None else f + kernels.blend(biases)
 

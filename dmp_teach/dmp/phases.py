@@ -51,7 +51,7 @@ PHASES: Registry[type[Phase]] = Registry()
 
 @PHASES.add
 class Linear(Phase):
-    """s = 1 - t/T (Wu 2018; the paper's section on kernel shape)."""
+    """s = 1 - t/T (Wu 2018; what the paper's equations 7 and 9 mean by a linear decay)."""
 
     name = "linear"
 

@@ -20,7 +20,7 @@ KernelFunction = Callable[[float, int], float]
 
 
 def gaussian_kernel(N: int, sigma: float = 4.0, width: float = 1.0) -> KernelFunction:
-    """Return the truncated Gaussian kernels of equation 6; full ones for an infinite width.
+    """Return the truncated Gaussian kernels of equations 6 and 10; of 4 for an infinite width.
 
     Args:
         N: How many kernels there are.
@@ -66,7 +66,7 @@ def learn_weights(
 def original_acceleration(
     y: float, dy: float, x: float, f: float, *, y0: float, g: float, alpha_z: float, beta_z: float
 ) -> float:
-    """Return ddy by equation 1; the phase x enters by f alone."""
+    """Return ddy by equations 1 and 8; the phase x enters by f alone."""
     return alpha_z * (beta_z * (g - y) - dy) + (g - y0) * f
 
 

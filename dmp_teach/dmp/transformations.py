@@ -85,7 +85,7 @@ class Star(Transformation):
 
 @TRANSFORMATIONS.add
 class Original(Transformation):
-    """Ijspeert 2002, the paper's equation 1: each coordinate grows with its goal offset.
+    """Ijspeert 2002, the paper's equations 1 and 8: each coordinate grows with its goal offset.
 
     z'' = K o + o f - K z - D z'
     """

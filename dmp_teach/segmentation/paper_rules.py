@@ -1,9 +1,9 @@
 """Find strokes as the paper prints it and as its authors meant it, beside the rule that we use.
 
-The paper's section on stroke segmentation has two equations, dz/dt > theta and |z - mu_z| < sigma,
-and says that together they tell when a stroke has ended: the pen rises fast, and is far from the
-plane. It does not say what mu_z is, how the two are joined, how large theta and sigma are, or
-whether z is smoothed. In the first two rules here mu_z is the mean height of the whole
+The paper's section on stroke segmentation has two equations, 12 and 13, dz/dt > theta and |z -
+mu_z| < sigma, and says that together they tell when a stroke has ended: the pen rises fast, and is
+far from the plane. It does not say what mu_z is, how the two are joined, how large theta and sigma
+are, or whether z is smoothed. In the first two rules here mu_z is the mean height of the whole
 recording, lifts and all; z is always the raw height over the page.
 
 printed: the two equations to the letter, joined by *and*: a sample is off the paper where it rises

@@ -37,6 +37,8 @@ from .hand.laws import HandLaws as HandLaws
 from .hand.laws import measure_hand as measure_hand
 from .hand.power_law import Exponent as Exponent
 from .inputs import RecordingsLike as RecordingsLike
+from .inputs import list_letters as list_letters
+from .inputs import list_recordings as list_recordings
 from .other_ways.compare import WAYS as WAYS
 from .other_ways.compare import WaysTried as WaysTried
 from .other_ways.compare import WayTried as WayTried

@@ -1,4 +1,5 @@
 from .page_file import render_page as render_page
+from .paper_figure import figure as figure
 from .scene.view import STYLE_TOKENS as STYLE_TOKENS
 from .scene.view import SceneView as SceneView
 from .scene.view import view as view

@@ -170,7 +170,7 @@ def curves(errors, names=NAMES):
     x = np.array(list(errors))
     error = np.tile(1e-3 * np.array(list(errors.values())), (len(names), 2, 1))
     return ErrorCurves(
-        x, "x", names, ("a 1", "a 2"), ("a", "a"), [100, 100], error, np.ones_like(error)
+        x, "x", names, ("a 1", "a 2"), ("a", "a"), [100, 100], error, np.ones_like(error), error
     )
 
 

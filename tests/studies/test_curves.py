@@ -74,9 +74,9 @@ def test_values_are_locked_and_rows_say_their_units():
     )
     with pytest.raises(ValueError, match="read-only"):
         curves.error[0] = 0
-    assert list(curves.rows()[0]) == ["width [1/N]", "mine [mm]"]
+    assert list(curves.rows()[0]) == ["width [1/N]", "mine [mm]", "mine, sum [m]"]
     head, _, first, _ = curves.table().splitlines()
-    assert head.split() == ["width", "[1/N]", "mine", "[mm]"]
+    assert head.split()[:4] == ["width", "[1/N]", "mine", "[mm]"]
     assert float(first.split()[1]) == pytest.approx(1e3 * curves.error[0, 0, 0], rel=1e-3)
     assert str(curves) == curves.table()
     assert curves._repr_html_().count("<tr>") == 3

@@ -10,7 +10,9 @@ import pytest
 from IPython.core.formatters import PNGFormatter
 from matplotlib.figure import Figure
 
+import dmp_teach as teach
 from dmp_teach.dmp import KERNELS, Kernels
+from dmp_teach.errors import SettingError
 from dmp_teach.ink.alphabet import recording_of
 from dmp_teach.studies.experiments.d_to_p import make_p_from_d
 from dmp_teach.studies.experiments.error_curves import sweep_kernel_number, sweep_kernel_width
@@ -18,6 +20,7 @@ from dmp_teach.studies.experiments.goal_drawings import draw_goal_change, trace_
 from dmp_teach.studies.experiments.redraw import redraw_at_widths, redraw_letters
 from dmp_teach.studies.experiments.validation import choose_kernels, choose_width
 from dmp_teach.views import figures
+from dmp_teach.views.paper_figure import FIGURES
 
 A = recording_of("a")
 OURS = [A, recording_of("e"), recording_of("D")]
@@ -98,8 +101,11 @@ def test_curves_differ_by_line_and_marker_not_by_colour_alone(every):
 
 def test_the_curve_of_a_letter_is_the_median_of_its_strokes():
     curves = sweep_kernel_width(OURS, widths=(0.5, 1.0, 2.0, 4.0))
-    (panel,) = figures.draw_error_over_width(curves, "box, LWR").axes
-    shown = {line.get_label(): line.get_ydata() for line in panel.lines}
+    panel, summed = figures.draw_error_over_width(curves, "box, LWR").axes
+    shown, sums = (
+        {line.get_label(): line.get_ydata() for line in each.lines} for each in (panel, summed)
+    )
+    assert (1e3 * sums["‘D’"] > 50 * shown["‘D’"]).all()
     of_d = curves.of("box, LWR")[np.array(curves.characters) == "D"]
     np.testing.assert_allclose(shown["‘D’"], 1e3 * np.median(of_d, axis=0))
     assert {"‘a’", "‘e’", "‘D’"} <= set(shown)
@@ -145,3 +151,17 @@ def test_both_rules_stand_in_the_picture_of_a_choice():
     labels = [line.get_label() for line in panel.lines]
     assert "Num/10: 33" in labels
     assert any(label.startswith("chosen: ") for label in labels)
+
+
+@pytest.mark.parametrize("number", [2, 3, 5, 7, 8, 9, 10])
+def test_a_figure_of_the_paper_is_drawn_by_its_own_number(number):
+    titles = [panel.get_title(loc="left") for panel in teach.figure(number, OURS).axes]
+    word = {2: "(a)", 3: "DMP*", 5: "1/N", 7: "goal", 8: "mirrored", 9: "‘e’", 10: "a P"}[number]
+    assert any(word in title for title in titles)
+
+
+def test_there_are_ten_figures():
+    assert list(FIGURES) == list(range(1, 11))
+    for number in (0, 11, "4", True):
+        with pytest.raises(SettingError, match="but the paper's figures are 1 to 10"):
+            teach.figure(number)

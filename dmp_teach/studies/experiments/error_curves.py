@@ -15,8 +15,8 @@ from dmp_teach.studies.experiments.variants import (
     NUMBER_VARIANTS,
     WIDTH_VARIANTS,
     Variant,
+    both_errors,
     has_ends,
-    rms_error,
 )
 from dmp_teach.studies.inputs import RecordingsLike, Stroke, named_strokes
 from dmp_teach.studies.parallel import Progress, run
@@ -49,6 +49,8 @@ class ErrorCurves(Tabled):
         error: Root mean square distance from the demonstration, shape (V, S, K) [m]; NaN where a
             kernel cannot be so.
         numbers: How many kernels there were, shape (V, S, K).
+        euclidean: The paper's Euclidean error, the sum of the distances of all samples, shape
+            (V, S, K) [m]; it grows with the number of samples.
     """
 
     x: Array
@@ -59,9 +61,10 @@ class ErrorCurves(Tabled):
     samples: NDArray[np.int_]
     error: Array
     numbers: NDArray[np.int_]
+    euclidean: Array
 
-    def of(self, variant: str) -> Array:
-        """Return the errors of one variant, shape (S, K) [m].
+    def of(self, variant: str, error: str = "error") -> Array:
+        """Return the errors of one variant, or its "euclidean" ones, shape (S, K) [m].
 
         Raises:
             SettingError: No such variant; names those that there are.
@@ -70,7 +73,8 @@ class ErrorCurves(Tabled):
             raise SettingError(
                 f"There is no variant {variant!r}; there are: {', '.join(self.variants)}."
             )
-        return self.error[self.variants.index(variant)]
+        found: Array = getattr(self, error)[self.variants.index(variant)]
+        return found
 
     def at(self, x: float) -> Array:
         """Return the errors at one value of `x` (the nearest that was tried), shape (V, S) [m]."""
@@ -86,7 +90,12 @@ class ErrorCurves(Tabled):
     def columns(self) -> Columns:
         """The medians over strokes, a row for each x."""
         errors = zip(self.variants, self.median, strict=True)
-        return {self.x_name: self.x, **{f"{name} [mm]": 1e3 * error for name, error in errors}}
+        sums = zip(self.variants, np.median(self.euclidean, axis=1), strict=True)
+        return {
+            self.x_name: self.x,
+            **{f"{name} [mm]": 1e3 * error for name, error in errors},
+            **{f"{name}, sum [m]": error for name, error in sums},
+        }
 
 
 def sweep_kernel_width(
@@ -171,7 +180,7 @@ def _curves(
     found: Sequence[Array],
 ) -> ErrorCurves:
     """Return the curves from what was found for each stroke."""
-    error, numbers = np.stack(found, axis=2)
+    error, euclidean, numbers = np.stack(found, axis=2)
     return ErrorCurves(
         np.array(x, dtype=float),
         name,
@@ -181,12 +190,18 @@ def _curves(
         np.array([len(stroke.path) for stroke in strokes]),
         error,
         numbers.astype(int),
+        euclidean,
     )
 
 
 def _errors(piece: StrokeJob) -> Array:
-    """Return errors [m] and numbers of kernels of one stroke, shape (2, V, K)."""
+    """Return both errors [m] and numbers of kernels of one stroke, shape (3, V, K)."""
     path, rows = piece
-    errors = [[np.nan if each is None else rms_error(path, each) for each in row] for row in rows]
-    numbers = [[0 if each is None else each.n_kernels or 0 for each in row] for row in rows]
-    return np.array([errors, numbers], dtype=float)
+    found = [
+        [
+            (np.nan, np.nan, 0) if each is None else (*both_errors(path, each), each.n_kernels)
+            for each in row
+        ]
+        for row in rows
+    ]
+    return np.moveaxis(np.array(found, dtype=float), 2, 0)

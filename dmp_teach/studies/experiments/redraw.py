@@ -15,9 +15,9 @@ from dmp_teach.letters import rms_distance
 from dmp_teach.studies.inputs import RecordingsLike, Written, list_letters
 from dmp_teach.studies.parallel import Progress, run
 from dmp_teach.studies.tables import Columns, Tabled
-from dmp_teach.trajectory import Trajectory
+from dmp_teach.trajectory import Array, Trajectory
 
-FIGURE_4_WIDTHS = (1.0, 10.0, np.inf, 2 / 3)
+FIGURE_5_WIDTHS = (1.0, 10.0, np.inf, 2 / 3)
 """The kernel widths of the paper's figure 5 [1/N], best first as the paper gives their errors."""
 
 
@@ -41,12 +41,21 @@ class Redrawn:
         return np.inf if self.drawn is None else rms_distance(self.letter.strokes, self.drawn)
 
     @property
+    def euclidean(self) -> float:
+        """The paper's Euclidean error, the sum of the distances of all samples [m]."""
+        return sum(float(distances.sum()) for distances in self._distances())
+
+    @property
     def largest(self) -> float:
         """The largest distance at equal times [m]; infinite where there is no drawing."""
+        return max(float(distances.max()) for distances in self._distances())
+
+    def _distances(self) -> list[Array]:
+        """Return the distance of every sample, by stroke [m]."""
         if self.drawn is None:
-            return np.inf
+            return [np.array([np.inf])]
         pairs = zip(self.letter.strokes, self.drawn, strict=True)
-        return max(float(np.linalg.norm(p.position - q.position, axis=1).max()) for p, q in pairs)
+        return [np.linalg.norm(p.position - q.position, axis=1) for p, q in pairs]
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -64,6 +73,7 @@ class Redrawings(Tabled):
             "size [mm]": [1e3 * item.letter.size for item in self.items],
             "rms [mm]": [1e3 * item.error for item in self.items],
             "largest [mm]": [1e3 * item.largest for item in self.items],
+            "sum of distances [m]": [item.euclidean for item in self.items],
             "rms [% of size]": [100 * item.error / item.letter.size for item in self.items],
         }
 
@@ -96,7 +106,7 @@ def redraw_letters(
 def redraw_at_widths(
     recordings: RecordingsLike = None,
     letters: str = "a",
-    widths: Sequence[float] = FIGURE_4_WIDTHS,
+    widths: Sequence[float] = FIGURE_5_WIDTHS,
     settings: Settings | None = None,
     *,
     executor: Executor | None = None,

@@ -7,6 +7,8 @@ from collections.abc import Mapping
 from dataclasses import dataclass, replace
 from typing import Unpack
 
+import numpy as np
+
 from dmp_teach.dmp import DMP, KERNELS, SettingChanges, Settings
 from dmp_teach.trajectory import Trajectory, rms
 
@@ -74,7 +76,13 @@ NUMBER_VARIANTS: Mapping[str, Variant] = {
 
 def rms_error(path: Trajectory, settings: Settings) -> float:
     """Return the rms distance of the learned stroke from its demonstration, at equal times [m]."""
-    return rms(DMP.imitate(path, settings).rollout().position - path.position)
+    return both_errors(path, settings)[0]
+
+
+def both_errors(path: Trajectory, settings: Settings) -> tuple[float, float]:
+    """Return the rms distance and the sum of distances, the paper's Euclidean error [m]."""
+    apart = DMP.imitate(path, settings).rollout().position - path.position
+    return rms(apart), float(np.linalg.norm(apart, axis=1).sum())
 
 
 def has_ends(settings: Settings, width: float) -> bool:

@@ -40,7 +40,7 @@ def claims(
     recordings: RecordingsLike | Evidence = None,
     *,
     labels: str | None = None,
-    readings: tuple[Reading, ...] = READINGS,
+    readings: tuple[Reading, ...] | None = None,
     executor: Executor | None = None,
     progress: Progress | None = None,
 ) -> Claims:
@@ -59,8 +59,8 @@ def claims(
             alphabets.
         labels: A pattern (regular expression) that finds letter and writer in a file's name, by a
             group `character`, a group `writer`, or both; of a folder it takes the files that match.
-        readings: By which claims about DMP* are judged: ours, the text mended, the authors'
-            program, and as printed.
+        readings: By which claims about DMP* are judged; None: ours, the text mended, the authors'
+            program, and as printed (`studies.READINGS`).
         executor: Any `concurrent.futures.Executor`; the studies send it one stroke at a time.
         progress: Called as `progress(done, total)` after each claim, such as
             `teach.progress_bar("claims")`.
@@ -68,5 +68,5 @@ def claims(
     Raises:
         RecordingError: Something that no letter can be read from.
     """
-    evidence = evidence_of(recordings, executor, labels, readings)
+    evidence = evidence_of(recordings, executor, labels, readings or READINGS)
     return Claims(tuple(run(lambda claim: claim(evidence), ALL_CLAIMS, progress=progress)))

@@ -16,6 +16,7 @@ from .paper import draw_error_over_width as draw_error_over_width
 from .paper import draw_goal_change_over_time as draw_goal_change_over_time
 from .paper import draw_kernel_choice as draw_kernel_choice
 from .paper import draw_kernel_types as draw_kernel_types
+from .pipeline import draw_pipeline as draw_pipeline
 from .robot import draw_reach as draw_reach
 from .robot import draw_writing as draw_writing
 from .stroke import draw_strokes_by_rule as draw_strokes_by_rule

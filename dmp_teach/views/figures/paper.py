@@ -33,6 +33,11 @@ from dmp_teach.views.palette import (
 # An infinite width ("no ends") stands here on an axis of widths that ends at 40.
 INFINITE_WIDTH_PLACE = 80.0
 WIDTH_TICKS = [0.2, 0.666667, 1, 2, 4, 10, 20, 40]
+# Words and unit of both errors of a curve.
+ERRORS = {
+    "error": ("error, root mean square [mm]", 1e3),
+    "euclidean": ("Euclidean error, sum of distances [m]", 1.0),
+}
 TRACE_LOOKS: dict[str, DrawStyle] = {
     "demonstration": {"color": PERSON_COLOR, "linestyle": (0, (5, 2)), "linewidth": 2.2},
     "DMP*": {"color": ROBOT_COLOR, "linestyle": "-", "linewidth": 1.8},
@@ -70,38 +75,43 @@ def draw_kernel_types(number: int = 8) -> Figure:
 
 
 def draw_error_over_width(curves: ErrorCurves, variant: str | None = None) -> Figure:
-    """Draw the paper's figure 4: error against kernel width, a line for each letter.
+    """Draw the paper's figure 4: both errors against kernel width, a line for each letter.
 
     Args:
         curves: From `sweep_kernel_width`.
         variant: Which of `curves.variants`; the first unless given; "all" draws a line for each
             variant instead.
     """
-    figure, panel = _draw_errors(curves, variant, _place_widths(curves.x), "kernel width [1/N]")
-    panel.axvspan(1, 4, color=SHADE_COLOR, linewidth=0, zorder=0)
+    x = _place_widths(curves.x)
+    figure, panels = _draw_errors(curves, variant, x, "kernel width [1/N]")
     ends = {INFINITE_WIDTH_PLACE: "no ends"} if np.isinf(curves.x).any() else {}
-    set_log_ticks(panel.xaxis, [*WIDTH_TICKS, *ends], {0.666667: "⅔", **ends})
-    look: DrawStyle = {"transform": panel.get_xaxis_transform(), "va": "top", "color": MUTED_COLOR}
-    panel.text(2, 0.985, "1/N to 4/N", ha="center", **look)
+    for panel in panels:
+        panel.axvspan(1, 4, color=SHADE_COLOR, linewidth=0, zorder=0)
+        set_log_ticks(panel.xaxis, [*WIDTH_TICKS, *ends], {0.666667: "⅔", **ends})
+        top = panel.get_xaxis_transform()
+        look: DrawStyle = {"transform": top, "va": "top", "color": MUTED_COLOR}
+        panel.text(2, 0.985, "1/N to 4/N", ha="center", **look)
     return figure
 
 
 def draw_error_over_number(curves: ErrorCurves, variant: str | None = None) -> Figure:
-    """Draw the paper's figure 6: error against the number of kernels, a line for each letter.
+    """Draw the paper's figure 6: both errors against the number of kernels, a line for each letter.
 
     Args:
         curves: From `sweep_kernel_number`.
         variant: Which of `curves.variants`; the first unless given; "all" draws a line for each
             variant instead.
     """
-    figure, panel = _draw_errors(curves, variant, curves.x, "kernels per sample, N / Num")
-    panel.axvline(0.1, color=TEXT_COLOR, linewidth=1, linestyle=(0, (2, 2)))
-    look: DrawStyle = {"transform": panel.get_xaxis_transform(), "va": "top", "color": TEXT_COLOR}
-    panel.text(0.104, 0.985, "N = Num/10", fontsize=9, **look)
+    figure, panels = _draw_errors(curves, variant, curves.x, "kernels per sample, N / Num")
     ticks = (0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5)
     low = curves.x[0] * 0.9
     high = curves.x[-1] * 1.1
-    set_log_ticks(panel.xaxis, [tick for tick in ticks if low <= tick <= high])
+    for panel in panels:
+        panel.axvline(0.1, color=TEXT_COLOR, linewidth=1, linestyle=(0, (2, 2)))
+        top = panel.get_xaxis_transform()
+        look: DrawStyle = {"transform": top, "va": "top", "color": TEXT_COLOR}
+        panel.text(0.104, 0.985, "N = Num/10", fontsize=9, **look)
+        set_log_ticks(panel.xaxis, [tick for tick in ticks if low <= tick <= high])
     return figure
 
 
@@ -159,26 +169,28 @@ def draw_kernel_choice(choice: Choice) -> Figure:
 
 def _draw_errors(
     curves: ErrorCurves, variant: str | None, x: Array, name: str
-) -> tuple[Figure, Axes]:
-    """Draw the error over x (K,), a line for each letter or variant; return figure and panel."""
-    figure, ((panel,),) = new_figure(1, 1, 7.2, 4.6)
-    lines = _find_medians(curves, variant)
-    for (label, error), look in zip(lines.items(), cycle_looks(), strict=False):
-        panel.plot(x, 1e3 * error, label=label, **look)
+) -> tuple[Figure, list[Axes]]:
+    """Draw both errors over x (K,), a line for each letter or variant; return figure and panels."""
+    figure, (panels,) = new_figure(1, 2, 11.0, 4.4)
     shown = "medians" if variant == "all" else (variant or curves.variants[0])
-    title = f"{shown}, over {len(curves.strokes)} strokes"
-    style_axes(panel, name, "error, root mean square [mm]", title)
-    panel.set_xscale("log")
-    set_log_y_axis(panel, 1e3 * np.concatenate(list(lines.values())))
-    add_legend(panel, loc="center left", bbox_to_anchor=(1.01, 0.5))
-    return figure, panel
+    titles = f"{shown}, over {len(curves.strokes)} strokes", "as the paper sums it up"
+    for panel, (error, (words, unit)), title in zip(panels, ERRORS.items(), titles, strict=True):
+        lines = _find_medians(curves, variant, error)
+        for (label, values), look in zip(lines.items(), cycle_looks(), strict=False):
+            panel.plot(x, unit * values, label=label, **look)
+        style_axes(panel, name, words, title)
+        panel.set_xscale("log")
+        set_log_y_axis(panel, unit * np.concatenate(list(lines.values())))
+    add_legend(panels[-1], loc="center left", bbox_to_anchor=(1.01, 0.5))
+    return figure, list(panels)
 
 
-def _find_medians(curves: ErrorCurves, variant: str | None) -> dict[str, Array]:
+def _find_medians(curves: ErrorCurves, variant: str | None, error_name: str) -> dict[str, Array]:
     """Return the median of each letter's strokes in one variant, or of all strokes in each."""
     if variant == "all":
-        return dict(zip(curves.variants, curves.median, strict=True))
-    error = curves.of(variant or curves.variants[0])
+        medians = np.median(getattr(curves, error_name), axis=1)
+        return dict(zip(curves.variants, medians, strict=True))
+    error = curves.of(variant or curves.variants[0], error_name)
     letters = np.array(curves.characters)
     names = dict.fromkeys(curves.characters)
     return {f"‘{name}’": np.median(error[letters == name], axis=0) for name in names}

@@ -1,0 +1,114 @@
+"""The paper's figures by their own numbers, from anybody's recordings, in one call each."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+from matplotlib.figure import Figure
+
+from dmp_teach.errors import SettingError
+from dmp_teach.ink import Recording, recording_of
+from dmp_teach.letters import Letter
+from dmp_teach.robot import Fetch, Page
+from dmp_teach.studies import (
+    GoalPaths,
+    RecordingsLike,
+    draw_goal_change,
+    list_letters,
+    list_recordings,
+    make_p_from_d,
+    redraw_at_widths,
+    redraw_letters,
+    sweep_kernel_number,
+    sweep_kernel_width,
+    trace_goal_change,
+)
+from dmp_teach.trajectory import Trajectory
+from dmp_teach.views.figures import (
+    draw_d_to_p,
+    draw_error_over_number,
+    draw_error_over_width,
+    draw_four_widths,
+    draw_goal_change_over_time,
+    draw_goal_paths,
+    draw_kernel_types,
+    draw_pipeline,
+    draw_redrawn_letters,
+    draw_writing,
+)
+
+
+def figure(number: int, recordings: RecordingsLike = None) -> Figure:
+    """Draw one of the paper's figures again, by its own number.
+
+    1 the robot writing an a, in frames; 2 the kinds of kernel; 3 the pipeline, ours; 4 error
+    against kernel width; 5 four widths on an a; 6 error against the number of kernels; 7 a goal
+    that moves by 0.01 m, one coordinate over time; 8 one that moves by 0.1 m to where the original
+    form mirrors the letter, on paper; 9 a, b, e and m drawn again; 10 a D that becomes a P. Figures
+    4 and 6 have the paper's Euclidean error beside the root mean square.
+
+    Args:
+        number: 1 to 10.
+        recordings: Recordings, files, folders or strokes; None takes our own alphabets. Where no a
+            was recorded, figures of one letter take the first that was.
+
+    Raises:
+        SettingError: No such figure.
+        RecordingError: Something that no letter can be read from.
+        MissingPartError: For figure 1, pybullet is not installed.
+    """
+    if type(number) is not int or number not in FIGURES:
+        raise SettingError(
+            f"number is {number!r}, but the paper's figures are 1 to {len(FIGURES)}."
+        )
+    return FIGURES[number](list_recordings(recordings))
+
+
+def _robot(given: Sequence) -> Figure:
+    letter = Letter.learn(_strokes(given))
+    return draw_writing(Fetch().write(letter.write(), Page.table()))
+
+
+def _pipeline(given: Sequence) -> Figure:
+    captured = [each for each in given if isinstance(each, Recording)]
+    of_a = [each for each in captured if each.character == "a"]
+    recording = next(iter(of_a or captured), recording_of("a"))
+    letter = Letter.learn(recording)
+    return draw_pipeline(recording, letter, Fetch().write(letter.write(), Page.table()))
+
+
+def _moved_goal(given: Sequence) -> Figure:
+    return draw_goal_change_over_time(trace_goal_change(_strokes(given)[0], name="a, x"))
+
+
+def _mirrored_letter(given: Sequence) -> Figure:
+    """Draw the goal to the side on which the original form mirrors the letter, where one is."""
+    stroke = _strokes(given)[0]
+    shifts = 0.1 * np.array([[1, 0], [-1, 0], [0, 1], [0, -1]])
+    paths = [draw_goal_change(stroke, tuple(shift), "a") for shift in shifts]
+
+    def mirrors(path: GoalPaths) -> bool:
+        return bool(path.factor.min() < 0)
+
+    return draw_goal_paths(next(filter(mirrors, paths), paths[0]))
+
+
+def _strokes(given: Sequence) -> tuple[Trajectory, ...]:
+    """Return the strokes of the first a, or of the first letter where there is none."""
+    letters = list_letters(given)
+    return next((each for each in letters if each.character == "a"), letters[0]).strokes
+
+
+FIGURES: dict[int, Callable[[Sequence], Figure]] = {
+    1: _robot,
+    2: lambda _: draw_kernel_types(),
+    3: _pipeline,
+    4: lambda given: draw_error_over_width(sweep_kernel_width(given)),
+    5: lambda given: draw_four_widths(redraw_at_widths(given)),
+    6: lambda given: draw_error_over_number(sweep_kernel_number(given)),
+    7: _moved_goal,
+    8: _mirrored_letter,
+    9: lambda given: draw_redrawn_letters(redraw_letters(given)),
+    10: lambda given: draw_d_to_p(make_p_from_d(given)),
+}
