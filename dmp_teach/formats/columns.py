@@ -15,7 +15,7 @@ from itertools import pairwise
 import numpy as np
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.formats.flat_ink import FlatLetter, FlatStroke, flat_recordings
+from dmp_teach.formats.flat_ink import PIXELS, FlatLetter, FlatStroke, flat_recordings
 from dmp_teach.formats.inkml.channels import METRES, SECONDS
 from dmp_teach.formats.motive.reader import labels_in, written
 from dmp_teach.formats.motive.take import FEWEST_FRAMES
@@ -39,17 +39,26 @@ COLUMN_ROLES = {
     "stroke": "(?:stroke|trace|segment|path)s?(?:id|no|nr|num|number|index)?",
 }
 ARRAY_CURE = "Save t, x, y as the columns of one array of numbers."
+# Of `pose.position.x` and `hand_x`, but not of a speed, a turn or a force.
+LAST_WORDS = {
+    axis: rf"(?!.*(?:vel|speed|acc|rot|orient|quat|force|torque|ang|twist|grad)).*[\W_]{axis}"
+    for axis in "xyz"
+}
 FEWEST_ROWS = 5
 USUAL_STEP = (0.0005, 0.5)  # from row to row [s]
 USUAL_SIZE = (0.005, 1.0)  # of ink that is in metres, where nothing says so [m]
-LOOKED_AWAY = (0.1, 10.0)  # a pause is longer than this [s], and so many usual steps
+LOOKED_AWAY = (0.25, 10.0)  # a pause is longer than this [s], and so many usual steps
 LEAST_HEIGHT = 0.002  # a height that changes less tells no lift [m]
 ColumnRoles = dict[str, tuple[int, float | None]]
 """Which column is what, and what its unit is in SI, or None."""
 
 
 def read_columns(
-    values: Array, names: Sequence[str] | None, file: str, options: CaptureOptions
+    values: Array,
+    names: Sequence[str] | None,
+    file: str,
+    options: CaptureOptions,
+    on_screen: bool = False,
 ) -> tuple[Recording, ...]:
     """Return the letter of a table.
 
@@ -58,6 +67,7 @@ def read_columns(
         names: Of the columns, C of them; None where the file has none.
         file: The name of the file, which may tell the letter.
         options: How a pen in three dimensions looks at its page.
+        on_screen: Whether places without a unit are pixels, y down.
 
     Raises:
         RecordingError: No column for x and y, or rows that cannot be ink.
@@ -73,7 +83,7 @@ def read_columns(
             )
         columns = {role: values[:, column] for role, (column, _) in roles.items()}
         t = _seconds(columns.get("t"), roles, notes)
-        xy, scale = _on_page(columns, roles, notes)
+        xy, scale = _on_page(columns, roles, notes, on_screen)
         parts = _parts(columns, t, xy, notes)
         if not parts or sum(b - a for a, b in parts) < FEWEST_ROWS:
             raise RecordingError(
@@ -125,16 +135,24 @@ def read_arrays(
 def _named_roles(names: Sequence[str]) -> ColumnRoles:
     """Return the roles of columns with names; the first of each counts."""
     roles: ColumnRoles = {}
-    for k, name in enumerate(names):
-        words = name.strip().lower()
-        match = WITH_UNIT.fullmatch(words)
-        unit = COLUMN_UNITS.get(match[2]) if match else None
-        bare = "".join(re.findall("[a-z]+", match[1] if match and unit else words))
-        for role, rule in COLUMN_ROLES.items():
-            if bare and role not in roles and re.fullmatch(rule, bare):
+    for rules in (COLUMN_ROLES, LAST_WORDS):
+        known = set(roles)
+        for k, name in enumerate(names):
+            words = name.strip().lower()
+            match = WITH_UNIT.fullmatch(words)
+            unit = COLUMN_UNITS.get(match[2]) if match else None
+            bare = match[1] if match and unit else words
+            if rules is COLUMN_ROLES:
+                bare = "".join(re.findall("[a-z]+", bare))
+            role = next((each for each, rule in rules.items() if re.fullmatch(rule, bare)), None)
+            if role in roles and role in tuple("xyz") and role not in known:
+                raise RecordingError(
+                    f"has two columns for {role}, {names[roles[role][0]]!r} and {name!r}; leave "
+                    "those of the pen in it."
+                )
+            if bare and role is not None and role not in roles:
                 # A column may be called "ms" and nothing else.
                 roles[role] = (k, unit or (COLUMN_UNITS.get(bare) if role == "t" else None))
-                break
     return roles
 
 
@@ -190,7 +208,7 @@ def _seconds(times: Array | None, roles: ColumnRoles, notes: list[str]) -> Array
 
 
 def _on_page(
-    columns: dict[str, Array], roles: ColumnRoles, notes: list[str]
+    columns: dict[str, Array], roles: ColumnRoles, notes: list[str], on_screen: bool
 ) -> tuple[Array, float | None]:
     """Return the places (N, 2), y up, and the metres in their unit; None where unknown."""
     xy = np.column_stack([columns["x"], columns["y"]])
@@ -204,7 +222,9 @@ def _on_page(
         scale = 1.0
         notes.append("The file says no unit of length: taken as metres.")
     if scale == METRES["px"]:
-        notes.append("Pixels are taken as 96 to the inch, and y as down the screen.")
+        notes.append(PIXELS)
+    if scale == METRES["px"] or (scale is None and on_screen):
+        notes.append("Taken is that y points down the screen.")
         xy = xy * [1, -1]
     else:
         notes.append("Taken is that y points up the page.")
@@ -226,7 +246,7 @@ def _parts(
     ends = np.zeros(len(down), dtype=bool)
     if "stroke" in columns:
         ends[1:] = np.diff(columns["stroke"]) != 0
-    elif t is not None and not {"down", "up", "force", "z"} & set(columns):
+    elif t is not None and "z" not in columns and len(find_runs(down)) == 1:
         step = np.diff(t)
         pause = max(LOOKED_AWAY[0], LOOKED_AWAY[1] * float(np.nanmedian(step)))
         ends[1:] = step > pause

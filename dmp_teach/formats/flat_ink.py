@@ -29,6 +29,7 @@ LONGEST_STROKE = 3600.0  # [s]
 MOST_FAULTS_TOLD = 3  # in a note
 NO_UNIT = "The file says no unit of length: its letters are taken to be 50 mm high."
 NO_INK = "has no stroke of a pen that was down, so there is no ink in it."
+PIXELS = "Its pixels are read as 96 to the inch; some programs mean 72 or 90."
 NO_TIMES = "The file says no times: the ink is written at a hand's pace."
 
 

@@ -10,7 +10,7 @@ from pathlib import Path
 from dmp_teach.errors import RecordingError, TrajectoryError
 from dmp_teach.files import contents
 from dmp_teach.formats.registry import CaptureOptions, Format, known_formats
-from dmp_teach.formats.strangers import describe_stranger
+from dmp_teach.formats.strangers import describe_stranger, describe_text
 from dmp_teach.ink import Recording
 
 LETTERS_IN_A_SENTENCE = 60
@@ -114,7 +114,7 @@ def _format_of(data: bytes, name: str) -> Format:
             return each
     kinds = ", ".join(map(str, known_formats()))
     what, cure = describe_stranger(data) or (
-        "nothing that is known here",
+        describe_text(data),
         "write the pen's places as a table with the columns t, x, y, or record it on the pad",
     )
     raise RecordingError(f"{name} looks like {what}, but ink is read from {kinds}: {cure}.")

@@ -18,6 +18,7 @@ ROBOT = "write the poses as CSV with the columns t, x, y, z"
 NOTES = "export the page as InkML or SVG, with its pen strokes"
 PENLESS = "record the letter on the pad, or write the pen's places as CSV: t, x, y"
 TO_NUMBERS = "write its numbers as CSV with the columns t, x, y"
+NAME_COLUMNS = "write the names of its columns for the count above them: y x t pen ... pressure"
 FONT = "set the letter in a single-line font, convert it to paths, and save that as SVG"
 
 
@@ -61,7 +62,7 @@ KINDS = (
     Kind("an archive (xz)", r"\xfd7zXZ", UNPACK),
     Kind("an archive (Zstandard)", r"\x28\xb5\x2f\xfd", UNPACK),
     Kind("an archive (tar)", r".{257}ustar", UNPACK),
-    Kind("a font", r"\x00\x01\x00\x00\x00.\x00|OTTO|ttcf|wOF[F2]|true\x00", FONT),
+    Kind("a font", r"\x00\x01\x00\x00\x00[\x01-\x40][\x00-\x10]|OTTO|ttcf|wOF[F2]|true\x00", FONT),
     Kind("a film", r".{4}(?:ftyp|moov|mdat)|RIFF.{4}AVI|\x1a\x45\xdf\xa3|FLV", PENLESS),
     Kind("a sound", r"RIFF.{4}WAVE|ID3|OggS|fLaC|\xff[\xfb\xf3\xf2]", PENLESS),
     Kind("a ROS 1 bag", r"#ROSBAG", ROBOT),
@@ -82,13 +83,13 @@ KINDS = (
     ),
     Kind(
         "a machine's program (G-code)",
-        r"(?:[%;(][^\n]*\n|\s)*(?:N\d+ *)?[GM]\d{1,3}\b",
+        r"(?:[%;(][^\n]*\n|\s)*(?:N\d+ *)?[GMT]\d{1,3}\b",
         FROM_PROGRAM,
     ),
-    Kind("a tablet's log (SVC2004 or PaHaW)", r"\s*\d+\s*\n(?:-?\d+ +){6}-?\d+\s*\n", TO_NUMBERS),
+    Kind("a tablet's log (SVC2004 or PaHaW)", r"\s*\d+\s*\n(?:-?\d+ +){6}-?\d+\s*\n", NAME_COLUMNS),
     Kind("the UJI pen characters", r"(?:[^\n]*\n){0,40}?WORD \S+ \S+\s+NUMSTROKES", TO_NUMBERS),
     Kind("a notebook (Jupyter)", r'\s*\{(?=.*"(?:cells|nbformat)"\s*:)', PENLESS),
-    Kind("a web page", r"\s*(?:<!DOCTYPE html|<html)", PENLESS),
+    Kind("a web page", r"\s*(?i:<!doctype html|<html)", PENLESS),
     Kind("a map (GeoJSON)", r'\s*\{.{0,200}"FeatureCollection"', TO_NUMBERS),
     Kind("IAM-OnDB ink", r".{0,300}<WhiteboardCaptureSession", TO_NUMBERS),
     Kind("notes of Xournal", r".{0,300}<xournal", NOTES),
@@ -96,7 +97,8 @@ KINDS = (
     Kind("an XML file of another kind", r"\s*<\?xml|\s*<[A-Za-z]", PENLESS),
     Kind("pickled Python objects", r"\x80[\x02-\x05]", "save the array with numpy.save"),
     Kind("a table (Parquet or Arrow)", r"PAR1|ARROW1", TO_NUMBERS),
-    Kind("data (HDF5)", r"\x89HDF", TO_NUMBERS),
+    Kind("data (HDF5)", r"\x89HDF", TO_NUMBERS + ", or by MATLAB with '-v7'"),
+    Kind("a program (Python)", r"(?:#[^\n]*\n|\s)*(?:import|from|def|class) \w", PENLESS),
     Kind("a program", r"MZ|\x7fELF|#!|\xca\xfe\xba\xbe|\xcf\xfa\xed\xfe", PENLESS),
 )
 IN_ZIP = (
@@ -124,6 +126,13 @@ def describe_stranger(data: bytes) -> tuple[str, str] | None:
         if re.match(kind.signs.encode("latin-1"), begin, re.DOTALL):
             return kind.name, kind.cure
     return None
+
+
+def describe_text(data: bytes) -> str:
+    """Return in a word or two whether a file without a kind can be read by people."""
+    begin = data[:BEGIN_OF_STRANGER].decode("utf-8", errors="replace")
+    is_text = "\0" not in begin and begin.count("\ufffd") < 0.1 * len(begin)
+    return "text without a row of numbers" if is_text else "nothing that is known here"
 
 
 def _names_in_zip(data: bytes) -> list[str]:

@@ -46,7 +46,7 @@ def read_other_json(data: bytes, name: str, options: CaptureOptions) -> tuple[Re
     width = alike[0].shape[1]
     gap = np.full((1, width), np.nan)
     rows = [part for table in alike if table.shape[1] == width for part in (table, gap)]
-    return read_columns(np.concatenate(rows), names, name, options)
+    return read_columns(np.concatenate(rows), names, name, options, on_screen=True)
 
 
 def _first_strokes(content: object) -> list[TableStroke]:

@@ -84,12 +84,11 @@ def test_every_unit_of_length_is_known(tmp_path, unit):
     for stroke in strokes:
         stroke[:, 1:3] *= UNITS[unit]
     form = FORCED.replace('units="mm"', f'units="{unit}"')
-    check_d(
-        read(
-            tmp_path,
-            inkml("".join(trace(s, "{x:.9f} {y:.9f} {t:.3f} {f:.0f}") for s in strokes), form),
-        )
+    letter = read(
+        tmp_path, inkml("".join(trace(s, "{x:.9f} {y:.9f} {t:.3f} {f:.0f}") for s in strokes), form)
     )
+    check_d(letter)
+    assert any("96 to the inch" in note for note in letter.notes) == (unit == "px")
 
 
 @pytest.mark.parametrize(("unit", "share"), [("ms", 1), ("s", 0.001), ("us", 1000)])

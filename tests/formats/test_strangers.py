@@ -64,8 +64,10 @@ STRANGERS = {
     b'<?xml version="1.0"?><robot name="fetch"/>': "a robot's model .URDF.",
     b"<note>x</note>": "an XML file of another kind",
     b"\x80\x04\x95\x10\0": "pickled Python objects",
+    b"\x89HDF\r\n\x1a\n": "data .HDF5.",
+    b"# a script\nimport numpy as np\n": "a program .Python.",
     b"PAR1\x15\x04": "a table .Parquet",
-    b"Dear Anna, thank you for your letter.": "nothing that is known here.*columns t, x, y",
+    b"Dear Anna, thank you for your letter.": "text without a row of numbers.*columns t, x, y",
     bytes(range(128, 256)): "nothing that is known here",
 }
 

@@ -96,6 +96,7 @@ TIMED = {
     "savetxt": savetxt(),
     "savetxt with a head": savetxt(header="t x y", delimiter="\t"),
     "a frame number": text("Frame,Time,X,Y", columns=(0, 0, 1, 2)),
+    "poses": text("%time,field.seq,pose.position.x,pose.position.y", columns=(0, 0, 1, 2)),
     "npy": npy(array()),
     "npy lying": npy(array().T),
     "npy of fields": npy(FIELDS),
@@ -195,6 +196,7 @@ def test_a_height_lifts_the_pen(tmp_path, head):
 
 FAULTS = {
     "no x": (text("t,velocity,y"), "which columns are x and y.*'velocity'"),
+    "two markers": (text("t,x1,y1,x2", columns=(0, 1, 2, 1)), "two columns for x, 'x1' and 'x2'"),
     "many columns": (b"1 2 3 4 5 6\n" * 20, "which columns are x and y.*6, without names"),
     "few rows": (b"t,x,y\n0,1,2\n", "fewer than 5 rows"),
     "rows of other lengths": (text() + b"1,2,3,4\n", "has 4 cells, but the first one 3"),

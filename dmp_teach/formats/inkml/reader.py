@@ -18,6 +18,7 @@ import numpy as np
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.formats.flat_ink import (
+    PIXELS,
     FlatLetter,
     FlatStroke,
     flat_recordings,
@@ -143,12 +144,14 @@ def _letter(root: Element, group: Element, strokes: list[FlatStroke]) -> FlatLet
     baseline = lengths_in_mm(annotation(root, ("baseline",)), 1)
     label = annotation(group, LABELS)
     writer = annotation(group, ("writer",)) or annotation(root, ("writer",))
+    units = {each.get("units") for each in root.iter() if local_tag(each) == "channel"}
     return FlatLetter(
         strokes,
         label_from(label) if origin is None else own_label(label),
         pseudonym_from(writer),
         origin,
         None if baseline is None or origin is None else float(baseline[0]),
+        (PIXELS,) if units & {"px", "pixel", "pixels"} else (),
     )
 
 

@@ -35,7 +35,7 @@ LASA_SHAPE = re.compile(r"([A-Za-z])_?[Ss]hape.*")
 
 def begins_like_mat(data: bytes) -> bool:
     """Tell whether a file is MATLAB's, of any version since 5."""
-    return data.startswith((b"MATLAB", HDF5)) or data[512:520] == HDF5
+    return data.startswith(b"MATLAB") or data[512:520] == HDF5
 
 
 def read_sets(data: bytes, name: str, options: CaptureOptions) -> tuple[Recording, ...]:
