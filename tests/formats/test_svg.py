@@ -113,6 +113,7 @@ SAME = {
         '20)"/>'
     ),
     "drawn twice": svg(L + '<polyline points="10,20 10,60 40,60" stroke="red"/>'),
+    "drawn there and back": svg(L + '<path d="M40 60H10V20"/>'),
     "sketched twice": svg(L + '<path d="M10.4 20.3 V60.3 L39.6 60.1"/>'),
     "a symbol": svg(
         '<symbol id="s" viewBox="0 0 20 16"><path d="M2 4V12H8"/></symbol>'

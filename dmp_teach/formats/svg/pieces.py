@@ -12,6 +12,8 @@ from dmp_teach.trajectory import Array, arc_lengths, interpolate_points, path_le
 
 REPEATED = 0.03  # how far apart two lines may be that are one drawn twice [share of its size]
 COMPARED = 24  # points
+PIECE = 0.2  # a line so short may be the piece of one that goes back [share of the drawing]
+FORWARD = np.array([1.0, 0.6])  # lines are compared as if they went there
 MEETING = 1e-3  # how near the end of a piece the next one begins [share of the drawing]
 SMOOTH = 0.5  # cosine of the largest turn where a pen goes on
 NARROW = 0.2  # how wide a closed line may be that is an outline [share of its size]
@@ -25,7 +27,12 @@ def unrepeated(strokes: Sequence[Array]) -> list[Array]:
     even = np.array(
         [interpolate_points(shares * s[-1], s, way) for s, way in zip(along, strokes, strict=True)]
     )
-    slacks = REPEATED * np.ptp(even, axis=1).max(axis=1) + 1e-6
+    lengths = np.ptp(even, axis=1).max(axis=1)
+    is_back = (lengths > PIECE * np.ptp(even, axis=(0, 1)).max()) & (
+        (even[:, -1] - even[:, 0]) @ FORWARD < 0
+    )
+    even[is_back] = even[is_back, ::-1]
+    slacks = REPEATED * lengths + 1e-6
     marks = even[:, [0, COMPARED // 2, -1]].reshape(-1, 6)
     near = scipy.spatial.KDTree(marks).query_ball_point(marks, slacks, p=np.inf)
     is_new = np.ones(len(strokes), bool)
