@@ -162,8 +162,10 @@ def _declarations(text: str) -> Properties:
 
 
 def colour(text: str) -> Array:
-    """Return red, green, blue and opacity, shape (4,); black for a pattern or an unknown one."""
+    """Return red, green, blue and opacity, shape (4,): grey for a pattern, black if unknown."""
     name, *values = re.split(r"[\s,/()]+", text.strip(") "))
+    if name == "url":
+        return np.full(4, 0.5)
     if len(values) == 4 and values[3].endswith("%"):
         values[3] = str(share(values[3]))
     try:
