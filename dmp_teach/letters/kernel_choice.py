@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 from dmp_teach.dmp import DMP, Settings
 from dmp_teach.scoring import size_of
@@ -28,21 +29,29 @@ def imitate_strokes(
     if settings is not None:
         return tuple(DMP.imitate(stroke, settings) for stroke in strokes)
     accepted = ACCEPTED_ERROR * size_of(strokes)
-    return tuple(_imitate_within(stroke, accepted) for stroke in strokes)
+    return tuple(imitate_within(accepted, stroke, Settings.star()) for stroke in strokes)
 
 
-def _imitate_within(stroke: Trajectory, accepted: float) -> DMP:
-    """Return the primitive of as many kernels as it takes, or the nearest of those tried."""
+def imitate_within(accepted: float, stroke: Trajectory, settings: Settings) -> DMP:
+    """Return the primitive of as many kernels as it takes, or the nearest of those tried.
+
+    Args:
+        accepted: How far its rollout may be from the stroke, root mean square [m].
+        stroke: The demonstration.
+        settings: Those to begin with.
+    """
 
     def error(primitive: DMP) -> float:
         return rms(primitive.rollout().position - stroke.position)
 
-    tried = [DMP.imitate(stroke)]
+    tried = [DMP.imitate(stroke, settings)]
     while error(tried[-1]) > accepted and len(tried) <= MOST_DOUBLINGS:
         last = tried[-1].settings
-        finer = Settings.star(
+        finer = replace(
+            last,
             n_kernels=min(2 * (last.n_kernels or 1), len(stroke) - 1),
-            smoothing=min(2 * (last.smoothing or HIGHEST_CUTOFF), HIGHEST_CUTOFF),
+            alpha=None,
+            smoothing=last.smoothing and min(2 * last.smoothing, HIGHEST_CUTOFF),
         )
         if (finer.n_kernels, finer.smoothing) == (last.n_kernels, last.smoothing):
             break

@@ -16,7 +16,7 @@ from dmp_teach.letters.compose.shelf import Shelf
 from dmp_teach.letters.letter import Letter
 from dmp_teach.scoring.letter_score import score
 from dmp_teach.studies.experiments.d_to_p import make_p_from_d
-from dmp_teach.trajectory import Trajectory
+from dmp_teach.trajectory import Trajectory, rms
 from tests.recordings import RECORDINGS, needs_recordings
 
 FORMS = ("star", "similarity")
@@ -163,7 +163,7 @@ def test_parts_of_a_quick_letter_are_learned_as_finely_as_the_letter():
         (piece,) = Shelf.of({character: (quick,)})[character]
         size = np.ptp(quick.position, axis=0).max()
         for part in (*piece.cut(), piece.backwards()):
-            assert np.abs(part.drawn.position - part.shown.position).max() < 0.05 * size, character
+            assert rms(part.drawn.position - part.shown.position) < 0.02 * size, character
 
 
 @pytest.mark.slow

@@ -28,6 +28,8 @@ from dmp_teach.letters.compose.places import (
     point_at,
     sample_at,
 )
+from dmp_teach.letters.kernel_choice import ACCEPTED_ERROR, imitate_within
+from dmp_teach.scoring import size_of
 from dmp_teach.trajectory import Array, Trajectory, locked
 
 PIECE_TRANSFORMS = tuple(
@@ -225,10 +227,11 @@ class Piece:
         return self.primitive.goal if self.led_to is None else self.led_to
 
     def _learn(self, shown: Trajectory, number: str) -> Self:
-        """Learn another demonstration with as many kernels a second."""
+        """Learn another demonstration with as many kernels a second, or more to be as near."""
         own, share = self.primitive.settings, shown.duration / self.primitive.duration
         kernels = min(max(round(len(self.primitive.weights) * share), 1), len(shown) - 1)
-        primitive = DMP.imitate(shown, replace(own, n_kernels=kernels, alpha=None))
+        settings = replace(own, n_kernels=kernels, alpha=None)
+        primitive = imitate_within(ACCEPTED_ERROR * size_of([self.drawn]), shown, settings)
         return type(self)(primitive, shown, self.character, number, self.writer)
 
     def _from(self, start: Array) -> Self:
