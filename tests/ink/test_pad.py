@@ -142,7 +142,7 @@ def test_a_bow_is_too_fast_where_its_points_cut_it_off_however_many_there_are():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("rate", [20, 30, 60, 120])
+@pytest.mark.parametrize("rate", [25, 30, 60, 120])
 def test_no_letter_at_its_own_tempo_is_too_fast_also_for_a_slow_pad(rate):
     for character in characters():
         for stroke in dmp_teach.recording_of(character).strokes():

@@ -1,6 +1,8 @@
 """Lesson 10: its verdicts are what writers say; real writers take the place of made ones."""
 
+import re
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -21,6 +23,8 @@ from dmp_teach.lessons.tested_claims import (
     measure,
     tell_ratios,
 )
+
+NOTEBOOK = Path(__file__).parents[2] / "notebooks" / "10_be_a_scientist.ipynb"
 
 
 @pytest.fixture(autouse=True)
@@ -47,7 +51,15 @@ def test_what_the_text_says_of_the_claims_is_so(letter):
         assert find_truth(claim, 12, writers) == truth
         assert find_truth(claim, 4, writers) == TOO_FEW
     assert measure("rule", PAPERS_WAY, writers).ratios.min() > 8
+    assert 5 < np.median(measure("level", COUNTER_TEST, writers).ratios) < 12
     assert np.abs(measure("rule", COUNTER_TEST, writers).ratios - 1).max() < 1e-6
+
+
+def test_what_the_notebook_says_of_one_letter_is_so():
+    ratios = measure("rule", PAPERS_WAY, make_writers("a")).ratios
+    spread = r"\"{:.0f} times\" hides that one writer had {:.0f} and another {:.0f}"
+    words = NOTEBOOK.read_text(encoding="utf-8")
+    assert spread.format(np.median(ratios), ratios.min(), ratios.max()) in words
 
 
 def test_hands_that_we_make_differ():
@@ -79,16 +91,19 @@ def test_real_writers_of_a_folder_are_asked_where_there_are_enough(
 @pytest.mark.parametrize(
     ("verdicts", "words"),
     [
-        ("holds one_setting too_few", "12 are for it in the paper’s way (15 times) and 0 in the"),
+        (
+            "holds one_setting too_few",
+            r"12 are for it in the paper’s way \(\d\d times\) and 0 in the",
+        ),
         ("one_setting one_setting too_few", "spring and clock that were changed, too; the rule"),
-        ("unfair unfair too_few", "0.80 times in one setting and 12 times in the other"),
-        ("unfair one_setting holds", "3 writers only. 3 coins fall the same way once in 8"),
+        ("unfair unfair too_few", r"0\.\d\d times in one setting and [\d.]+ times in the other"),
+        ("unfair one_setting holds", r"3 writers only\. 3 coins fall the same way once in 8"),
         ("unfair open too_few", "Not judged yet: 2. Verdicts that stand so far: 2."),
     ],
 )
 def test_a_verdict_that_does_not_stand_is_told_by_its_numbers(verdicts, words):
     answer = {f"verdict_{n}": said for n, said in enumerate(verdicts.split(), start=1)}
-    assert words in teach.check("10", answer).reason
+    assert re.search(words, teach.check("10", answer).reason)
 
 
 def test_the_praise_counts_each_verdict_and_names_how_few_writers_there_were():

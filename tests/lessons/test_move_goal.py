@@ -7,7 +7,7 @@ import pytest
 
 import dmp_teach as teach
 from dmp_teach.dmp import Stepper
-from dmp_teach.lessons.goals import GOAL_RULES, MovedLetter, draw_moved, learn
+from dmp_teach.lessons.goals import GOAL_RULES, LEAST_SHARE, MovedLetter, draw_moved, learn
 
 VARIANTS = [teach.lesson("05", pupil=f"w{n:02d}") for n in range(30)]
 
@@ -51,7 +51,7 @@ def test_every_bet_is_on_a_mirrored_letter_that_is_hardly_wider():
 
 def test_a_goal_under_the_start_makes_the_first_rule_explode():
     led = MovedLetter("C", VARIANTS[0].start | {"goal_x": 1.0})
-    assert led.factors[0] == pytest.approx(-9, abs=0.5)
+    assert -9 < led.factors[0] < -8, "as the notebook says"
     assert np.ptp(led.path[:, 0]) > 7 * np.ptp(led.strokes[0].position[:, 0])
 
 
@@ -60,7 +60,8 @@ def test_the_challenge_asks_for_a_rule_that_slides_from_the_start_on():
         assert lesson.check({k: lesson.solution[k] for k in lesson.settable}).done
         assert moved(lesson, rule="original").share < 50
         assert moved(lesson, rule="printed").miss > 1
-        assert moved(lesson, moves_at=lesson.latest).share < 95
+        assert moved(lesson, moves_at=lesson.latest).share < LEAST_SHARE - 3
+        assert moved(lesson).share > LEAST_SHARE + 3
 
 
 @pytest.mark.parametrize(
@@ -68,11 +69,11 @@ def test_the_challenge_asks_for_a_rule_that_slides_from_the_start_on():
     [
         (
             {"rule": "original"},
-            "The S is mirrored. The first rule multiplies by new way / old way: −0.56 sideways",
+            "The S is mirrored. The first rule multiplies by new way / old way: {fx} sideways",
         ),
         ({"rule": "original", "goal_x": 6.7}, "the S is thin"),
         ({"rule": "similarity"}, "turns it by"),
-        ({"rule": "printed"}, "stops 7.6 mm from its goal"),
+        ({"rule": "printed"}, "stops {mm} mm from its goal"),
         ({"moves_at": 2.0}, "At 2.0 s a part of the S is written already"),
         ({"goal_x": -3.0}, "moved 3.0 cm to the left; it is to move 10 cm to the right"),
         ({"goal_y": 1.0}, "moved 1.0 cm up; it is to move 4 cm up"),
@@ -81,7 +82,8 @@ def test_the_challenge_asks_for_a_rule_that_slides_from_the_start_on():
 def test_each_mistake_is_told_with_the_numbers_of_the_answer(values, words):
     lesson = teach.lesson("05")
     answer = {k: (lesson.solution | values)[k] for k in lesson.settable}
-    assert words in teach.check("05", answer).reason
+    facts = MovedLetter(lesson.letter, answer).facts
+    assert words.format(**facts) in teach.check("05", answer).reason
 
 
 def test_a_bet_on_the_old_shape_is_told_what_keeps_it():

@@ -84,15 +84,16 @@ def test_the_stem_leans_more_with_more_of_hand_2():
 @pytest.mark.parametrize(
     ("changes", "cause"),
     [
-        ({"goal_x": 3.0}, "19.6 mm right of the stem"),
+        ({"goal_x": 3.0}, "{made.gap:.1f} mm right of the stem"),
         ({"goal_x": -1.0}, "left of the stem"),
         ({"goal_x": 0.0, "goal_y": -1.5}, "below the stem"),
         ({"goal_x": 1.7, "goal_y": 10.0}, "has a larger one"),
         ({"goal_x": 0.1, "goal_y": 1.0}, "nearly a D"),
         ({"third": "ring"}, "P has 2 strokes"),
-        ({"share": 60, "goal_x": 1.2}, "With 60 % of hand 2 the stem leans by 10.7°"),
+        ({"share": 60, "goal_x": 1.2}, "With 60 % of hand 2 the stem leans by {made.lean:.1f}°"),
     ],
 )
 def test_the_cause_of_a_wrong_answer_is_named(changes, cause):
     answer = {name: answer_of("P")[name] for name in teach.lesson("07").settable}
-    assert cause in teach.check("07", answer | changes).reason
+    made = NewLetter(START | answer | changes)
+    assert cause.format(made=made) in teach.check("07", answer | changes).reason

@@ -24,28 +24,32 @@ def said(key, **values):
         ("01", {"alpha": 13, "beta": 4.2}, "It goes past the ring by 0.3 % of the way"),
         ("02", {"change": 6.42457}, "+6.42 cm is the wrong way"),
         ("03", {"kernel_width": 0.29, "fit": "joint"}, f"Width 0.29 {GAPS} 71 %"),
-        ("03", {"kernel_width": 0.999}, f"Width 0.999 {GAPS} 0.1 %"),
-        ("03", {"kernel_width": 18, "fit": "joint"}, "at width 18 D is 7.0 mm off"),
+        ("03", {"kernel_width": 0.99}, f"Width 0.99 {GAPS} 1 %"),
+        (
+            "03",
+            {"kernel_width": 18, "fit": "joint"},
+            "All together each bump is told what the others do, and at width 18 D is",
+        ),
         ("03", {"kernel_width": 0.5, "kernel": "bell"}, "no gap however narrow it is"),
         ("03", {"kernel_width": 18, "kernel": "bell"}, "averages so many places"),
         ("03", {"kernel_width": 1.4}, "At width 1 bumps just touch"),
         ("05", {"rule": "original", "goal_x": 6.7}, "straight above or below the start"),
-        ("05", {"rule": "original", "goal_x": 5.6, "goal_y": -0.5}, "The S shrinks sideways"),
-        ("06", {"theta": 60, "sigma": 5.702087172973264}, "σ = 5.7 mm lets that count"),
+        ("05", {"rule": "original", "goal_x": 5.9, "goal_y": -0.5}, "The S shrinks sideways"),
+        ("06", {"theta": 60, "sigma": 5.502087172973264}, "σ = 5.5 mm lets that count"),
     ],
 )
 def test_the_cause_is_named_with_its_numbers(key, values, words):
     assert words in said(key, **values)
 
 
-def test_gaps_that_do_no_harm_are_not_refused():
-    lesson = next(
-        each
-        for each in (teach.lesson("03", pupil=f"w{n:02d}") for n in range(99))
-        if each.pair == ("h", "S")
-    )
-    answer = {"kernel_width": 0.99, "kernel": lesson.kernel, "fit": "lwr"}
-    assert "Width 0.99 keeps both" in lesson.check(answer).reason
+def test_gaps_are_named_where_they_do_harm_and_else_are_not_refused():
+    lesson = teach.lesson("03")
+    for width in (0.6, 0.9, 0.98, 0.99, 0.999, 0.99999):
+        verdict = lesson.check(lesson.solution | {"kernel_width": width})
+        assert (GAPS in verdict.reason, "keeps both" in verdict.reason) == (
+            not verdict.done,
+            verdict.done,
+        )
 
 
 @pytest.mark.parametrize("value", [1.96, 2.0, 2.04, 2.0004, 1.9996, 0.0, -0.01, 94.9])

@@ -25,8 +25,8 @@ def test_how_often_a_place_is_gone_over_moves_no_letter_and_makes_no_distance(ch
     rng = np.random.default_rng(ord(character))
     number, part = int(rng.integers(len(model))), rng.uniform(0.2, 1.0)
     found = score(faulty.gone_over(model, number, part), model)
-    assert found.distance < 0.005 * faulty.size_of(model)
-    assert np.linalg.norm(found.shift) < 0.005 * faulty.size_of(model)
+    assert found.distance < 0.006 * faulty.size_of(model)
+    assert np.linalg.norm(found.shift) < 0.006 * faulty.size_of(model)
 
 
 @for_every(product("aDgk4S", "aDgk4S"))
