@@ -39,7 +39,7 @@ from dmp_teach.views.figures import (
 )
 
 
-def figure(number: int, recordings: RecordingsLike = None) -> Figure:
+def figure(number: int, recordings: RecordingsLike = None, *, labels: str | None = None) -> Figure:
     """Draw one of the paper's figures again, by its own number.
 
     1 the robot writing an a, in frames; 2 the kinds of kernel; 3 the pipeline, ours; 4 error
@@ -52,6 +52,7 @@ def figure(number: int, recordings: RecordingsLike = None) -> Figure:
         number: 1 to 10.
         recordings: Recordings, files, folders or strokes; None takes our own alphabets. Where no a
             was recorded, figures of one letter take the first that was.
+        labels: How letters and writers are read off the names of files, as in `claims`.
 
     Raises:
         SettingError: No such figure.
@@ -62,7 +63,7 @@ def figure(number: int, recordings: RecordingsLike = None) -> Figure:
         raise SettingError(
             f"number is {number!r}, but the paper's figures are 1 to {len(FIGURES)}."
         )
-    return FIGURES[number](list_recordings(recordings))
+    return FIGURES[number](list_recordings(recordings, labels))
 
 
 def _robot(given: Sequence) -> Figure:
