@@ -73,6 +73,7 @@ KINDS = (
     Kind("motion capture (TRC)", r"PathFileType\s", CAPTURE),
     Kind("motion capture (Qualisys)", r"NO_OF_FRAMES\s|# ?QTM", CAPTURE),
     Kind("motion capture (Vicon)", r"\W{0,4}(?:Trajectories|Model Outputs|Devices)\W", CAPTURE),
+    Kind("a take of Motive without its row Frame,Time", r'"?Format Version', "export it again"),
     Kind("motion capture (AMC)", r"#.{0,200}:FULLY-SPECIFIED|:FULLY-SPECIFIED", CAPTURE),
     Kind("motion capture (FBX)", r"Kaydara FBX|; FBX ", CAPTURE),
     Kind("motion of OpenSim (.mot, .sto)", r".{0,2000}?\bendheader\b", CAPTURE),

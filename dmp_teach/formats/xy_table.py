@@ -25,6 +25,7 @@ MOST_COLUMNS = 64
 CELL_WORDS = {"true": 1.0, "down": 1.0, "false": 0.0, "up": 0.0, "": np.nan, "na": np.nan}
 DECIMAL_COMMA = re.compile(r"\s*-?\d+,\d+(?:\s+-?\d+,\d+)+\s*")
 DECIMAL_PAIR = re.compile(r"(-?\d+),(\d+)")
+WHOLE = re.compile(r"-?\d+")
 SIGN_BEFORE = re.compile(r"^\s*(?:#|%|//|\")?\s*")
 
 
@@ -75,8 +76,9 @@ def read_table_of_text(data: bytes, name: str, options: CaptureOptions) -> tuple
 def _has_two_cells_each(lines: Sequence[str]) -> bool:
     """Tell whether numbers with a decimal comma are divided by commas under a line of names."""
     first = next((k for k, line in enumerate(lines) if _numbers(line, ",") is not None), 0)
-    width = len(_cells(lines[first], ","))
-    return width % 2 == 0 and bool(_names(lines[:first], ",", width // 2))
+    cells = _cells(lines[first], ",")
+    is_whole = len(cells) % 2 == 0 and all(WHOLE.fullmatch(cell) for cell in cells)
+    return is_whole and bool(_names(lines[:first], ",", len(cells) // 2))
 
 
 def _lines(data: bytes) -> list[str]:

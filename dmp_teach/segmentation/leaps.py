@@ -19,6 +19,7 @@ LEAP = 0.003  # a step so far from where the pen was going is one ... [m]
 PEN_ACCELERATION = 8.0  # ... beside what a pen can do in that time [m/s2] ...
 PEN_SPEED = 1.0  # ... and a hand [m/s]
 LEAP_COST = 0.25  # leaving out so much is as bad as one leap [s]
+MOST_BREAKS = 3000  # of so much noise nothing is told apart
 MOST_LEFT_OUT = 60  # pieces between two that go on
 
 
@@ -48,7 +49,7 @@ def find_leaps(t: Array, position: Array) -> tuple[Flags, Array]:
     near = np.concatenate([velocity[1:2], velocity, velocity[-2:-1]])
     off = (np.linalg.norm(velocity - each, axis=1) * dt for each in (near[:-2], near[2:]))
     breaks = np.flatnonzero(np.minimum(*off) > _reach(dt)) + 1
-    if len(breaks):
+    if 0 < len(breaks) < MOST_BREAKS:
         edges = np.concatenate([[0], breaks, [len(t)]])
         course = scipy.ndimage.median_filter(velocity, (9, 1), mode="nearest")
         on_way[:] = False

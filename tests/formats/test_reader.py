@@ -321,31 +321,19 @@ def cell(row, column, text):
 
 
 BROKEN = {
-    "no header": (lambda lines: lines[:6] + lines[7:], "in none of the formats that are read"),
+    "no header": (
+        lambda lines: lines[:6] + lines[7:],
+        "a take of Motive without its row Frame,Time",
+    ),
     "no frames": (lambda lines: lines[:7], "no frames under it"),
-    "text in a cell": (
-        cell(100, 11, "lots"),
-        r"row 100, column 11 \('Unlabeled:5000' Y\): 'lots' is not a number",
-    ),
-    "NaN in a cell": (cell(100, 12, "nan"), r"row 100, column 12 \('Unlabeled:5000' Z\): 'nan'"),
-    "Python's underscore": (
-        cell(100, 12, "0_1"),
-        r"row 100, column 12 \('Unlabeled:5000' Z\): '0_1' is not a number",
-    ),
+    # "1,0,5" is 1.0 and 5 or 1 and 0.5,
     "decimal comma": (
         cell(100, 10, "0,5"),
         "row 100: there are 13 cells, but the header has 12 columns.*decimal comma",
     ),
+    # all that follows is one cell,
     "no end of a quote": (cell(100, 10, '"0.5'), "is not a CSV file: unexpected end of data"),
-    "no time": (
-        cell(100, 2, ""),
-        r"row 100, column 2 \(Time\): '' is not a number; .*every frame needs its time",
-    ),
-    "time stands still": (
-        cell(101, 2, "0.766667"),
-        r"row 101, column 2 \(Time\).*must increase from row to row",
-    ),
-    "time leaps": (cell(300, 2, "1e9"), r"row 300, column 2 \(Time\).*by at most 60 s"),
+    # the letter may be of any size,
     "unknown unit": (
         cell(1, 8, "Parsecs"),
         "row 1: 'Length Units' is 'Parsecs', but must be Meters",
@@ -354,10 +342,12 @@ BROKEN = {
         lambda lines: [line.replace("Marker", "Bone") for line in lines],
         "no marker that could be the pen.*: none; export the positions of the markers",
     ),
+    # a part of a body that rests is the table's,
     "only a rigid body": (
         lambda lines: [line.replace("Unlabeled:5000", "RigidBody 2:Marker1") for line in lines],
         "no marker that could be the pen.*'RigidBody 1:Marker1', 'RigidBody 2:Marker1'",
     ),
+    # and a tenth of a second is no letter.
     "too short": (lambda lines: lines[:20], "was seen in 13 frames, but a letter needs 20"),
     "empty": (lambda lines: [], "is empty"),
 }
@@ -370,6 +360,39 @@ def test_what_cannot_be_read_says_where_and_what_to_do(tmp_path, fault):
     with pytest.raises(RecordingError, match=rf"D_w07.csv.*{sentence}") as caught:
         read_recording(path)
     assert str(tmp_path) not in str(caught.value), "folders have names of people in them"
+
+
+LEFT_OUT = {
+    "text in a cell": (
+        cell(100, 11, "lots"),
+        r"row 100, column 11 \('Unlabeled:5000' Y\): 'lots' is not a number",
+    ),
+    "NaN in a cell": (cell(100, 12, "nan"), r"row 100, column 12 \('Unlabeled:5000' Z\): 'nan'"),
+    "Python's underscore": (
+        cell(100, 12, "0_1"),
+        r"row 100, column 12 \('Unlabeled:5000' Z\): '0_1' is not a number",
+    ),
+    "no time": (
+        cell(100, 2, ""),
+        r"row 100, column 2 \(Time\): '' is not a number; .*every frame needs its time",
+    ),
+    "time stands still": (
+        cell(101, 2, "0.766667"),
+        r"row 101, column 2 \(Time\).*must increase from row to row",
+    ),
+    "time leaps": (cell(300, 2, "1e9"), r"row 300, column 2 \(Time\).*by at most 60 s"),
+}
+
+
+@pytest.mark.parametrize("fault", LEFT_OUT)
+def test_a_row_or_a_cell_that_cannot_be_is_left_out_and_told(tmp_path, fault):
+    change, sentence = LEFT_OUT[fault]
+    path = d_file(tmp_path / "D_w07.csv", quoted=False)
+    clean = read_recording(path)
+    recording = read_recording(edited(path, change))
+    assert any(re.search(rf"The first: .*{sentence}", note) for note in recording.notes)
+    for stroke, wanted in zip(recording.strokes(), clean.strokes(), strict=True):
+        assert abs(len(stroke) - len(wanted)) < 3
 
 
 def test_unknown_markers_are_answered_with_those_that_could_be(tmp_path):

@@ -34,6 +34,8 @@ def find_doubts(take: Take, position: Array, strokes: Spans) -> tuple[tuple[str,
     doubtful = leap > 0
     notes = [*_gaps(take, strokes, doubtful), *_edges(take, strokes)]
     notes += _leaps(take, leap, strokes, is_ink)
+    if take.faults:
+        notes.append(f"Left out: {len(take.faults)} rows or cells. The first: {take.faults[0]}")
     if take.far:
         notes.append(
             f"The marker is more than {LARGEST_INK:.0f} m away {len(take.far)} times, first at "

@@ -66,7 +66,7 @@ def find_pen(table: Table, marker: str | None, out: Array) -> Pen:
         out: The direction out of the paper, shape (3,).
 
     Raises:
-        RecordingError: No such marker, or a cell that is no number.
+        RecordingError: No such marker.
     """
     names = {name for name, _ in table.bodies}
     markers, bodies = (
@@ -110,7 +110,7 @@ def _is_part(label: str, bodies: set[str]) -> bool:
 
 
 def _tracks(table: Table, markers: dict[MarkerKey, AxisColumns]) -> dict[MarkerKey, Track]:
-    """Return where each marker was seen."""
+    """Return where each marker was seen; a cell that is no number is one of the table's faults."""
     columns = sorted(
         ((max(axes.values()), key, axes) for key, axes in markers.items()), key=lambda each: each[0]
     )
@@ -120,11 +120,15 @@ def _tracks(table: Table, markers: dict[MarkerKey, AxisColumns]) -> dict[MarkerK
         for last, key, axes in columns:
             if last >= len(row):
                 break
-            if row[axes["X"]].strip():
-                seen[key].append(k)
-                points[key].append(
-                    [cell_number(row, axes[axis], place, f"{key[0]!r} {axis}") for axis in "XYZ"]
-                )
+            if not row[axes["X"]].strip():
+                continue
+            try:
+                point = [cell_number(row, axes[a], place, f"{key[0]!r} {a}") for a in "XYZ"]
+            except RecordingError as error:
+                table.faults.append(str(error))
+                continue
+            seen[key].append(k)
+            points[key].append(point)
     return {
         key: Track(np.array(seen[key], dtype=int), np.reshape(points[key], (-1, 3)) * table.scale)
         for key in markers

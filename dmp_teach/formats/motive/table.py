@@ -27,6 +27,7 @@ TYPES = re.compile(rb"Format Version|\b(?:Marker|Rigid Body|Bone)\b", re.IGNOREC
 MOST_NAMES = 20  # in a sentence
 LONGEST_NAME = 60  # in a sentence [characters]
 LONGEST_ROW_STEP = 60.0  # no take waits longer from row to row [s]
+MOST_FAULTS = 0.02  # of the rows may have no time
 LENGTH_UNITS = {"m": 1.0, "meter": 1.0, "metre": 1.0}
 LENGTH_UNITS |= {"cm": 0.01, "centimeter": 0.01, "centimetre": 0.01}
 LENGTH_UNITS |= {"mm": 0.001, "millimeter": 0.001, "millimetre": 0.001}
@@ -46,6 +47,7 @@ class Table:
         scale: Metres in one of its units of length.
         markers: The columns of every marker.
         bodies: The columns of every rigid body; fewer than three for one without a position.
+        faults: Why rows and cells were left out.
     """
 
     body: list[tuple[int, list[str]]]
@@ -53,6 +55,7 @@ class Table:
     scale: float
     markers: dict[MarkerKey, AxisColumns]
     bodies: dict[MarkerKey, AxisColumns]
+    faults: list[str]
 
 
 def has_motive_header(data: bytes) -> bool:
@@ -92,18 +95,40 @@ def read_table(data: bytes) -> Table:
             body.append((k, row))
     if not body:
         raise RecordingError("has a header but no frames under it; export the take again.")
-    t = np.array([cell_number(row, 1, k, "Time") for k, row in body])
-    odd = np.flatnonzero((np.diff(t) <= 0) | (np.diff(t) > LONGEST_ROW_STEP))
-    if len(odd):
-        k = int(odd[0]) + 1
-        raise RecordingError(
-            f"row {body[k][0]}, column 2 (Time): {t[k]:.6g} s after {t[k - 1]:.6g} s; time must "
-            f"increase from row to row, by at most {LONGEST_ROW_STEP:.0f} s. Export the take "
-            "again, with points and more decimals, or delete the row."
-        )
+    body, t, faults = _in_time(body)
     top = rows[:head]
-    kinds = [_columns_of(kind, top, rows[head]) for kind in ("marker", "rigid body")]
-    return Table(body, t, _scale(top), *kinds)
+    markers, bodies = (_columns_of(kind, top, rows[head]) for kind in ("marker", "rigid body"))
+    return Table(body, t, _scale(top), markers, bodies, faults)
+
+
+def _in_time(
+    rows: list[tuple[int, list[str]]],
+) -> tuple[list[tuple[int, list[str]]], Array, list[str]]:
+    """Return the rows whose time is after that of the row before, their times, and why others not.
+
+    Raises:
+        RecordingError: More than a few have no such time.
+    """
+    body, faults = [], []
+    times: list[float] = []
+    for place, row in rows:
+        try:
+            time = cell_number(row, 1, place, "Time")
+        except RecordingError as error:
+            faults.append(str(error))
+            continue
+        if times and not 0 < time - times[-1] <= LONGEST_ROW_STEP:
+            faults.append(
+                f"row {place}, column 2 (Time): {time:.6g} s after {times[-1]:.6g} s; time must "
+                f"increase from row to row, by at most {LONGEST_ROW_STEP:.0f} s. Export the take "
+                "again, with points and more decimals, or delete the row."
+            )
+            continue
+        body.append((place, row))
+        times.append(time)
+    if len(faults) > MOST_FAULTS * len(rows):
+        raise RecordingError(faults[0])
+    return body, np.array(times), faults
 
 
 def _rows(data: bytes, sign: str) -> Rows:

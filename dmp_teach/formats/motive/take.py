@@ -31,6 +31,7 @@ class Take:
         unseen: How long the file goes on before the first sample and after the last one, without
             the marker [s].
         far: Frame number and row of each sample that no camera can have seen, left out.
+        faults: Why rows and cells of the file were left out.
     """
 
     pen: Pen
@@ -40,6 +41,7 @@ class Take:
     frames: list[tuple[str, int]]
     unseen: tuple[float, float]
     far: list[tuple[str, int]]
+    faults: list[str]
 
     def at(self, k: int) -> str:
         """Say where sample k stands in the file."""
@@ -95,4 +97,4 @@ def read_take(data: bytes, marker: str | None, out: Array) -> Take:
     filled[seen - first] = points
     is_seen = np.isin(np.arange(first, last + 1), seen)
     unseen = float(t[first] - t[0]), float(t[-1] - t[last])
-    return Take(pen, t[part], filled, is_seen, frames[part], unseen, far)
+    return Take(pen, t[part], filled, is_seen, frames[part], unseen, far, table.faults)
