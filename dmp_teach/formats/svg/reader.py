@@ -14,7 +14,6 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Iterator
-from dataclasses import replace
 from functools import partial
 from xml.etree.ElementTree import Element
 
@@ -22,6 +21,7 @@ import numpy as np
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.formats.flat_ink import (
+    PIXELS,
     FlatLetter,
     FlatStroke,
     check_size,
@@ -76,8 +76,9 @@ def read_svg(data: bytes, _name: str, _: CaptureOptions) -> tuple[Recording, ...
         writer,
         None if origin is None else origin * [1, -1],
         None if baseline is None or origin is None else float(baseline[0]),
+        tuple(notes),
     )
-    return tuple(replace(each, notes=tuple(notes)) for each in flat_recordings([letter]))
+    return flat_recordings([letter])
 
 
 def _strokes(root: Element, is_ours: bool) -> tuple[list[Array], list[str]]:
@@ -110,7 +111,7 @@ def _strokes(root: Element, is_ours: bool) -> tuple[list[Array], list[str]]:
     if any(is_outline(each.ways) for each in lines):
         notes.append(f"A line runs round a narrow area, as the outline of a letter. {DRAW_LINE}")
     if not has_unit(root):
-        notes.append("Its pixels are read as 96 to the inch; some programs mean 72 or 90.")
+        notes.append(PIXELS)
     return strokes, notes
 
 
