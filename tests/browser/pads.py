@@ -44,11 +44,12 @@ class Sheet:
     """Where metres of the sheet are on the screen, from its two writing lines and its middle."""
 
     def __init__(self, page, ask):
-        base, middle = np.array(page.evaluate(LINES))
-        left, _, right, _ = json.loads(
-            ast.literal_eval(ask(page, "__import__('json').dumps(pad.sheet)"))
-        )
-        height = float(ask(page, "pad.lines[1]"))
+        lines = None
+        while lines != (lines := page.evaluate(LINES)):
+            # A window that was resized takes its time.
+            box = json.loads(ast.literal_eval(ask(page, "__import__('json').dumps(pad.sheet)")))
+            height = float(ask(page, "pad.lines[1]"))
+        (left, _, right, _), (base, middle) = box, np.array(lines)
         along = (base[1] - base[0]) / np.linalg.norm(base[1] - base[0])
         up = np.array([along[1], -along[0]])
         self.axes = (middle[0] - base[0]) @ up / height * np.array([along, up])

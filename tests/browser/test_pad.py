@@ -204,7 +204,7 @@ def test_finger_and_pen_write_and_a_palm_does_not_also_scrolled_zoomed_and_resiz
     page = panel(viewport={"width": 820, "height": 900}, has_touch=True, device_scale_factor=1.5)
     page.evaluate("document.querySelector('.jp-WindowedPanel-outer').scrollBy(0, 40)")
     page.set_viewport_size({"width": 900, "height": 1000})
-    page.wait_for_timeout(400)
+    page.wait_for_timeout(1000)
     hand = page.context.new_cdp_session(page)
     sheet = Sheet(page, ask)
     path = sheet.on_screen(letter())
