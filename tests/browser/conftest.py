@@ -32,6 +32,7 @@ PATIENCE = 60_000  # [ms] for what may be slow on a busy machine
 FLAGS = [
     "--use-angle=swiftshader",
     "--enable-unsafe-swiftshader",
+    "--disable-gpu-compositing",
     "--no-first-run",
     "--disable-background-networking",
     "--disable-component-update",
