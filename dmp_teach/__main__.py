@@ -265,14 +265,14 @@ def installer_environment():
 
 
 def check_commands(arguments):
-    """Return what `test` runs: linters, types and every test; what follows `test`, by pytest."""
+    """Return what `test` runs: linters, and every test; what follows `test`, by pytest."""
     rest = [word for word in arguments if word != "--quick"]
     quick = ["-m", "quick"] if len(rest) < len(arguments) else []
     if rest:
         return [["pytest", *quick, *rest]]
     if quick:
         return [*LINTERS, ["pytest", *quick, "tests"]]
-    return [*LINTERS, ["mypy"], ["pytest", *PARALLEL]]
+    return [*LINTERS, ["pytest", *PARALLEL]]
 
 
 def run_tests(python, arguments):

@@ -44,11 +44,10 @@ def test_help_opens_with_a_signature_of_four_lines_at_most():
     assert {name: said for name, said in signatures.items() if len(said) > 4 * 80} == {}
 
 
-def check_types(code, folder):
-    """What mypy says of a file, with our settings."""
-    (folder / "used.py").write_text(code, encoding="utf-8")
+def check_types(*words, folder=ROOT):
+    """What mypy says, run in a folder."""
     answer = subprocess.run(
-        [sys.executable, "-m", "mypy", "used.py", "--ignore-missing-imports"],
+        [sys.executable, "-m", "mypy", *words],
         cwd=folder,
         env={"MYPYPATH": str(ROOT), "MYPY_CACHE_DIR": str(ROOT / ".mypy_cache")},
         capture_output=True,
@@ -56,6 +55,12 @@ def check_types(code, folder):
         check=False,
     )
     return answer.stdout
+
+
+@pytest.mark.slow
+def test_a_type_checker_finds_nothing():
+    said = check_types()
+    assert said.startswith("Success"), said
 
 
 @pytest.mark.slow
@@ -71,7 +76,8 @@ teach.Settings.star(kernel_width="wide", widht=2.0)
 teach.Letter.learn(3)
 teach.Letter.learn(letter.strokes)
 """
-    said = check_types(code, tmp_path)
+    (tmp_path / "used.py").write_text(code, encoding="utf-8")
+    said = check_types("used.py", "--ignore-missing-imports", folder=tmp_path)
     assert 'Revealed type is "dmp_teach.letters.letter.Letter"' in said
     assert 'used.py:6: error: Module has no attribute "Leter"' in said
     assert 'used.py:7: error: "type[Letter]" has no attribute "lern"' in said
