@@ -70,9 +70,10 @@ def chromium_path():
     )
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture(scope="package")
 def chromium():
-    """The system's Chromium under Playwright; nothing is ever downloaded."""
+    """The system's Chromium under Playwright, for all tests of this folder and none of another,
+    which may want an event loop; nothing is ever downloaded."""
     path = chromium_path()
     if path is None:
         pytest.skip("no Chromium here: install it, or set DMP_TEACH_CHROMIUM to one")

@@ -1,0 +1,1 @@
+"""Browser tests: a package, so that one Chromium serves them all and none after them."""
