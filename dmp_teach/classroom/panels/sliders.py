@@ -73,7 +73,7 @@ def _make_control(knob: Knob, start: Settings) -> ipywidgets.DOMWidget:
     ends = {"min": knob.low, "max": knob.high}
     if knob.whole:
         return ipywidgets.IntSlider(value, **look, **ends)
-    if knob.high / knob.low > 50:
+    if knob.high > 50 * knob.low > 0:
         ends = {end: math.log10(at) for end, at in ends.items()}
         return ipywidgets.FloatLogSlider(value, **look, **ends, step=0.02)
     return ipywidgets.FloatSlider(value, **look, **ends, step=(knob.high - knob.low) / 100)
