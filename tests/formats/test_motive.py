@@ -138,6 +138,20 @@ def test_a_pen_that_is_a_rigid_body_is_read(tmp_path):
     check_d(read_recording(path, marker="Pen"), Pen(touches=touches()))
 
 
+def test_a_pen_that_is_a_body_is_named_beside_a_hand_that_moves(tmp_path):
+    t, world = hand()
+    path = motive(tmp_path / "D_w07.csv", t, world, pen="Pen", ghosts=[("Hand", world + 0.05)])
+    kinds = ["Marker"] * 3 + ["Rigid Body"] * 3
+    edited(
+        path, lambda lines: [*lines[:2], ",".join([*lines[2].split(",")[:-6], *kinds]), *lines[3:]]
+    )
+    (note,) = read_recording(path).notes
+    assert note.endswith("could be named with marker=...: 'Pen'.")
+    pen = read_recording(path, marker="Pen")
+    check_d(pen, Pen(touches=touches()))
+    assert (pen.marker, pen.notes) == ("Pen", ())
+
+
 @pytest.mark.parametrize("cut", [215, 240, 350, 380, 420])
 def test_a_marker_that_is_lost_for_good_in_a_stroke_is_noted(tmp_path, cut):
     t, world = hand()
@@ -186,10 +200,9 @@ def touches():
 def test_a_rigid_body_that_moves_is_not_the_pen_whatever_its_name(tmp_path, name):
     t, world = hand()
     world[170:174] = np.nan
-    check_d(
-        read_recording(motive(tmp_path / "D_w07.csv", t, world, body=(name, circling(t)))),
-        Pen(touches=touches()),
-    )
+    recording = read_recording(motive(tmp_path / "D_w07.csv", t, world, body=(name, circling(t))))
+    check_d(recording, Pen(touches=touches()))
+    assert recording.marker == "Unlabeled:5000"
 
 
 @pytest.mark.parametrize("pen", ["traj:FKA-RigidBody 1:Marker2 (2)", "finger:Unlabeled:5286"])

@@ -43,8 +43,8 @@ def find_doubts(take: Take, position: Array, strokes: Spans) -> tuple[tuple[str,
         )
     if take.pen.rivals:
         notes.append(
-            f"Taken for the pen is {take.pen.name!r}, which is nearest to the paper of all that "
-            f"move; others could be named with marker=...: {list_names(take.pen.rivals)}."
+            f"Taken for the pen is {take.pen.name!r}, which is nearest to the paper of the markers "
+            f"that move; others could be named with marker=...: {list_names(take.pen.rivals)}."
         )
     return tuple(notes), doubtful & is_ink
 

@@ -89,18 +89,18 @@ def find_pen(table: Table, marker: str | None, out: Array) -> Pen:
             f"{could or 'none; export the positions of the markers'}."
         )
     most = max(moves[key] for key in pool)
-    rivals = [key for key in pool if moves[key] > RIVAL_SHARE * most]
+    also = bodies if marker is None else {}
+    rivals = [key for key in pool | also if moves[key] > RIVAL_SHARE * most > 0]
     chosen = max(pool, key=lambda key: len(tracks[key].seen))
-    if rivals:
-        chosen = min(rivals, key=lambda key: float(np.median(tracks[key].points @ out)))
+    if near := [key for key in rivals if key in pool]:
+        chosen = min(near, key=lambda key: float(np.median(tracks[key].points @ out)))
     pieces, track = _followed(chosen, {key: tracks[key] for key in free | pool}, table.t)
-    others = [label for label, _ in free if label not in [label for label, _ in pieces]]
-    return Pen(
-        ", then ".join(label for label, _ in pieces),
-        track,
-        list(dict.fromkeys(others)),
-        [label for label, _ in rivals if label in others],
+    followed = [label for label, _ in pieces]
+    others, moving = (
+        [label for label in dict.fromkeys(label for label, _ in keys) if label not in followed]
+        for keys in (free, rivals)
     )
+    return Pen(", then ".join(followed), track, others, moving)
 
 
 def _is_part(label: str, bodies: set[str]) -> bool:
