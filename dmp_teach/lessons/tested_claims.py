@@ -27,8 +27,8 @@ COMPARED_SETTINGS: dict[str, dict[str, tuple[Settings, Settings]]] = {
     },
     "level": {
         PAPERS_WAY: (
-            Settings.as_coded(kernel_width=1.0),
-            Settings.as_coded(kernel_width=1.0, samples_per_kernel=2),
+            Settings.as_coded(),
+            Settings.as_coded(samples_per_kernel=2),
         ),
         COUNTER_TEST: (Settings.as_fixed(), Settings.as_fixed(samples_per_kernel=2)),
     },
