@@ -50,7 +50,7 @@ def test_letters_of_the_pad_become_the_schools_and_the_last_one_counts(tmp_path)
     )
     for name in ("readme.txt", "readme.csv", "._a.svg"):
         (folder / name).write_text("no letter")
-    with pytest.warns(UserWarning, match=r"Left out, as no letter: readme\.csv"):
+    with pytest.warns(UserWarning, match=r"Left out, as no letter: readme\.(csv|txt)"):
         assert use_script(folder) == ("a", "b")
     assert alphabets()[0] == "school"
     assert score(recording_of("a"), recording_of("a", "slanted")).shape < 0.005
