@@ -27,7 +27,7 @@ def kind_of(value: object, first: bool = False) -> str:
 def shown(value: object) -> str:
     """Return the beginning of a value, for messages; its kind where it cannot be printed."""
     try:
-        return _short.repr(value)
+        return " ".join(_short.repr(value).split())
     # Whole numbers of thousands of digits.
     except ValueError:
         return kind_of(value)

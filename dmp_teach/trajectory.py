@@ -5,28 +5,15 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from dmp_teach.arguments import as_numbers
 from dmp_teach.errors import TrajectoryError
+from dmp_teach.values import Value, locked
 
 Array = NDArray[np.float64]
-
-
-# Any: arrays of every kind are locked.
-def locked(values: ArrayLike, dtype: Any = float) -> NDArray[Any]:
-    """Return a copy of `values` that cannot be written to."""
-    array = np.array(values, dtype=dtype)
-    array.setflags(write=False)
-    return array
-
-
-def lock_fields(value: object, *names: str) -> None:
-    """Copy and lock some arrays of a frozen value."""
-    for name in names:
-        object.__setattr__(value, name, locked(getattr(value, name), dtype=None))
 
 
 def arc_lengths(path: Array) -> Array:
@@ -53,8 +40,8 @@ def path_length(path: Array) -> float:
     return float(arc_lengths(path)[-1])
 
 
-@dataclass(frozen=True, eq=False)
-class Trajectory:
+@dataclass(frozen=True, eq=False, repr=False)
+class Trajectory(Value):
     """A movement, sampled at increasing times.
 
     A stroke keeps the clock of its recording, so that the lift between two strokes has a duration.
@@ -128,8 +115,8 @@ def from_rollout(t: Array, position: Array) -> Trajectory:
 def _as_numbers(name: str, values: ArrayLike) -> Array:
     """Return `values` as floats, or raise a TrajectoryError."""
     try:
-        return np.asarray(values, dtype=float)
-    except (TypeError, ValueError) as error:
+        return as_numbers(values)
+    except ValueError as error:
         raise TrajectoryError(f"{name} must be numbers in an array, but: {error}.") from None
 
 

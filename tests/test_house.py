@@ -26,6 +26,8 @@ LAUNCHER = {"__init__.py", "__main__.py", "classroom/saving.py"}
 ORDER = [
     "errors",
     "old_names",
+    "arguments",
+    "values",
     "texts",
     "trajectory",
     "filtering",

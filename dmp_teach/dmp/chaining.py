@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
+from dmp_teach.arguments import checked
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.stepper import Plan
 from dmp_teach.errors import TrajectoryError, kind_of
@@ -17,6 +18,7 @@ from dmp_teach.trajectory import Array, Trajectory
 LONGEST_TRAVEL = 5.0
 
 
+@checked
 def chain(
     primitives: Iterable[DMP],
     overlap: float | Sequence[float] = 0.1,

@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Mapping
 
-import numpy as np
 from numpy.typing import ArrayLike
 
+from dmp_teach.arguments import as_numbers
 from dmp_teach.dmp.settings import Settings
-from dmp_teach.errors import SettingError, TrajectoryError
+from dmp_teach.errors import SettingError, TrajectoryError, shown
 from dmp_teach.trajectory import Array
 
 MOST_ROLLOUT_STEPS = 2_000_000
@@ -22,7 +22,9 @@ def as_settings(
     if given is None:
         return usual()
     if not isinstance(given, Settings):
-        raise SettingError(f"{name} is {given!r}, but must be Settings, such as Settings.star().")
+        raise SettingError(
+            f"{name} is {shown(given)}, but must be Settings, such as Settings.star()."
+        )
     return given
 
 
@@ -32,7 +34,7 @@ def named_settings(given: object, usual: Mapping[str, Settings]) -> dict[str, Se
         return dict(usual)
     if not isinstance(given, Mapping) or not given:
         raise SettingError(
-            f"settings is {given!r}, but must be Settings by their names, such as "
+            f"settings is {shown(given)}, but must be Settings by their names, such as "
             "{'DMP*': Settings.star()}."
         )
     return {name: as_settings(each, name=f"settings[{name!r}]") for name, each in given.items()}
@@ -41,10 +43,10 @@ def named_settings(given: object, usual: Mapping[str, Settings]) -> dict[str, Se
 def check_point(name: str, value: ArrayLike, dimensions: int) -> Array:
     """Return `value` as a point, shape (dimensions,) [m], or raise a TrajectoryError."""
     try:
-        given = np.asarray(value, dtype=float)
-    except (TypeError, ValueError):
+        given = as_numbers(value)
+    except ValueError:
         raise TrajectoryError(
-            f"{name} is {value!r}, but it must be {dimensions} numbers [m]."
+            f"{name} is {shown(value)}, but it must be {dimensions} numbers [m]."
         ) from None
     if given.shape != (dimensions,):
         raise TrajectoryError(
@@ -64,7 +66,7 @@ def check_duration(name: str, value: float) -> float:
     except (TypeError, ValueError):
         given = math.nan
     if not (math.isfinite(given) and given > 0):
-        raise TrajectoryError(f"{name} is {value!r}, but it must be a time longer than 0 s.")
+        raise TrajectoryError(f"{name} is {shown(value)}, but it must be a time longer than 0 s.")
     return given
 
 

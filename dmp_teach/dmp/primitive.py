@@ -5,11 +5,12 @@ from __future__ import annotations
 import warnings
 from dataclasses import dataclass, field, replace
 from functools import cached_property
-from typing import Self, cast
+from typing import Any, Self, cast
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from dmp_teach.arguments import checked
 from dmp_teach.dmp.checks import as_settings, check_duration, check_point, count_steps
 from dmp_teach.dmp.coverage import note_gaps
 from dmp_teach.dmp.equation import Equation, kernels_of
@@ -20,11 +21,12 @@ from dmp_teach.dmp.preprocessing import has_even_times, prepare_demonstration, s
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.dmp.transformations import TRANSFORMATIONS, Transformation
 from dmp_teach.errors import TrajectoryError, kind_of
-from dmp_teach.trajectory import Array, Trajectory, from_rollout, locked
+from dmp_teach.trajectory import Array, Trajectory, from_rollout
+from dmp_teach.values import Value, locked
 
 
-@dataclass(frozen=True, eq=False)
-class DMP:
+@dataclass(frozen=True, eq=False, repr=False)
+class DMP(Value):
     """A spring that is attracted by its goal and forced by a learned f (the paper's equation 1).
 
         original    y'' = K (g - y) - D y' + (g - y0) f
@@ -63,6 +65,11 @@ class DMP:
         for name in ("weights", "biases", "start", "goal", "start_velocity", "times"):
             if values[name] is not None:
                 values[name] = locked(values[name])
+
+    # Any: whatever the fields hold.
+    def __getstate__(self) -> dict[str, Any]:
+        # Drawn again elsewhere, the last bits of the path may differ.
+        return {**super().__getstate__(), "nominal_path": self.nominal_path}
 
     def __repr__(self) -> str:
         n_kernels, dimensions = self.weights.shape
@@ -126,6 +133,7 @@ class DMP:
         """Return the same with `path` (M + 1, D) as its nominal path, which is not drawn anew."""
         return replace(self)._keep_path(np.array(path))
 
+    @checked
     def rollout(
         self,
         start: ArrayLike | None = None,
@@ -173,6 +181,7 @@ class DMP:
         path = self._path(goal - start, max(steps, self.steps))
         return Trajectory(self.times[0] + T * even, start + _interpolated(path, even))
 
+    @checked
     def mapped(self, matrix: Array) -> Self:
         """Return the primitive whose path is this one's, mapped by a matrix (D, D) at its start.
 
@@ -235,6 +244,7 @@ class DMP:
         """The path to the demonstrated goal at the demonstration's sample times, shape (T, D)."""
         return self.at_sample_times(self.start + self.nominal_path)
 
+    @checked
     def at_sample_times(self, path: Array) -> Array:
         """Return `path` (M + 1, D) at the demonstration's sample times, shape (T, D)."""
         stride = self.steps // (len(self.times) - 1)

@@ -8,6 +8,7 @@ from functools import cache
 from textwrap import indent
 from typing import Self, Unpack
 
+from dmp_teach.arguments import checked
 from dmp_teach.dmp.fit import FITS
 from dmp_teach.dmp.integrators import DERIVATIVES, INTEGRATORS, most_alpha
 from dmp_teach.dmp.kernels import KERNELS, PLACEMENTS
@@ -16,6 +17,7 @@ from dmp_teach.dmp.phases import PHASES
 from dmp_teach.dmp.presets import PRESETS, SettingChanges, table_of_choices
 from dmp_teach.dmp.transformations import TRANSFORMATIONS
 from dmp_teach.errors import SettingError
+from dmp_teach.values import Value
 
 # The paper's N = Num/10, for its 120 samples a second.
 KERNELS_PER_SECOND = 12
@@ -24,8 +26,8 @@ SMALLEST_ALPHA, LARGEST_ALPHA = 1.0, 10_000.0
 YES_NO = (True, False)
 
 
-@dataclass(frozen=True)
-class Settings:
+@dataclass(frozen=True, eq=False, repr=False)
+class Settings(Value):
     """How a primitive is built: a preset, and changes of it, `Settings.star(kernel_width=2.0)`.
 
     How each preset differs from `star` stands in `dmp_teach.dmp.presets.PRESETS`. The settings
@@ -225,6 +227,7 @@ class Settings:
             knob_of(each)
         return cls(**PRESETS[name] | changes) if changes else cls._usual(name)
 
+    @checked
     def resolved(self, duration: float, samples: int) -> Self:
         """Return the same with numbers for `n_kernels` and `alpha`.
 

@@ -9,16 +9,18 @@ from typing import Self
 import numpy as np
 from numpy.typing import ArrayLike
 
+from dmp_teach.arguments import checked
 from dmp_teach.dmp.checks import check_duration, check_point
 from dmp_teach.dmp.equation import Equation
 from dmp_teach.dmp.integrators import Spring
 from dmp_teach.dmp.primitive import DMP
-from dmp_teach.errors import TrajectoryError
+from dmp_teach.errors import TrajectoryError, shown
 from dmp_teach.trajectory import Array
+from dmp_teach.values import Value
 
 
-@dataclass(frozen=True, eq=False)
-class Plan:
+@dataclass(frozen=True, eq=False, repr=False)
+class Plan(Value):
     """The input that a pen will have on its way, if nothing disturbs it; per movement.
 
     Args:
@@ -104,7 +106,7 @@ class Plan:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Stepper:
+class Stepper(Value):
     """A movement under way: a value; each `step` gives the next.
 
         pen = Stepper.begin(primitive)
@@ -130,6 +132,7 @@ class Stepper:
     states: Array
 
     @classmethod
+    @checked
     def begin(
         cls,
         primitive: DMP,
@@ -156,11 +159,12 @@ class Stepper:
             isinstance(patience, int | float) and 0 < patience < np.inf
         ):
             raise TrajectoryError(
-                f"patience is {patience!r}, but it must be a distance over 0 m, or None."
+                f"patience is {shown(patience)}, but it must be a distance over 0 m, or None."
             )
         now = np.array([np.zeros_like(plan.start), plan.start_velocity])
         return cls(plan, patience, 0.0, 0.0, np.array([np.full_like(now, np.nan), now]))
 
+    @checked
     def step(self, push: ArrayLike | None = None) -> Self:
         """Return the pen one step later; after the end of the movement it goes on to its goal.
 
@@ -178,6 +182,7 @@ class Stepper:
         states = spring.integrator.step(spring.K, spring.alpha, h, u, self.states)
         return replace(self, t=self.t + h * plan.duration, clock=self.clock + pace, states=states)
 
+    @checked
     def moved(self, by: ArrayLike) -> Self:
         """Return the same pen, taken elsewhere by somebody's hand: `by` (D,) [m]."""
         hand = check_point("by", by, len(self.plan.start))
@@ -187,6 +192,7 @@ class Stepper:
         of = f"{self.plan.duration:.3f} s, {self.clock:g} of {self.plan.spring.steps} steps"
         return f"Stepper({self.t:.3f} s of {of}, pen at {self.position} m)"
 
+    @checked
     def led(self, goal: ArrayLike) -> Self:
         """Return the same pen with another goal (D,) [m] from now on.
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import tempfile
+from errno import EACCES
 from pathlib import Path
 
 from dmp_teach.errors import PathError
@@ -18,7 +19,7 @@ ASSETS = next(
 
 
 def write_whole(path: str | os.PathLike, data: bytes, suffix: str) -> Path:
-    """Write `data` beside `path` and put it in place in one step.
+    """Write `data` beside `path` and put it in place in one step; who may read it stays the same.
 
     Args:
         path: Where to; its folder must exist.
@@ -29,7 +30,8 @@ def write_whole(path: str | os.PathLike, data: bytes, suffix: str) -> Path:
         The path.
 
     Raises:
-        PathError: The name ends otherwise, the folder is missing, or the place cannot be written.
+        PathError: The name ends otherwise, the folder is missing, or the place cannot be written,
+            as a file that is read-only.
     """
     if not isinstance(path, str | os.PathLike) or not isinstance(os.fspath(path), str):
         raise PathError(
@@ -45,23 +47,30 @@ def write_whole(path: str | os.PathLike, data: bytes, suffix: str) -> Path:
         raise PathError(
             f"There is no folder {str(path.parent)!r} for {path.name!r}; make it first."
         )
-    handle, partial = None, None
+    partial = None
     try:
-        handle, partial = tempfile.mkstemp(dir=path.parent, prefix=".dmp_teach_", suffix=suffix)
+        # A link stays one: what it points to is written.
+        place = Path(os.path.realpath(path))
+        mode = place.stat().st_mode & 0o777 if place.exists() else 0o666 & ~_umask()
+        if not mode & 0o222:
+            raise PermissionError(EACCES, "it is read-only")
+        handle, partial = tempfile.mkstemp(dir=place.parent, prefix=".dmp_teach_", suffix=suffix)
         with os.fdopen(handle, "wb") as file:
             file.write(data)
             file.flush()
             os.fsync(file.fileno())
-        os.chmod(partial, 0o666 & ~_umask())
-        os.replace(partial, path)
+        os.chmod(partial, mode)
+        os.replace(partial, place)
     # A ValueError is a name that no file can have.
     except (OSError, ValueError) as error:
-        if partial is not None and os.path.exists(partial):
-            os.unlink(partial)
         why = getattr(error, "strerror", error)
         raise PathError(
             f"{str(path)!r} cannot be written: {why}. What was there is unchanged."
         ) from None
+    finally:
+        # After an interruption, too.
+        if partial is not None and os.path.exists(partial):
+            os.unlink(partial)
     return path
 
 

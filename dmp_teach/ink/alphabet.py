@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from unicodedata import name, normalize
 
+from dmp_teach.arguments import checked
 from dmp_teach.errors import RecordingError
 from dmp_teach.files import ASSETS
 from dmp_teach.ink.left_hand import check_hand, pull_bars
@@ -70,6 +71,7 @@ def signs(alphabet: str | None = None) -> tuple[str, ...]:
     return tuple(sign for sign in SIGNS if sign in letters)
 
 
+@checked
 def recording_of(character: str, alphabet: str | None = None, hand: str = "right") -> Recording:
     """Return a letter of one of our alphabets, as it was written.
 

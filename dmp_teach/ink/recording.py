@@ -9,10 +9,12 @@ from typing import Self, TypedDict
 import numpy as np
 from numpy.typing import ArrayLike
 
+from dmp_teach.arguments import as_numbers, checked
 from dmp_teach.errors import RecordingError
 from dmp_teach.ink.svg_repr import draw_svg
 from dmp_teach.segmentation import Spans, cut_at_times, get_rule
-from dmp_teach.trajectory import Array, Trajectory, locked
+from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.values import Value, locked
 
 
 class About(TypedDict, total=False):
@@ -23,8 +25,8 @@ class About(TypedDict, total=False):
     baseline: float | None
 
 
-@dataclass(frozen=True, eq=False)
-class Recording:
+@dataclass(frozen=True, eq=False, repr=False)
+class Recording(Value):
     """One letter as it was written, in the frame of its page: x right, y up the page, z out of it.
 
     It carries no name, no date and no time of day: only a pseudonym, and seconds since the take
@@ -87,6 +89,7 @@ class Recording:
         """Time from the first sample to the last [s]."""
         return float(self.t[-1] - self.t[0])
 
+    @checked
     def strokes(
         self, theta: float = 0.10, sigma: float = 0.006, rule: str = "foot"
     ) -> tuple[Trajectory, ...]:
@@ -167,8 +170,8 @@ def _checked(spans: Spans, samples: int) -> Spans:
 def _checked_pressure(pressure: ArrayLike, samples: int) -> Array:
     """Return the pressure, locked; a RecordingError names the first value that cannot be."""
     try:
-        values = np.asarray(pressure, dtype=float)
-    except (TypeError, ValueError, OverflowError):
+        values = as_numbers(pressure)
+    except ValueError:
         values = np.empty(0)
     if values.shape != (samples,):
         raise RecordingError(

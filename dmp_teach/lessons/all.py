@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from importlib import import_module
 
+from dmp_teach.arguments import checked
 from dmp_teach.classroom import Lesson, Verdict
 from dmp_teach.errors import SettingError, shown
 
@@ -31,6 +32,7 @@ def lessons() -> dict[str, str]:
     return {f"{number:02d}": name for number, name in enumerate(_ORDER)}
 
 
+@checked
 def lesson(key: str, pupil: str | None = None) -> Lesson:
     """Return a lesson.
 
@@ -52,6 +54,7 @@ def lesson(key: str, pupil: str | None = None) -> Lesson:
     raise SettingError(f"There is no lesson {shown(key)}; there are: {known}.")
 
 
+@checked
 def check(key: str, answer: object, pupil: str | None = None, hints: int = 0) -> Verdict:
     """Judge the answer to the challenge of a lesson, without a browser.
 

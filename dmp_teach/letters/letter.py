@@ -8,14 +8,14 @@ from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from os import PathLike
 from pathlib import Path
-from types import MappingProxyType
 from typing import Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from dmp_teach.arguments import as_numbers, checked
 from dmp_teach.dmp import DMP, Responses, Settings, chain
-from dmp_teach.errors import LetterError, kind_of
+from dmp_teach.errors import LetterError, kind_of, shown
 from dmp_teach.files import write_whole
 from dmp_teach.ink import draw_svg
 from dmp_teach.letters.compose.piece import Piece
@@ -23,7 +23,8 @@ from dmp_teach.letters.kernel_choice import imitate_strokes
 from dmp_teach.letters.letter_json import letter_parts, letter_to_json
 from dmp_teach.letters.pauses import begin_times
 from dmp_teach.scoring import LetterLike, list_strokes
-from dmp_teach.trajectory import Array, Trajectory, locked, rms
+from dmp_teach.trajectory import Array, Trajectory, rms
+from dmp_teach.values import Value, locked
 
 _Points = Mapping[int, ArrayLike] | None
 
@@ -33,8 +34,8 @@ def rms_distance(a: Iterable[Trajectory], b: Iterable[Trajectory]) -> float:
     return rms(np.concatenate([p.position - q.position for p, q in zip(a, b, strict=True)]))
 
 
-@dataclass(frozen=True, eq=False)
-class Letter:
+@dataclass(frozen=True, eq=False, repr=False)
+class Letter(Value):
     """A letter as one primitive for each stroke.
 
     Args:
@@ -51,9 +52,11 @@ class Letter:
 
     def __post_init__(self) -> None:
         goals = {number: locked(goal) for number, goal in self.led_to.items()}
-        object.__setattr__(self, "led_to", MappingProxyType(goals))
+        object.__setattr__(self, "led_to", goals)
+        super().__post_init__()
 
     @classmethod
+    @checked
     def learn(cls, recording: LetterLike, settings: Settings | None = None) -> Self:
         """Learn a letter: one primitive for each stroke.
 
@@ -69,6 +72,7 @@ class Letter:
         return cls(strokes, imitate_strokes(strokes, settings))
 
     @classmethod
+    @checked
     def compose(cls, pieces: Iterable[Piece], transform: str | None = None) -> Self:
         """Compose a new letter of strokes, one after the other, by their own primitives.
 
@@ -112,6 +116,7 @@ class Letter:
         warnings.warn(words, DeprecationWarning, stacklevel=2)
         return make_letter(*args, **kwargs)
 
+    @checked
     def write(
         self,
         goals: Mapping[int, ArrayLike] | None = None,
@@ -169,7 +174,6 @@ class Letter:
         """Save the letter in a file of plain JSON, whole or not at all (see `letter_json`).
 
         Raises:
-            LetterError: A stroke that is not 2-D.
             PathError: A name that does not end with .json, or a place that cannot be written.
         """
         return write_whole(path, letter_to_json(self).encode(), ".json")
@@ -217,7 +221,9 @@ class Letter:
         except (TypeError, ValueError):
             factor = np.nan
         if not (np.isfinite(factor) and factor > 0):
-            raise LetterError(f"duration is {duration!r}, but it must be a time longer than 0 s.")
+            raise LetterError(
+                f"duration is {shown(duration)}, but it must be a time longer than 0 s."
+            )
         begin = drawn[0].t[0]
         return tuple(
             Trajectory(begin + (stroke.t - begin) * factor, stroke.position) for stroke in drawn
@@ -244,16 +250,16 @@ class Letter:
         for number in of or {}:
             if number not in range(len(self.strokes)):
                 have = f"this letter has stroke {', '.join(map(str, range(len(self.strokes))))}"
-                raise LetterError(f"{name} names stroke {number!r}, but {have}.")
+                raise LetterError(f"{name} names stroke {shown(number)}, but {have}.")
         return dict(of or {})
 
     def _shifted(self, number: int, shift: ArrayLike) -> Array:
         """Return the goal of a stroke moved by a shift."""
         goal = self.led_to.get(number, self.primitives[number].goal)
-        what = f"The goal shift of stroke {number} is {shift!r}, but it must be"
+        what = f"The goal shift of stroke {number} is {shown(shift)}, but it must be"
         try:
-            step = np.asarray(shift, dtype=float)
-        except (TypeError, ValueError):
+            step = as_numbers(shift)
+        except ValueError:
             step = np.empty(0)
         if step.shape != goal.shape:
             raise LetterError(f"{what} {len(goal)} numbers [m].")

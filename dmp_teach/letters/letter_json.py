@@ -1,9 +1,9 @@
 """A learned letter as plain JSON: strokes, settings and weights; no code and no names of people.
 
-The format, version 1, is one object with the strokes as rows t [s], x, y [m]; for each stroke its
-primitive (the fields of `DMP`, and the path of its rollout, so that it draws the same to the last
-bit); goals that strokes are led to; what the letter was made of; and a check sum: a file that was
-edited or damaged is refused.
+The format, version 1, is one object with the strokes as rows t [s], x, y [m], or as many numbers
+as they have; for each stroke its primitive (the fields of `DMP`, and the path of its rollout, so
+that it draws the same to the last bit); goals that strokes are led to; what the letter was made of;
+and a check sum: a file that was edited or damaged is refused.
 """
 
 from __future__ import annotations
@@ -18,13 +18,12 @@ from typing import Any
 import numpy as np
 
 from dmp_teach.dmp import DMP, Settings
-from dmp_teach.errors import LetterError, TeachError
+from dmp_teach.errors import LetterError, TeachError, shown
 from dmp_teach.files import contents, loaded
 from dmp_teach.trajectory import Trajectory
 
 LETTER_FORMAT = "dmp_teach letter"
 LETTER_VERSION = 1
-LETTER_UNITS = {"t": "s", "x": "m", "y": "m"}
 LETTER_FIELDS = tuple(
     ["format", "version", "units", "strokes", "primitives", "led_to", "made_of", "check"]
 )
@@ -36,15 +35,13 @@ INFINITE = "inf"
 
 # Any: a Letter, whose module imports this one; and what JSON may hold.
 def letter_to_json(letter: Any) -> str:
-    """Return a `Letter` of 2-D strokes as JSON; a clock of more than an hour begins at 0."""
-    if any(stroke.dimensions != 2 for stroke in letter.strokes):
-        raise LetterError("A letter that is saved has strokes in 2-D: right and up [m].")
+    """Return a `Letter` as JSON; a clock of more than an hour begins at 0."""
     begin = letter.strokes[0].t[0]
     begin = begin if abs(begin) > LONGEST_CLOCK else 0.0
     content = {
         "format": LETTER_FORMAT,
         "version": LETTER_VERSION,
-        "units": LETTER_UNITS,
+        "units": _units(letter.strokes[0].dimensions),
         "strokes": [
             np.column_stack([stroke.t - begin, stroke.position]).tolist()
             for stroke in letter.strokes
@@ -63,9 +60,13 @@ def letter_parts(path: str | os.PathLike[str]) -> dict[str, Any]:
     try:
         data, name = contents(path)
         content = loaded(data, LETTER_FORMAT, (LETTER_VERSION,), LETTER_FIELDS)
-        if content.pop("check") != check_sum(content) or content["units"] != LETTER_UNITS:
+        if content.pop("check") != check_sum(content):
             raise LetterError("it was changed after it was saved, or damaged; save again.")
         strokes = [np.array(rows, dtype=float) for rows in content["strokes"]]
+        if any(content["units"] != _units(rows.shape[1] - 1) for rows in strokes):
+            raise LetterError(
+                f"its units are {shown(content['units'])}, but must be those of its rows."
+            )
         if not 0 < len(strokes) == len(content["primitives"]):
             raise LetterError("it must have strokes, and a primitive for each.")
         return {
@@ -83,6 +84,12 @@ def letter_parts(path: str | os.PathLike[str]) -> dict[str, Any]:
 def check_sum(content: dict[str, Any]) -> str:
     """Return a number that changes with every character of the content, "check" left out."""
     return hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()
+
+
+def _units(dimensions: int) -> dict[str, str]:
+    """Return the unit of each number in a row."""
+    axes = "xyz" if dimensions <= 3 else [f"x{n}" for n in range(1, dimensions + 1)]
+    return {"t": "s"} | dict.fromkeys(axes[:dimensions], "m")
 
 
 def _primitive_to_json(primitive: DMP, begin: float) -> dict[str, Any]:

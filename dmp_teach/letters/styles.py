@@ -9,12 +9,14 @@ from typing import Self
 import numpy as np
 from numpy.typing import ArrayLike
 
+from dmp_teach.arguments import as_numbers, checked
 from dmp_teach.dmp import Settings, check_point
-from dmp_teach.errors import LetterError
+from dmp_teach.errors import LetterError, shown
 from dmp_teach.letters.letter import Letter
 from dmp_teach.letters.styles_basis import learn_alike, letter_from_row, letter_to_row
 from dmp_teach.scoring import LetterLike
-from dmp_teach.trajectory import Array, all_points, lock_fields
+from dmp_teach.trajectory import Array, all_points
+from dmp_teach.values import Value
 
 # Along a principal style [standard deviations].
 FARTHEST_COORDINATE = 3.0
@@ -22,8 +24,8 @@ FARTHEST_COORDINATE = 3.0
 LARGEST_SHARE = 10.0
 
 
-@dataclass(frozen=True, eq=False)
-class Style:
+@dataclass(frozen=True, eq=False, repr=False)
+class Style(Value):
     """A Gaussian over letters of one class: a mean, and principal styles about it.
 
     Every letter is a row of numbers x (the weights of its primitives, its starts, goals and clock),
@@ -58,10 +60,8 @@ class Style:
     centre: Array
     covariance: Array
 
-    def __post_init__(self) -> None:
-        lock_fields(self, "mean_row", "ways", "coordinates", "spread", "centre", "covariance")
-
     @classmethod
+    @checked
     def of(
         cls, letters: Iterable[LetterLike], settings: Settings | None = None, same_size: bool = True
     ) -> Self:
@@ -80,7 +80,8 @@ class Style:
         """
         if not isinstance(letters, Iterable):
             raise LetterError(
-                f"A style is learned from letters, but got {letters!r}; give a list of recordings."
+                f"A style is learned from letters, but got {shown(letters)}; give a list of "
+                "recordings."
             )
         given = list(letters)
         named = [getattr(each, "character", None) for each in given]
@@ -134,7 +135,7 @@ class Style:
         """
         if not isinstance(shares, Mapping):
             raise LetterError(
-                f"shares is {shares!r}, but must be a dictionary, writer: share, such as "
+                f"shares is {shown(shares)}, but must be a dictionary, writer: share, such as "
                 "{'w01': 1.0}."
             )
         weights = np.zeros(len(self.writers))
@@ -148,6 +149,7 @@ class Style:
             )
         return self._drawn(weights @ self.coordinates)
 
+    @checked
     def morph(self, one: str, other: str, part: float) -> Letter:
         """Return the letter between one writer's (part 0) and another's (part 1), or beyond.
 
@@ -158,6 +160,7 @@ class Style:
         here, there = (self.coordinates[self._number(writer)] for writer in (one, other))
         return self._drawn(here + share * (there - here))
 
+    @checked
     def letter(self, coordinates: ArrayLike) -> Letter:
         """Return the letter at a place along the principal styles.
 
@@ -184,10 +187,11 @@ class Style:
         """
         if not isinstance(rng, np.random.Generator):
             raise LetterError(
-                f"rng is {rng!r}, but must be a generator, such as np.random.default_rng(1)."
+                f"rng is {shown(rng)}, but must be a generator, such as np.random.default_rng(1)."
             )
         return self._drawn(rng.multivariate_normal(self.centre, self.covariance, method="eigh"))
 
+    @checked
     def through(self, stroke: int, part: float, point: ArrayLike, near: float = 5e-4) -> Self:
         """Return the style conditioned to pass through a point (Paraschos 2013, section 2.2).
 
@@ -203,7 +207,9 @@ class Style:
         """
         if stroke not in range(len(self.letters[0].primitives)):
             last = len(self.letters[0].primitives) - 1
-            raise LetterError(f"stroke is {stroke!r}, but strokes are numbered from 0 to {last}.")
+            raise LetterError(
+                f"stroke is {shown(stroke)}, but strokes are numbered from 0 to {last}."
+            )
         part, near = (
             float(_check_within(name, value, 1, low))
             for name, value, low in (("part", part, 0.0), ("near", near, 1e-6))
@@ -228,7 +234,7 @@ class Style:
         """Return the number of this writer's letter."""
         if writer not in self.writers:
             raise LetterError(
-                f"There is no letter by {writer!r} in this style; there are: "
+                f"There is no letter by {shown(writer)} in this style; there are: "
                 f"{', '.join(self.writers)}."
             )
         return self.writers.index(writer)
@@ -248,10 +254,10 @@ def _check_within(name: str, value: ArrayLike, high: float, low: float | None = 
     """Return numbers from `low` (-high unless given) to `high` as an array."""
     low = -high if low is None else low
     try:
-        found = np.asarray(value, dtype=float)
-    except (TypeError, ValueError):
+        found = as_numbers(value)
+    except ValueError:
         found = np.array(np.nan)
     if not ((found >= low) & (found <= high)).all():
         what = "each must be" if found.ndim else "must be a number"
-        raise LetterError(f"{name} is {value!r}, but {what} between {low:g} and {high:g}.")
+        raise LetterError(f"{name} is {shown(value)}, but {what} between {low:g} and {high:g}.")
     return found

@@ -10,6 +10,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike
 
+from dmp_teach.arguments import checked
 from dmp_teach.errors import ReachError, ReachWarning
 from dmp_teach.robot.arm import JOINTS, Solver, get_solver
 from dmp_teach.robot.clearance import describe_collision, describe_thin_margin, find_nearest
@@ -51,6 +52,16 @@ class Fetch:
     def __init__(self) -> None:
         self.model = get_solver().model
 
+    def __eq__(self, other: object) -> bool:
+        return type(self) is type(other)
+
+    def __hash__(self) -> int:
+        return hash(type(self))
+
+    def __repr__(self) -> str:
+        return f"Fetch({len(self.joint_names)} joints)"
+
+    @checked
     def write(
         self,
         strokes: Sequence[Trajectory],

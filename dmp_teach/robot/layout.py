@@ -7,7 +7,8 @@ from collections.abc import Iterable
 import numpy as np
 from numpy.typing import ArrayLike
 
-from dmp_teach.errors import PageError, TrajectoryError, kind_of
+from dmp_teach.arguments import as_numbers
+from dmp_teach.errors import PageError, TrajectoryError, kind_of, shown
 from dmp_teach.robot.page import Page, check_finite, check_page
 from dmp_teach.trajectory import Array, Trajectory, all_points
 
@@ -124,12 +125,12 @@ def _spot(at: ArrayLike | None, extent: Array, page: Page) -> Array:
     if at is None:
         return np.zeros(2)
     try:
-        spot = np.array(at, dtype=float)
-    except (TypeError, ValueError):
+        spot = as_numbers(at)
+    except ValueError:
         spot = np.array(np.nan)
     if spot.shape != (2,) or not np.isfinite(spot).all():
         raise PageError(
-            f"at is {at!r}, but must be two numbers: right and up from the page's centre [m]."
+            f"at is {shown(at)}, but must be two numbers: right and up from the page's centre [m]."
         )
     free = np.maximum(page.size / 2 - PAGE_MARGIN - extent / 2, 0)
     if (np.abs(spot) > free + 1e-9).any():

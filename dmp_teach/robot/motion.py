@@ -11,13 +11,14 @@ from numpy.typing import NDArray
 from dmp_teach.robot.model.kinematics import Model
 from dmp_teach.robot.model.reduced import load_reduced_robot
 from dmp_teach.robot.page import Page
-from dmp_teach.trajectory import Array, Trajectory, lock_fields, locked, rms
+from dmp_teach.trajectory import Array, Trajectory, rms
+from dmp_teach.values import Value, locked
 
 BoolArray = NDArray[np.bool_]
 
 
-@dataclass(frozen=True, eq=False)
-class Motion:
+@dataclass(frozen=True, eq=False, repr=False)
+class Motion(Value):
     """A planned movement of the whole robot.
 
     Args:
@@ -45,9 +46,9 @@ class Motion:
     notes: tuple[str, ...] = ()
 
     def __post_init__(self) -> None:
-        lock_fields(self, "t", "q", "tip", "target", "pen_down")
         for name in ("joint_names", "strokes", "notes"):
             object.__setattr__(self, name, tuple(getattr(self, name)))
+        super().__post_init__()
 
     @property
     def duration(self) -> float:

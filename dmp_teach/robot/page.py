@@ -8,8 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike
 
-from dmp_teach.errors import PageError
-from dmp_teach.trajectory import Array, locked
+from dmp_teach.arguments import as_numbers, checked
+from dmp_teach.errors import PageError, shown
+from dmp_teach.trajectory import Array
+from dmp_teach.values import Value, locked
 
 A4 = (0.210, 0.297)
 
@@ -18,8 +20,8 @@ _TABLE = locked([[0, 1, 0], [-1, 0, 0], [0, 0, 1]])
 _BOARD = locked([[0, 0, -1], [-1, 0, 0], [0, 1, 0]])
 
 
-@dataclass(frozen=True, eq=False)
-class Page:
+@dataclass(frozen=True, eq=False, repr=False)
+class Page(Value):
     """A sheet in the robot's world.
 
     Its origin is at its centre, x points right, y up the page, z out of the paper.
@@ -60,9 +62,11 @@ class Page:
                     f"The page's {name} is {value:g} m, but must be between 0.01 and 2 m.{hint}"
                 )
             object.__setattr__(self, name, value)
-        object.__setattr__(self, "X_world_page", locked(X))
+        object.__setattr__(self, "X_world_page", X)
+        super().__post_init__()
 
     @classmethod
+    @checked
     def table(
         cls,
         x: float = 0.70,
@@ -94,6 +98,7 @@ class Page:
         return cls(_pose("table", (x, y, z), tilt, turn, yaw), width, height)
 
     @classmethod
+    @checked
     def board(
         cls,
         x: float = 0.90,
@@ -139,10 +144,11 @@ class Page:
         """Width and height, shape (2,) [m]."""
         return np.array([self.width, self.height], dtype=float)
 
+    @checked
     def moved(self, shift: ArrayLike) -> Page:
         """Return the same sheet, its centre shifted by (3,) in the world [m]."""
         X = self.X_world_page.copy()
-        X[:3, 3] += np.asarray(shift, dtype=float)
+        X[:3, 3] += _points("shift", shift, (3,)).reshape(3)
         return Page(X, self.width, self.height)
 
     def rounded(self) -> Page:
@@ -171,20 +177,34 @@ class Page:
         """Out of the paper, in the world, shape (3,)."""
         return self.X_world_page[:3, 2]
 
+    @checked
     def to_world(self, points: ArrayLike) -> Array:
         """Return points of the page in the world (..., 3) [m].
 
         Args:
             points: On the page, (..., 2), or (..., 3) with a height over the paper [m].
         """
-        points = np.asarray(points, dtype=float)
+        points = _points("points", points, (2, 3))
         X = self.X_world_page
         return points @ X[:3, : points.shape[-1]].T + X[:3, 3]
 
+    @checked
     def to_page(self, points: ArrayLike) -> Array:
         """Return points of the world (..., 3) in the page's frame (..., 3) [m]."""
         X = self.X_world_page
-        return (np.asarray(points, dtype=float) - X[:3, 3]) @ X[:3, :3]
+        return (_points("points", points, (3,)) - X[:3, 3]) @ X[:3, :3]
+
+
+def _points(name: str, values: ArrayLike, widths: tuple[int, ...]) -> Array:
+    """Return `values` as points of so many numbers (..., D), or raise a PageError."""
+    try:
+        found = as_numbers(values)
+    except ValueError:
+        found = np.empty(0)
+    if found.ndim == 0 or found.shape[-1] not in widths:
+        many = " or ".join(map(str, widths))
+        raise PageError(f"{name} is {shown(values)}, but must be points of {many} numbers [m].")
+    return found
 
 
 def _four_by_four(values: ArrayLike) -> Array:
@@ -236,7 +256,7 @@ def check_page(page: object) -> None:
     """Raise a PageError unless it is a page."""
     if not isinstance(page, Page):
         raise PageError(
-            f"page is {page!r}, but must be a Page, such as Page.table() or Page.board()."
+            f"page is {shown(page)}, but must be a Page, such as Page.table() or Page.board()."
         )
 
 
@@ -247,5 +267,5 @@ def check_finite(name: str, value: float, meaning: str) -> float:
     except (TypeError, ValueError):
         found = np.nan
     if not np.isfinite(found):
-        raise PageError(f"{name} is {value!r}, but must be {meaning}.")
+        raise PageError(f"{name} is {shown(value)}, but must be {meaning}.")
     return found

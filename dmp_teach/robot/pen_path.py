@@ -15,7 +15,8 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
-from dmp_teach.trajectory import Array, Trajectory, lock_fields
+from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.values import Value
 
 MOTION_RATE = 240
 """Samples a second [Hz]."""
@@ -37,8 +38,8 @@ _TRAVEL_SPEED = 0.3
 _TRAVEL_ACCELERATION = 3.0
 
 
-@dataclass(frozen=True, eq=False)
-class PenPlan:
+@dataclass(frozen=True, eq=False, repr=False)
+class PenPlan(Value):
     """Where the nib is meant to be, sample by sample.
 
     Args:
@@ -50,9 +51,6 @@ class PenPlan:
     t: Array
     position: Array
     pen_down: NDArray[np.bool_]
-
-    def __post_init__(self) -> None:
-        lock_fields(self, "t", "position", "pen_down")
 
 
 @dataclass(frozen=True, eq=False)

@@ -26,6 +26,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.spatial.transform import Rotation
 
+from dmp_teach.arguments import checked
 from dmp_teach.errors import MissingPartError
 from dmp_teach.files import write_whole
 from dmp_teach.robot import JOINTS, Model, Motion
@@ -53,6 +54,7 @@ _GOAL = "control_msgs/msg/FollowJointTrajectoryActionGoal"
 _PATH = "nav_msgs/msg/Path"
 
 
+@checked
 def write_rosbag(
     motion: Motion, path: str | Path, start: str | ArrayLike | None = "tucked"
 ) -> Path:

@@ -12,7 +12,8 @@ from scipy.interpolate import CubicSpline
 from dmp_teach.errors import JointError, SettingError, TrajectoryError
 from dmp_teach.robot import JOINTS, Joint, Model, Motion
 from dmp_teach.ros.untuck import TUCKED, find_way
-from dmp_teach.trajectory import Array, Trajectory, lock_fields
+from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.values import Value
 
 LEAD = 6.0
 """Time of the first point [s]: to get to it, and for a hand to get to the stop button."""
@@ -26,8 +27,8 @@ _RATE = 24
 _SHORTEST = 0.5
 
 
-@dataclass(frozen=True, eq=False)
-class Schedule:
+@dataclass(frozen=True, eq=False, repr=False)
+class Schedule(Value):
     """What the arm's controller is sent: a point a row.
 
     Args:
@@ -41,9 +42,6 @@ class Schedule:
     q: Array
     velocity: Array
     writing: int
-
-    def __post_init__(self) -> None:
-        lock_fields(self, "t", "q", "velocity")
 
 
 def make_schedule(motion: Motion, start: str | ArrayLike | None = "tucked") -> Schedule:

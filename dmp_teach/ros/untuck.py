@@ -14,7 +14,8 @@ from scipy.sparse.csgraph import dijkstra
 
 from dmp_teach.errors import ReachError
 from dmp_teach.robot import Model, Motion, Proximity
-from dmp_teach.trajectory import Array, locked
+from dmp_teach.trajectory import Array
+from dmp_teach.values import locked
 
 TUCKED = locked([0.05, 1.32, 1.40, -0.20, 1.72, 0.0, 1.66, 0.0])
 """How the Fetch folds its arm to drive: torso [m], then the joints from the shoulder [rad]."""

@@ -9,7 +9,8 @@ from itertools import permutations, product
 import numpy as np
 
 from dmp_teach.scoring.resampling import POINTS_TO_ALIGN, resample_path
-from dmp_teach.trajectory import Array, locked, path_length
+from dmp_teach.trajectory import Array, path_length
+from dmp_teach.values import Value
 
 # Another alignment than as given is taken only if it is nearer by this much [radii of the line].
 CLEARLY_NEARER = 0.15
@@ -19,8 +20,8 @@ MOST_PERMUTED_PIECES = 3
 LOOP_GAP = 0.1
 
 
-@dataclass(frozen=True, eq=False)
-class Alignment:
+@dataclass(frozen=True, eq=False, repr=False)
+class Alignment(Value):
     """Two lines, point by point.
 
     Args:
@@ -36,11 +37,6 @@ class Alignment:
     backwards: bool
     begins: float
     loop: bool
-
-    def __post_init__(self) -> None:
-        """Copy and lock."""
-        object.__setattr__(self, "points", locked(self.points))
-        object.__setattr__(self, "others", locked(self.others))
 
     @property
     def goes_round(self) -> bool:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from typing import Any, Protocol, cast
+from io import IOBase
+from typing import Any, Protocol, cast, runtime_checkable
 
 import numpy as np
 
@@ -11,6 +12,7 @@ from dmp_teach.errors import LetterError, kind_of
 from dmp_teach.trajectory import Trajectory, path_length
 
 
+@runtime_checkable
 class HasStrokes(Protocol):
     """Something whose strokes can be found, such as a `Recording`."""
 
@@ -18,6 +20,7 @@ class HasStrokes(Protocol):
         """Return the strokes, in the order of writing."""
 
 
+@runtime_checkable
 class Writes(Protocol):
     """Something that writes strokes, such as a `Letter`."""
 
@@ -36,7 +39,7 @@ def list_strokes(letter: Any) -> tuple[Any, ...]:
     """Return the strokes of a recording, of what a letter writes, or what was given, unchecked."""
     if isinstance(letter, Trajectory):
         return (letter,)
-    if callable(getattr(letter, "write", None)):
+    if callable(getattr(letter, "write", None)) and not isinstance(letter, IOBase):
         return tuple(letter.write())
     given = letter.strokes() if callable(getattr(letter, "strokes", None)) else letter
     return tuple(given) if isinstance(given, Iterable) else (given,)

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from dmp_teach.arguments import checked
 from dmp_teach.scoring.arguments import LetterLike, to_strokes
 from dmp_teach.scoring.resampling import POINTS_TO_COMPARE, features, resample
 from dmp_teach.trajectory import Array
@@ -15,6 +16,7 @@ from dmp_teach.trajectory import Array
 COMPARED_SHEARS = np.linspace(-0.45, 0.45, 5)
 
 
+@checked
 def letter_distance(letter: LetterLike, other: LetterLike, upright: bool = True) -> float:
     """Measure how different two letters look: 0 is the same, two hands' a about 0.2, a and D 0.35.
 

@@ -14,6 +14,7 @@ from dmp_teach.scoring.phrases import Position
 from dmp_teach.scoring.wording import word_difference
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Array, Trajectory, all_points
+from dmp_teach.values import Value
 
 DIFFERENCE_STEPS = {
     # Parts of the letter's size: the line of a pen, in a letter as large as a hand.
@@ -55,8 +56,8 @@ FAULT_STEPS = {
 """How many steps are what is or is not: what another reader would stumble over counts most."""
 
 
-@dataclass(frozen=True)
-class Fault:
+@dataclass(frozen=True, eq=False, repr=False)
+class Fault(Value):
     """One way in which a writing differs from its model.
 
     Args:

@@ -11,6 +11,7 @@ import numpy as np
 from dmp_teach.filtering import lowpass
 from dmp_teach.scoring.resampling import POINTS_FOR_SLANT, resample_path
 from dmp_teach.trajectory import Array, Trajectory, all_points, interpolate_points, path_length
+from dmp_teach.values import Value
 
 # The clock on which every movement is looked at [Hz].
 MOVEMENT_RATE = 100.0
@@ -27,8 +28,8 @@ SHAKE_SPACING = 0.01
 SWEEP_POINTS = 35
 
 
-@dataclass(frozen=True)
-class Movement:
+@dataclass(frozen=True, eq=False, repr=False)
+class Movement(Value):
     """One writing in numbers.
 
     Args:

@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from dmp_teach.arguments import checked
 from dmp_teach.ink import check_hand
 from dmp_teach.scoring.arguments import LetterLike, to_strokes
 from dmp_teach.scoring.differences import find_faults
@@ -24,6 +25,7 @@ from dmp_teach.scoring.strokes import MATTERS, REASONS, check_strict, list_reaso
 from dmp_teach.texts import gettext as _
 from dmp_teach.texts import marked
 from dmp_teach.trajectory import Array
+from dmp_teach.values import Value
 
 LEVEL_WORDS = (marked("far"), marked("not far"), marked("close"), marked("the same"))
 # Steps of a fault up to which a row is "not far", "close" and "the same".
@@ -39,8 +41,8 @@ _FAULTS = {
 FAULTS_BY_ROW = {row: faults.split() for row, faults in _FAULTS.items()}
 
 
-@dataclass(frozen=True)
-class Part:
+@dataclass(frozen=True, eq=False, repr=False)
+class Part(Value):
     """One row of the pad.
 
     Args:
@@ -57,7 +59,7 @@ class Part:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Score:
+class Score(Value):
     """How near a writing is to its model.
 
     Args:
@@ -101,6 +103,7 @@ class Score:
         return f"Score({self.sentence!r}, {rows}, {1000 * self.distance:.1f} mm apart)"
 
 
+@checked
 def score(
     written: LetterLike,
     model: LetterLike,

@@ -25,6 +25,7 @@ from dmp_teach.scoring.resampling import (
     squared_distances,
 )
 from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.values import Value
 
 # Every second point is enough to see how a letter leans.
 COARSE_STEP = 2
@@ -69,8 +70,8 @@ TRIED_ORIENTATIONS = tuple(
 )  # fmt: skip
 
 
-@dataclass(frozen=True, eq=False)
-class Pair:
+@dataclass(frozen=True, eq=False, repr=False)
+class Pair(Value):
     """Strokes of two writings that are the same part of the letter.
 
     Args:
@@ -86,8 +87,8 @@ class Pair:
     is_dot: bool
 
 
-@dataclass(frozen=True, eq=False)
-class Matching:
+@dataclass(frozen=True, eq=False, repr=False)
+class Matching(Value):
     """Which strokes of two writings belong together.
 
     Args:

@@ -8,12 +8,12 @@ from __future__ import annotations
 
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import dataclass
-from typing import cast
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from dmp_teach.errors import LetterError
+from dmp_teach.arguments import checked
+from dmp_teach.errors import LetterError, shown
 from dmp_teach.ink import check_hand, is_level
 from dmp_teach.scoring.arguments import LetterLike, to_strokes
 from dmp_teach.scoring.direction import find_other_way
@@ -32,6 +32,7 @@ from dmp_teach.scoring.resampling import POINTS_TO_FIT, resample, size_of
 from dmp_teach.scoring.so_far import match_so_far
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.values import Value
 
 REASONS = {
     "reversed": "start",
@@ -65,8 +66,8 @@ FARTHEST_SHAPE = 0.09
 PART_OF_ANOTHER_WIDTH = 0.15
 
 
-@dataclass(frozen=True)
-class StrokeVerdict:
+@dataclass(frozen=True, eq=False, repr=False)
+class StrokeVerdict(Value):
     """What is to be said of a stroke when the pen is lifted.
 
     Args:
@@ -103,9 +104,9 @@ class StrokeVerdict:
 
 def check_strict(strict: object) -> None:
     """Raise a LetterError unless these are some of `MATTERS`."""
-    is_text = isinstance(strict, str) or not isinstance(strict, Collection)
-    if is_text or not all(each in MATTERS for each in cast(Collection[object], strict)):
-        raise LetterError(f"strict is {strict!r}, but must be some of {MATTERS}.")
+    is_list = isinstance(strict, Collection) and not isinstance(strict, str)
+    if not (is_list and all(isinstance(each, str) and each in MATTERS for each in strict)):
+        raise LetterError(f"strict is {shown(strict)}, but must be some of {MATTERS}.")
 
 
 def list_reasons(strict: Collection[str]) -> set[str]:
@@ -113,6 +114,7 @@ def list_reasons(strict: Collection[str]) -> set[str]:
     return {*strict, *({"lift", "unlike"} if WAY_MATTERS & set(strict) else ())}
 
 
+@checked
 def judge_stroke(
     written: LetterLike,
     model: LetterLike,

@@ -13,13 +13,14 @@ from dmp_teach.formats import read_recording
 from dmp_teach.ink import Recording, alphabets, recording_of
 from dmp_teach.scoring import size_of
 from dmp_teach.trajectory import Trajectory
+from dmp_teach.values import Value
 
 PAPER_LETTERS = "abeDBmM"
 """The letters of the paper, from each of our alphabets where no recordings are given."""
 
 
-@dataclass(frozen=True)
-class Written:
+@dataclass(frozen=True, eq=False, repr=False)
+class Written(Value):
     """A letter of a writer (a pseudonym, or a number), cut into its 2-D strokes [m]."""
 
     character: str

@@ -5,10 +5,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from dmp_teach.dmp import Settings
+from dmp_teach.values import Value
 
 
-@dataclass(frozen=True)
-class Reading:
+@dataclass(frozen=True, eq=False, repr=False)
+class Reading(Value):
     """One way to read the paper.
 
     Args:
@@ -20,6 +21,9 @@ class Reading:
     name: str
     star: Settings
     original: Settings
+
+    def __repr__(self) -> str:
+        return f"Reading({self.name!r})"
 
 
 READINGS = (

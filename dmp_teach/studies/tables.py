@@ -10,7 +10,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from dmp_teach.trajectory import lock_fields
+from dmp_teach.values import Value, shortened
 
 # One mapping for each row, all with the same keys; units stand in the keys. Any: a cell may hold
 # words, numbers or several of them, here and below.
@@ -19,14 +19,11 @@ TableRows = tuple[Mapping[str, Any], ...]
 Columns = Mapping[str, Iterable[Any]]
 
 
-class Tabled:
+class Tabled(Value):
     """A dataclass of locked arrays that is shown as a table of its `columns`."""
 
     COLUMN_WIDTHS: ClassVar[Mapping[str, int]] = {}
     STYLES: ClassVar[Mapping[str, str]] = {}
-
-    def __post_init__(self) -> None:
-        lock_fields(self, *(k for k, v in vars(self).items() if isinstance(v, np.ndarray)))
 
     @property
     @abstractmethod
@@ -47,7 +44,8 @@ class Tabled:
         return self.table()
 
     def __repr__(self) -> str:
-        return f"{type(self).__name__}({len(self.rows())} rows: {', '.join(self.columns)})"
+        columns = shortened(", ".join(self.columns))
+        return f"{type(self).__name__}({len(self.rows())} rows: {columns})"
 
     def _repr_html_(self) -> str:
         """Return the rows as a table in a notebook."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 from gettext import NullTranslations
 from pathlib import Path
 
+from dmp_teach.arguments import checked
 from dmp_teach.errors import SettingError
 from dmp_teach.texts.pseudo import PseudoTranslations
 
@@ -17,6 +18,7 @@ _ENGLISH = NullTranslations()
 _spoken = _ENGLISH
 
 
+@checked
 def set_language(name: str) -> None:
     """Let what is made from now on speak another language.
 

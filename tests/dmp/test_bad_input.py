@@ -138,7 +138,7 @@ def test_a_stiffness_that_nobody_chose_is_never_too_stiff():
             np.zeros((2, 2)),
             "t has shape (3,) and position (2, 2), but they must be (T,) and (T, D)",
         ),
-        ("ab", [[0], [1]], "t must be numbers in an array, but: could not convert string to float"),
+        ("ab", [[0], [1]], "t must be numbers in an array, but: 'ab' is not made of numbers."),
     ],
 )
 def test_what_is_no_movement_is_never_a_trajectory(t, position, words):

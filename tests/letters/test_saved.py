@@ -123,7 +123,7 @@ def test_a_file_that_was_changed_is_refused(tmp_path, content):
 FORGED = {
     "version": (("version",), 2, "version is 2, but this program reads version 1; update"),
     "format": (("format",), "font", "this is not a dmp_teach letter"),
-    "units": (("units",), {"t": "ms"}, "it was changed after it was saved"),
+    "units": (("units",), {"t": "ms"}, "its units are {'t': 'ms'}, but must be"),
     "time stands still": (("strokes", 0), [[0.0, 1.0, 1.0]] * 3, "does not come after"),
     "text": (("primitives", 0, "goal"), [0.0, "x"], "no letter as Letter.save writes it"),
     "ragged": (("primitives", 1, "weights"), [[1.0], [1.0, 2.0]], "no letter as Letter.save"),
@@ -185,23 +185,43 @@ def test_what_is_no_saved_letter_is_refused(tmp_path):
         Letter.load(3)
 
 
-def test_a_save_that_fails_leaves_what_was_there(tmp_path, monkeypatch):
+@pytest.mark.parametrize(
+    "failure", [OSError(28, "No space left on device"), KeyboardInterrupt(), MemoryError()]
+)
+def test_a_save_that_fails_leaves_what_was_there(tmp_path, monkeypatch, failure):
     letter = Letter.learn(recording_of("l"))
     path = letter.save(tmp_path / "l.json")
     before = path.read_bytes()
 
-    def full(*_):
-        raise OSError(28, "No space left on device")
+    def fail(*_):
+        raise failure
 
-    monkeypatch.setattr(os, "replace", full)
-    with pytest.raises(PathError, match="No space left on device"):
+    monkeypatch.setattr(os, "replace", fail)
+    with pytest.raises((PathError, type(failure))):
         Letter.learn(recording_of("D")).save(path)
-    assert path.read_bytes() == before
+    assert [(each, each.read_bytes()) for each in tmp_path.iterdir()] == [(path, before)]
     with pytest.raises(PathError, match=r"its name must end with \.json"):
         letter.save(tmp_path / "l.pickle")
 
 
-def test_only_flat_letters_are_saved(tmp_path):
+@pytest.mark.skipif(os.name == "nt", reason="Windows has no rights of this kind")
+def test_a_file_keeps_its_rights_and_a_link_is_followed(tmp_path):
+    letter, path, link = Letter.learn(recording_of("l")), tmp_path / "l.json", tmp_path / "k.json"
+    letter.save(path).chmod(0o600)
+    link.symlink_to(path)
+    Letter.learn(recording_of("D")).save(link)
+    assert link.is_symlink()
+    assert len(Letter.load(path).strokes) == 2
+    assert path.stat().st_mode & 0o777 == 0o600
+    path.chmod(0o400)
+    with pytest.raises(PathError, match="cannot be written: it is read-only"):
+        letter.save(link)
+
+
+@pytest.mark.parametrize("dimensions", [1, 3, 5])
+def test_a_letter_of_any_dimension_is_saved(tmp_path, dimensions):
     t = np.linspace(0, 1, 60)
-    with pytest.raises(LetterError, match="has strokes in 2-D"):
-        Letter.learn([Trajectory(t, np.column_stack([t, t, t]))]).save(tmp_path / "l.json")
+    letter = Letter.learn(
+        [Trajectory(t, np.column_stack([t**n for n in range(1, dimensions + 1)]))]
+    )
+    assert Letter.load(letter.save(tmp_path / "l.json")) == letter

@@ -11,6 +11,7 @@ from typing import Any
 import traitlets
 from IPython.display import display
 
+from dmp_teach.arguments import checked
 from dmp_teach.classroom.lesson.check import Condition, Verdict, evaluate, judge
 from dmp_teach.classroom.lesson.progress import HINTS_AFTER_MISSES
 from dmp_teach.classroom.panels.kept import kept
@@ -23,6 +24,7 @@ from dmp_teach.views import STYLE_TOKENS, UnsavedWidget
 _HERE = Path(__file__).parent
 
 
+@checked
 def challenge(
     text: str,
     *conditions: Condition,

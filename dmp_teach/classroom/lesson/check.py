@@ -9,6 +9,7 @@ from typing import Any
 
 from dmp_teach.errors import SettingError
 from dmp_teach.texts import gettext as _
+from dmp_teach.values import Value
 
 # Any: a number for a slider, a word for a choice.
 Answer = dict[str, Any]
@@ -18,8 +19,8 @@ Measured = float | Callable[[], float]
 """A number, or what returns it when it is asked."""
 
 
-@dataclass(frozen=True)
-class Condition:
+@dataclass(frozen=True, eq=False, repr=False)
+class Condition(Value):
     """A number that must lie between two limits.
 
     Args:
@@ -153,8 +154,8 @@ def holds(name: str, is_so: bool) -> Condition:
     return Fact(name, float(is_so), 1.0, 1.0)
 
 
-@dataclass(frozen=True)
-class Verdict:
+@dataclass(frozen=True, eq=False, repr=False)
+class Verdict(Value):
     """What a check says of one answer.
 
     Args:

@@ -106,6 +106,12 @@ class LessonContent:
         seed = crc32(f"{self.key} {self.pupil or ''}".encode())
         self.vary(None if pupil is None else np.random.default_rng(seed))
 
+    def __eq__(self, other: object) -> bool:
+        return type(self) is type(other) and self.pupil == getattr(other, "pupil", None)
+
+    def __hash__(self) -> int:
+        return hash((self.key, self.pupil))
+
     def __repr__(self) -> str:
         """Return one line."""
         pupil = "" if self.pupil is None else f", pupil {self.pupil}"

@@ -12,6 +12,7 @@ from unicodedata import normalize
 import numpy as np
 import traitlets
 
+from dmp_teach.arguments import checked
 from dmp_teach.classroom.panels import messages
 from dmp_teach.classroom.panels.panel_page import PanelPage
 from dmp_teach.classroom.panels.robot_panel import RobotPanel, list_letter_choices, pack_points
@@ -36,6 +37,7 @@ EXPLORE_PARTS = ("letters", "sheet", "goal", "n_kernels", "kernel_width", "robot
 _START = SettingChanges(n_kernels=12, kernel_width=2.0)
 
 
+@checked
 def explore(
     recording: Recording | str | Path | None = None,
     page: Page | None = None,

@@ -8,11 +8,13 @@ from dataclasses import replace
 import ipywidgets
 import traitlets
 
+from dmp_teach.arguments import checked
 from dmp_teach.dmp import Knob, Settings, as_settings, knob_of
 from dmp_teach.errors import SettingError
 from dmp_teach.texts import gettext as _
 
 
+@checked
 def sliders(settings: Settings | None = None, *names: str, duration: float = 3.0) -> Sliders:
     """Show sliders for settings, with their names and ranges.
 

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from typing import Self
 
 from dmp_teach.classroom.teaching.traits import PupilTraits
+from dmp_teach.values import Value
 
 # A forgetting this large brings back a fault of the way of writing.
 LEAST_RELAPSE = 0.3
@@ -15,8 +16,8 @@ LEAST_LAPSE = 0.02
 FIRM_SHARE = 2 / 3
 
 
-@dataclass(frozen=True)
-class PupilMemory:
+@dataclass(frozen=True, eq=False, repr=False)
+class PupilMemory(Value):
     """How far a pupil has come with one letter.
 
     Args:

@@ -8,6 +8,7 @@ from functools import cached_property
 from os import PathLike
 from typing import Self
 
+from dmp_teach.arguments import checked
 from dmp_teach.classroom.teaching.faults import (
     WAY_FAULTS,
     PupilStrokes,
@@ -26,6 +27,7 @@ from dmp_teach.letters import Letter
 from dmp_teach.scoring import LetterLike, Score, leading_fault, match_strokes, score, to_strokes
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Array, Trajectory, resample_in_time
+from dmp_teach.values import Value
 
 # So often a second a pupil's strokes are sampled, and never by fewer points.
 RATE, FEWEST_PUPIL_SAMPLES = 100, 40
@@ -35,8 +37,8 @@ WAY_NAMES = (*WAY_FAULTS, "turned", "round", "missing", "extra", "joined", "spli
 GOOD_LEVEL = 2
 
 
-@dataclass(frozen=True, eq=False)
-class RobotPupil:
+@dataclass(frozen=True, eq=False, repr=False)
+class RobotPupil(Value):
     """A robot that is taught one letter; what is done to it returns the pupil that it then is.
 
         pupil = RobotPupil.load("Mia", "b")
@@ -99,6 +101,7 @@ class RobotPupil:
         """The letter that it writes, as primitives that a robot can follow."""
         return Letter(self.strokes, _imitate(self.strokes))
 
+    @checked
     def learn(self, demonstration: LetterLike) -> Self:
         """Return the pupil after it was shown a letter: nearer to it, and with a question.
 
@@ -130,6 +133,7 @@ class RobotPupil:
             question=ask(shown, traits.seed, memory.turn),
         )
 
+    @checked
     def practised(self, memory: PupilMemory) -> Self:
         """Return the pupil with another memory, as our own letter would have taught it."""
         book = _imitate_like(self.first, self.rhythm, recording_of(self.letter).strokes())
@@ -156,6 +160,7 @@ class RobotPupil:
             says = _("It is another day, and I have forgotten much. Look: please show me again.")
         return replace(self, memory=memory, hand=hand, says=says, question=None)
 
+    @checked
     def score(self, model: LetterLike | None = None) -> Score:
         """Compare what it writes with a model; None is our own letter."""
         return self._score_by_the_book if model is None else score(self.strokes, model)
@@ -164,6 +169,7 @@ class RobotPupil:
     def _score_by_the_book(self) -> Score:
         return score(self.strokes, recording_of(self.letter))
 
+    @checked
     def is_good(self, model: LetterLike | None = None) -> bool:
         """Return whether every row of its score is close, or the same."""
         return is_good(self.score(model))

@@ -9,6 +9,7 @@ from typing import Any, Self
 
 import numpy as np
 
+from dmp_teach.arguments import checked
 from dmp_teach.classroom.teaching.pupil import RobotPupil, is_good
 from dmp_teach.classroom.teaching.traits import PupilTraits
 from dmp_teach.errors import RecordingError, shown
@@ -16,6 +17,7 @@ from dmp_teach.files import checked_object, must
 from dmp_teach.ink import LONGEST_PAD_STROKE, recording_of
 from dmp_teach.scoring import LetterLike, read_letter, to_strokes
 from dmp_teach.trajectory import Trajectory
+from dmp_teach.values import Value
 
 FORMAT, SESSION_VERSION = "dmp_teach teaching", 1
 SESSION_FIELDS = ("format", "version", "letter", "pupil", "turns")
@@ -29,16 +31,16 @@ MOST_TICKS = 2**53
 LoggedStrokes = list[list[list[int]]]
 
 
-@dataclass(frozen=True)
-class TeachingTurn:
+@dataclass(frozen=True, eq=False, repr=False)
+class TeachingTurn(Value):
     """One turn: what was shown, and what was answered to the question, if anything."""
 
     strokes: LoggedStrokes
     answer: bool | None = None
 
 
-@dataclass(frozen=True, eq=False)
-class TeachingSession:
+@dataclass(frozen=True, eq=False, repr=False)
+class TeachingSession(Value):
     """A pupil that is taught, turn by turn; made by `TeachingSession.begin`.
 
     Args:
@@ -71,6 +73,7 @@ class TeachingSession:
         pupil = RobotPupil.load(traits, letter)
         return cls(pupil.memory.traits, letter, met=(pupil,), far=(pupil.score().distance,))
 
+    @checked
     def show(self, demonstration: LetterLike) -> Self:
         """Return the session with one turn more.
 

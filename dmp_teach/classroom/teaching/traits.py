@@ -8,15 +8,16 @@ from dataclasses import dataclass, field
 from functools import cache
 from os import PathLike
 from pathlib import Path
-from types import MappingProxyType
 from typing import Any, Self
 
 import numpy as np
 
+from dmp_teach.arguments import checked
 from dmp_teach.classroom.teaching.faults import SHAPE_FAULTS, WAY_FAULTS
 from dmp_teach.errors import RecordingError
 from dmp_teach.files import ASSETS, checked_object, contents, is_number, loaded, must, write_whole
 from dmp_teach.scoring import Score
+from dmp_teach.values import Value
 
 PUPILS_FOLDER = ASSETS / "pupils"
 FORMAT, PUPIL_VERSION = "dmp_teach pupil", 1
@@ -25,8 +26,8 @@ FIELDS = ("format", "version", "name", "faults", "mixes_up", "pace", "forgetting
 FORGETTING_CYCLE = 3
 
 
-@dataclass(frozen=True)
-class PupilTraits:
+@dataclass(frozen=True, eq=False, repr=False)
+class PupilTraits(Value):
     """What a robot is like as a pupil.
 
     Args:
@@ -66,8 +67,8 @@ class PupilTraits:
         _must_be_within("pace", self.pace, 0.05, 1.0)
         _must_be_within("forgetting", self.forgetting, 0.0, 1.0)
         must(type(self.seed) is int and 0 <= self.seed < 2**32, "seed", self.seed, "a whole number")
-        object.__setattr__(self, "faults", MappingProxyType(dict(self.faults)))
         object.__setattr__(self, "mixes_up", tuple(pairs))
+        super().__post_init__()
 
     @classmethod
     def load(cls, path: str | PathLike[str]) -> Self:
@@ -107,6 +108,7 @@ class PupilTraits:
         return write_whole(path, json.dumps(self.as_json(), indent=2).encode(), ".json")
 
     @classmethod
+    @checked
     def like(cls, score: Score, name: str = "Echo") -> Self:
         """Return a pupil that gets wrong what is weakest in somebody's own score.
 
@@ -134,6 +136,7 @@ class PupilTraits:
         mixed = ("mixed up",) if self.writes_instead_of(letter) else ()
         return (*mixed, *(name for name in WAY_FAULTS if name in self.faults))
 
+    @checked
     def forgets_after(self, turn: int) -> bool:
         """Return whether it forgets something between this turn, from 1, and the next."""
         cycle, place = divmod(turn - 1, FORGETTING_CYCLE)

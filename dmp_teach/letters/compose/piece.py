@@ -13,6 +13,7 @@ from typing import Self
 import numpy as np
 from numpy.typing import ArrayLike
 
+from dmp_teach.arguments import checked
 from dmp_teach.dmp import DMP, TRANSFORMATIONS, check_point
 from dmp_teach.errors import LetterError
 from dmp_teach.letters.compose.geometry import (
@@ -30,15 +31,16 @@ from dmp_teach.letters.compose.places import (
 )
 from dmp_teach.letters.kernel_choice import ACCEPTED_ERROR, imitate_within
 from dmp_teach.scoring import size_of
-from dmp_teach.trajectory import Array, Trajectory, locked
+from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.values import Value
 
 PIECE_TRANSFORMS = tuple(
     name for name, each in TRANSFORMATIONS.items() if each.weights_fit_any_goal
 )
 
 
-@dataclass(frozen=True, eq=False)
-class Piece:
+@dataclass(frozen=True, eq=False, repr=False)
+class Piece(Value):
     """A stroke of a letter that was learned.
 
     Args:
@@ -57,10 +59,6 @@ class Piece:
     writer: str | None = None
     led_to: Array | None = field(default=None, repr=False)
 
-    def __post_init__(self) -> None:
-        if self.led_to is not None:
-            object.__setattr__(self, "led_to", locked(self.led_to))
-
     @property
     def name(self) -> str:
         """The name, such as "D.2" for the second stroke of a D."""
@@ -71,6 +69,7 @@ class Piece:
         """The stroke where it is now, on the clock of its recording."""
         return self.primitive.rollout(goal=self.led_to)
 
+    @checked
     def at(self, place: float | str) -> Array:
         """Return a point of the stroke, shape (2,) [m].
 
@@ -100,6 +99,7 @@ class Piece:
         y = min(low + part * (high - low), high)
         return np.array([x_crossings(self.drawn.position, y)[-1], y])
 
+    @checked
     def moved(self, by: ArrayLike) -> Self:
         """Return the stroke translated by `by`, to the right and up, shape (2,) [m]."""
         step, own = check_point("by", by, 2), self.primitive
@@ -138,6 +138,7 @@ class Piece:
             piece = replace(piece, led_to=aimed)
         return piece
 
+    @checked
     def put(self, place: float | str, where: ArrayLike) -> Self:
         """Return the stroke translated so that `place` (as in `at`) lies at `where` (2,) [m]."""
         return self.moved(check_point("where", where, 2) - self.at(place))
@@ -152,6 +153,7 @@ class Piece:
         here = self.at(place)
         return self.moved((_x_at(other, here[1]) - here[0], 0))
 
+    @checked
     def meeting(self, where: ArrayLike) -> Self:
         """Return the stroke moved sideways until it passes through `where`, shape (2,) [m].
 
@@ -175,6 +177,7 @@ class Piece:
         turned = self._by(np.array([[turn.real, -turn.imag], [turn.imag, turn.real]]))
         return turned.moved(box_middle(self.drawn.position) - box_middle(turned.drawn.position))
 
+    @checked
     def using(self, transform: str) -> Self:
         """Return the same weights with another transformation to other ends.
 
@@ -196,6 +199,7 @@ class Piece:
         """Return the stroke as it is now, written from its other end and learned again."""
         return self._learn(Trajectory(self.drawn.t, self.drawn.position[::-1]), self.number)
 
+    @checked
     def part(self, first: int, last: int) -> Self:
         """Return the samples `first:last` of the demonstration, learned again unless all."""
         if (first, last) == (0, len(self.shown)):
@@ -211,6 +215,7 @@ class Piece:
         named = zip("abcdefghijklmnopqrstuvwxyz", parts, strict=False)
         return tuple(self._learn(part, self.number + letter) for letter, part in named)
 
+    @checked
     def follows(self, before: Piece) -> bool:
         """Return whether this was written next after `before`, in the same letter."""
         if (before.character, before.writer) != (self.character, self.writer):

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from difflib import get_close_matches
 from typing import Any, Self
 
+from dmp_teach.arguments import checked
 from dmp_teach.dmp import Settings, as_settings
 from dmp_teach.errors import LetterError, kind_of
 from dmp_teach.letters.compose.piece import Piece
@@ -74,6 +75,7 @@ class Shelf:
         """The pseudonyms of the writers."""
         return tuple(dict.fromkeys(piece.writer for piece in self.pieces))
 
+    @checked
     def by(self, writer: str | None) -> Self:
         """Return the strokes of one writer.
 

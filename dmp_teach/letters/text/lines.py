@@ -8,8 +8,9 @@ from functools import cached_property
 
 import numpy as np
 
+from dmp_teach.arguments import checked
 from dmp_teach.dmp import Settings
-from dmp_teach.errors import LetterError
+from dmp_teach.errors import LetterError, shown
 from dmp_teach.letters.text.handwriting import Hand, OwnLetters, plain_text
 from dmp_teach.letters.text.spacing import Strokes, word_spacing
 from dmp_teach.letters.text.words import DEFAULT_TEMPO, Text, place_words
@@ -21,6 +22,7 @@ DEFAULT_PITCH = 3.1
 X_HEIGHT_STEP = 0.0001
 
 
+@checked
 def write_lines(
     text: str,
     *,
@@ -62,7 +64,7 @@ def write_lines(
             does not fit; the `cure` of that error is an x_height that does.
     """
     if not isinstance(text, str) or not text.split():
-        raise LetterError(f"There is nothing to write in {text!r}; give some words.")
+        raise LetterError(f"There is nothing to write in {shown(text)}; give some words.")
     _check_lengths(width=width, height=height, margin=margin, pitch=1.0 if pitch is None else pitch)
     hand, text = Hand.of(alphabet, letters, settings), plain_text(text)
     hand.scale(x_height)
@@ -90,7 +92,7 @@ def _check_lengths(**lengths: object) -> None:
     """Raise a LetterError for what is no length on a sheet."""
     for name, value in lengths.items():
         if isinstance(value, bool) or not isinstance(value, int | float) or not 0 <= value <= 10:
-            raise LetterError(f"{name} is {value!r}, but must be a length from 0 to 10 m.")
+            raise LetterError(f"{name} is {shown(value)}, but must be a length from 0 to 10 m.")
 
 
 @dataclass(frozen=True)
@@ -175,7 +177,7 @@ def _does_not_fit(sheet: _Sheet, x_height: float) -> LetterError:
     width = sheet.widths[longest] * x_height
     if width > sheet.room[0]:
         what = (
-            f"the word {longest!r} is {1000 * width:.0f} mm wide, but a line has "
+            f"the word {shown(longest)} is {1000 * width:.0f} mm wide, but a line has "
             f"{1000 * max(sheet.room[0], 0):.0f} mm"
         )
     else:

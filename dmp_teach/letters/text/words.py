@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from dmp_teach.arguments import checked
 from dmp_teach.dmp import Settings
 from dmp_teach.errors import LetterError
 from dmp_teach.letters.pauses import pause_before
@@ -45,6 +46,7 @@ class Text(tuple[Trajectory, ...]):
         return f"Text({len(self)} stroke{'s' * (len(self) > 1)}, {self.duration:.3f} s)"
 
 
+@checked
 def write_word(
     text: str,
     alphabet: str | None = None,

@@ -8,7 +8,8 @@ import numpy as np
 import scipy
 
 from dmp_teach.robot.model.kinematics import Model
-from dmp_teach.trajectory import Array, locked
+from dmp_teach.trajectory import Array
+from dmp_teach.values import locked
 
 ROBOT_PARTS = (
     ("base_link", "l_wheel_link", "r_wheel_link"),

@@ -10,11 +10,12 @@ from xml.etree import ElementTree as ET
 import numpy as np
 import scipy
 
-from dmp_teach.trajectory import Array, lock_fields
+from dmp_teach.trajectory import Array
+from dmp_teach.values import Value
 
 
-@dataclass(frozen=True, eq=False)
-class Joint:
+@dataclass(frozen=True, eq=False, repr=False)
+class Joint(Value):
     """What holds a link to the one before it, and how it may move.
 
     Args:
@@ -42,9 +43,6 @@ class Joint:
     velocity: float = np.inf
     effort: float = np.inf
 
-    def __post_init__(self) -> None:
-        lock_fields(self, "X_parent_joint", "axis")
-
     def pose(self, q: Array) -> Array:
         """Return the pose of the child in the parent at q (T,) [rad or m], shape (T, 4, 4)."""
         X = np.tile(self.X_parent_joint, (len(q), 1, 1))
@@ -56,8 +54,8 @@ class Joint:
         return X
 
 
-@dataclass(frozen=True, eq=False)
-class Visual:
+@dataclass(frozen=True, eq=False, repr=False)
+class Visual(Value):
     """A piece of a link's shell, of one colour.
 
     Args:
@@ -76,9 +74,6 @@ class Visual:
     normals: Array
     faces: Array
     color: Array
-
-    def __post_init__(self) -> None:
-        lock_fields(self, "X_link_visual", "vertices", "normals", "faces", "color")
 
 
 def read_robot(path: Path) -> tuple[str, tuple[str, ...], tuple[Joint, ...]]:

@@ -15,7 +15,8 @@ from dmp_teach.robot.page import A4, Page, check_page
 from dmp_teach.robot.reach.check import measure_misses
 from dmp_teach.robot.reach.posture import STRAINED_EFFORT, find_posture
 from dmp_teach.robot.reach.suggest import whole_area
-from dmp_teach.trajectory import Array, lock_fields, locked
+from dmp_teach.trajectory import Array
+from dmp_teach.values import Value, locked
 
 # Of a page's centre, ahead of the robot and to its left [m], and of its tilt from a table, 0, to a
 # whiteboard, a right angle [rad].
@@ -30,8 +31,8 @@ PageProgress = Callable[[int, int], object]
 PageGrid = tuple[tuple[Page, ...], ...]
 
 
-@dataclass(frozen=True, eq=False)
-class ReachMap:
+@dataclass(frozen=True, eq=False, repr=False)
+class ReachMap(Value):
     """Which pages can be written on, corner to corner, on a grid of pages.
 
     Args:
@@ -52,9 +53,6 @@ class ReachMap:
     pages: PageGrid
     effort: Array
     residual: Array
-
-    def __post_init__(self) -> None:
-        lock_fields(self, "x", "across", "effort", "residual")
 
     @property
     def reached(self) -> BoolArray:

@@ -16,7 +16,8 @@ from dmp_teach.robot.arm import Solver
 from dmp_teach.robot.clearance import get_plain_name
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.pen_path import HOVER
-from dmp_teach.trajectory import Array, locked
+from dmp_teach.trajectory import Array
+from dmp_teach.values import locked
 
 TIP_TOLERANCE = 0.0003
 """The pen's tip must come this near to where it should be [m]."""

@@ -11,7 +11,8 @@ import scipy
 
 from dmp_teach.robot.motion import BoolArray, Motion
 from dmp_teach.robot.page import Page
-from dmp_teach.trajectory import Array, Trajectory, lock_fields
+from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.values import Value, locked
 
 INK_COVER = 0.002
 """Ink this near to a place of the letter covers it [m]."""
@@ -29,8 +30,8 @@ _ASTRAY = 0.002
 _PLAN_AGAIN = "Plan again for the page as it lies."
 
 
-@dataclass(frozen=True, eq=False)
-class Run:
+@dataclass(frozen=True, eq=False, repr=False)
+class Run(Value):
     """A motion as physics let it happen.
 
     Args:
@@ -66,7 +67,7 @@ class Run:
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "ink", tuple(self.ink))
-        lock_fields(self, "nib", "force", "contact", "effort", "limits")
+        super().__post_init__()
 
     @property
     def t(self) -> Array:
@@ -96,7 +97,7 @@ class Run:
     @cached_property
     def distances(self) -> Array:
         """Distances of the samples with `writing` from the planned letter, shape (K,) [m]."""
-        return measure_distances(self.nib[self.writing, :2], self.planned)
+        return locked(measure_distances(self.nib[self.writing, :2], self.planned))
 
     @property
     def shape_error(self) -> float:

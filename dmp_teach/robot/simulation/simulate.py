@@ -7,7 +7,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from dmp_teach.errors import SettingError, kind_of
+from dmp_teach.arguments import checked
+from dmp_teach.errors import SettingError, kind_of, shown
 from dmp_teach.robot.model.kinematics import Model
 from dmp_teach.robot.motion import BoolArray, Motion
 from dmp_teach.robot.page import Page
@@ -32,6 +33,7 @@ _STEEPEST = 0.5
 _OFTEN = 24
 
 
+@checked
 def simulate(
     motion: Motion,
     motors: str = "ideal",
@@ -200,14 +202,14 @@ def _check(motion: Motion) -> None:
 def _check_seed(seed: int) -> None:
     """Raise for what cannot start a random generator."""
     if not isinstance(seed, int | np.integer) or isinstance(seed, bool) or seed < 0:
-        raise SettingError(f"seed is {seed!r}, but must be a whole number, 0 or more.")
+        raise SettingError(f"seed is {shown(seed)}, but must be a whole number, 0 or more.")
 
 
 def _check_known(name: str, value: str, known: tuple[str, ...]) -> None:
     """Raise for a word that is not among those known."""
     if value not in known:
         raise SettingError(
-            f"{name} is {value!r}, but must be one of: {', '.join(map(repr, known))}."
+            f"{name} is {shown(value)}, but must be one of: {', '.join(map(repr, known))}."
         )
 
 
@@ -216,6 +218,6 @@ def _check_size(name: str, value: float, most: float, unit: str, hint: str) -> N
     number = float(value) if isinstance(value, int | float | np.number) else np.nan
     if not abs(number) <= most:
         raise SettingError(
-            f"{name} is {value!r} {unit}, but must be between {-most} and {most} {unit}; was it in "
-            f"{hint}?"
+            f"{name} is {shown(value)} {unit}, but must be between {-most} and {most} {unit}; "
+            f"was it in {hint}?"
         )

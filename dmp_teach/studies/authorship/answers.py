@@ -11,14 +11,15 @@ from numpy.typing import NDArray
 from dmp_teach.errors import SettingError
 from dmp_teach.studies.tables import Columns, Tabled
 from dmp_teach.trajectory import Array
+from dmp_teach.values import Value
 
 PERMUTATIONS = 999
 # 95 % of a normal distribution lie within so many standard deviations.
 NORMAL_95 = 1.959964
 
 
-@dataclass(frozen=True, repr=False)
-class Answers:
+@dataclass(frozen=True, eq=False, repr=False)
+class Answers(Value):
     """One question, asked of many letters.
 
     Args:

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from dmp_teach.arguments import checked
 from dmp_teach.dmp import Settings, named_settings
 from dmp_teach.errors import SettingError
 from dmp_teach.letters import Letter, cut_at_corners, find_bar_and_bowl
@@ -16,6 +17,7 @@ from dmp_teach.studies.inputs import RecordingsLike, Written, list_letters, own_
 from dmp_teach.studies.parallel import Progress, run
 from dmp_teach.studies.tables import Columns, Tabled
 from dmp_teach.trajectory import Array, Trajectory, rms
+from dmp_teach.values import Value
 
 # What makes a P, in parts of the bar: the bowl ends near the middle of the bar, leaves a leg free
 # below it, and is nowhere farther from the bar; and most of it is on its side of the bar.
@@ -25,8 +27,8 @@ BOWL_SIDE_SHARE = 0.8
 WIDEST_BOWL = 1.5
 
 
-@dataclass(frozen=True, eq=False)
-class MadeLetter:
+@dataclass(frozen=True, eq=False, repr=False)
+class MadeLetter(Value):
     """A P, made from somebody's D.
 
     Args:
@@ -112,6 +114,7 @@ class MadeLetters(Tabled):
     items: tuple[MadeLetter, ...]
     borrowed: bool = False
 
+    @checked
     def by(self, made_with: str) -> tuple[MadeLetter, ...]:
         """Return those that one transformation made."""
         return tuple(item for item in self.items if item.made_with == made_with)

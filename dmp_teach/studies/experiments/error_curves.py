@@ -9,8 +9,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from dmp_teach.arguments import checked
 from dmp_teach.dmp import Settings
-from dmp_teach.errors import SettingError
+from dmp_teach.errors import SettingError, shown
 from dmp_teach.studies.experiments.variants import (
     NUMBER_VARIANTS,
     WIDTH_VARIANTS,
@@ -63,6 +64,7 @@ class ErrorCurves(Tabled):
     numbers: NDArray[np.int_]
     euclidean: Array
 
+    @checked
     def of(self, variant: str, error: str = "error") -> Array:
         """Return the errors of one variant, or its "euclidean" ones, shape (S, K) [m].
 
@@ -73,9 +75,13 @@ class ErrorCurves(Tabled):
             raise SettingError(
                 f"There is no variant {variant!r}; there are: {', '.join(self.variants)}."
             )
+        kinds = "error", "euclidean"
+        if error not in kinds:
+            raise SettingError(f"error is {shown(error)}, but must be one of: {', '.join(kinds)}.")
         found: Array = getattr(self, error)[self.variants.index(variant)]
         return found
 
+    @checked
     def at(self, x: float) -> Array:
         """Return the errors at one value of `x` (the nearest that was tried), shape (V, S) [m]."""
         nearest = np.argmax(self.x) if np.isinf(x) else np.argmin(np.abs(self.x - x))
@@ -98,6 +104,7 @@ class ErrorCurves(Tabled):
         }
 
 
+@checked
 def sweep_kernel_width(
     recordings: RecordingsLike = None,
     widths: Sequence[float] | None = None,
@@ -126,6 +133,7 @@ def sweep_kernel_width(
     return _curves("width [1/N]", widths, named, strokes, found)
 
 
+@checked
 def sweep_kernel_number(
     recordings: RecordingsLike = None,
     shares: Sequence[float] | None = None,

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from dmp_teach.arguments import checked
 from dmp_teach.dmp import DMP, Settings, as_settings
 from dmp_teach.errors import SettingError
 from dmp_teach.studies.experiments.variants import Variant
@@ -87,6 +88,7 @@ class GoalChanges(Tabled):
         """In how many cases DMP* does."""
         return sum(case.turned_over for case in self.cases)
 
+    @checked
     def values(self, name: str) -> Array:
         """Return one figure of every case, such as `values("star")`, shape (C,)."""
         return np.array([getattr(case, name) for case in self.cases])
@@ -106,6 +108,7 @@ class GoalChanges(Tabled):
         }
 
 
+@checked
 def change_goals_1d(
     recordings: RecordingsLike = None,
     shift: float = 0.01,
@@ -139,6 +142,7 @@ def change_goals_1d(
     return _collected(run(_change_goal, pieces, executor, progress))
 
 
+@checked
 def change_goals_2d(
     recordings: RecordingsLike = None,
     shift: float = 0.1,

@@ -9,11 +9,12 @@ import numpy as np
 
 from dmp_teach.dmp import DMP
 from dmp_teach.studies.experiments.goal_change import both_forms, goal_factor
-from dmp_teach.trajectory import Array, Trajectory, locked
+from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.values import Value, locked
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class GoalPaths:
+class GoalPaths(Value):
     """One stroke, or one coordinate of it, shown and drawn to a goal that moved.
 
     Args:

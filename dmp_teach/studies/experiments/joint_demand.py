@@ -17,7 +17,8 @@ from xml.etree import ElementTree as ET
 import numpy as np
 
 from dmp_teach.robot import JOINTS, START_POSTURES, Model
-from dmp_teach.trajectory import Array, Trajectory, locked
+from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.values import locked
 
 ARM_JOINTS = JOINTS[1:]
 # Of the difference quotients [rad].

@@ -16,13 +16,14 @@ from dmp_teach.studies.inputs import RecordingsLike, Written, list_letters
 from dmp_teach.studies.parallel import Progress, run
 from dmp_teach.studies.tables import Columns, Tabled
 from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.values import Value
 
 FIGURE_5_WIDTHS = (1.0, 10.0, np.inf, 2 / 3)
 """The kernel widths of the paper's figure 5 [1/N], best first as the paper gives their errors."""
 
 
-@dataclass(frozen=True, eq=False)
-class Redrawn:
+@dataclass(frozen=True, eq=False, repr=False)
+class Redrawn(Value):
     """One letter as it was shown, and as it was drawn.
 
     Args:

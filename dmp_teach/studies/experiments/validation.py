@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from scipy.interpolate import CubicSpline
 
+from dmp_teach.arguments import checked
 from dmp_teach.dmp import DMP, KERNELS_PER_SECOND, Settings, as_settings
 from dmp_teach.errors import SettingError, TrajectoryError
 from dmp_teach.ink import Recording
@@ -82,6 +83,7 @@ class Choice(Tabled):
         )
 
 
+@checked
 def choose_kernels(
     trajectory: Trajectory | Recording,
     settings: Settings | None = None,

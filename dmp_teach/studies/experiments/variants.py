@@ -9,15 +9,17 @@ from typing import Unpack
 
 import numpy as np
 
+from dmp_teach.arguments import checked
 from dmp_teach.dmp import DMP, KERNELS, SettingChanges, Settings
 from dmp_teach.trajectory import Trajectory, rms
+from dmp_teach.values import Value
 
 # The paper's N = Num/10, as a share of the samples.
 PAPER_SHARE = 0.1
 
 
-@dataclass(frozen=True)
-class Variant:
+@dataclass(frozen=True, eq=False, repr=False)
+class Variant(Value):
     """Settings whose number of kernels may follow the stroke.
 
     Args:
@@ -29,6 +31,7 @@ class Variant:
     settings: Settings
     share: float | None = PAPER_SHARE
 
+    @checked
     def on(self, path: Trajectory, **changes: Unpack[SettingChanges]) -> Settings:
         """Return the settings for one stroke."""
         number = self.settings.n_kernels

@@ -10,14 +10,15 @@ from numpy.typing import NDArray
 from dmp_teach.studies.hand.power_law import UNKNOWN, Bends, Exponent, measure_power_law
 from dmp_teach.studies.inputs import RecordingsLike, Written, list_letters
 from dmp_teach.texts import gettext as _
-from dmp_teach.trajectory import Array, locked
+from dmp_teach.trajectory import Array
+from dmp_teach.values import Value, locked
 
 # Sizes that are nearer to one another say nothing of how the time grows [ratio].
 LEAST_SIZE_RATIO = 1.5
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class HandLaws:
+class HandLaws(Value):
     """What a hand does, of W writings.
 
     Args:

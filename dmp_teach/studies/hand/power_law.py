@@ -16,8 +16,10 @@ import numpy as np
 import scipy
 from numpy.typing import NDArray
 
+from dmp_teach.arguments import checked
 from dmp_teach.filtering import lowpass
 from dmp_teach.trajectory import Array, Trajectory, arc_lengths
+from dmp_teach.values import Value
 
 # The clock on which ink is looked at [Hz].
 INK_RATE = 120.0
@@ -48,8 +50,8 @@ WIDEST_INTERVAL = 1.0
 BLOCK_SAMPLES = 48
 
 
-@dataclass(frozen=True)
-class Exponent:
+@dataclass(frozen=True, eq=False, repr=False)
+class Exponent(Value):
     """An exponent with its interval of 95 %; NaN where there is too little ink to know.
 
     Args:
@@ -63,6 +65,7 @@ class Exponent:
     high: float
 
     @classmethod
+    @checked
     def around(cls, value: float, error: float, freedom: float) -> Exponent:
         """Return an estimate with its standard error and the degrees of freedom of that."""
         half = float(scipy.special.stdtrit(max(freedom, 1), 0.975)) * error
@@ -72,8 +75,8 @@ class Exponent:
 UNKNOWN = Exponent(np.nan, np.nan, np.nan)
 
 
-@dataclass(frozen=True, eq=False)
-class Bends:
+@dataclass(frozen=True, eq=False, repr=False)
+class Bends(Value):
     """A stroke as it was moved, smoothed.
 
     Args:
@@ -126,8 +129,8 @@ class Bends:
         return scipy.interpolate.CubicSpline(t, self.path)(np.arange(0.0, t[-1], self.dt))
 
 
-@dataclass(frozen=True, eq=False)
-class MeasuredInk:
+@dataclass(frozen=True, eq=False, repr=False)
+class MeasuredInk(Value):
     """Strokes through one low-pass, with what it makes of known exponents."""
 
     bends: tuple[Bends, ...]

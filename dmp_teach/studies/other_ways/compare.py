@@ -26,6 +26,7 @@ from dmp_teach.studies.other_ways.way import CUTS, Way, even_path
 from dmp_teach.studies.parallel import Progress, run
 from dmp_teach.studies.tables import Columns, Tabled
 from dmp_teach.trajectory import Array, Trajectory, interpolate_points, rms
+from dmp_teach.values import Value
 
 WAYS: Mapping[str, type[Way]] = {
     each.name: each for each in (StarWay, Mixture, HiddenMarkov, LearnedCost, Probabilistic)
@@ -36,8 +37,8 @@ NUMBERS_SHOWN = (1, 2, 5, 10)
 TAKES_DRAWN = 10
 
 
-@dataclass(frozen=True, eq=False)
-class WayTried:
+@dataclass(frozen=True, eq=False, repr=False)
+class WayTried(Value):
     """One way to learn, with so many demonstrations.
 
     Args:

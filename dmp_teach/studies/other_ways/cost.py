@@ -21,7 +21,7 @@ LEAST_SPREAD = 1e-3
 JERK_RANGE, PLACE_RANGE = (-12.0, 12.0), (0.0, 16.0)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class LearnedCost(GaussianWay):
     """A quadratic cost of which the letter is the minimum.
 

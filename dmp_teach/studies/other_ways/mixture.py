@@ -32,7 +32,7 @@ SMOOTHER = 4
 LONGEST, ARRIVED = 1.5, 0.005
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Mixture(Way):
     """A time-invariant system of mixed Gaussians, seen from its goal (Khansari and Billard 2011).
 

@@ -17,7 +17,7 @@ BASIS_NUMBER = 20
 END_DEVIATION = 1e-6
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Probabilistic(GaussianWay):
     """A Gaussian over weights of bumps (Paraschos 2013, equations 1 to 5).
 

@@ -13,7 +13,7 @@ from dmp_teach.studies.other_ways.way import Way, list_demonstrations
 from dmp_teach.trajectory import Trajectory
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class StarWay(Way):
     """DMP* (Algorithm 2 of the paper): it learns the first demonstration, and no other.
 

@@ -26,7 +26,7 @@ STATE_NUMBER = 16
 LEAST_VARIANCE = 1e-5
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class HiddenMarkov(GaussianWay):
     """A hidden Markov model whose states follow one another (after Williams 2006).
 

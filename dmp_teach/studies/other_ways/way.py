@@ -17,13 +17,14 @@ from numpy.typing import ArrayLike
 from dmp_teach.dmp import check_point
 from dmp_teach.errors import MissingPartError, TrajectoryError, kind_of
 from dmp_teach.trajectory import Array, Trajectory, resample_in_time
+from dmp_teach.values import Value
 
 CUTS = 120
 """In so many equal parts of its duration a demonstration is learned."""
 
 
-@dataclass(frozen=True, eq=False)
-class Aligned:
+@dataclass(frozen=True, eq=False, repr=False)
+class Aligned(Value):
     """Demonstrations of one movement, at equal parts of their durations.
 
     Args:
@@ -51,7 +52,7 @@ class Aligned:
         return values
 
 
-class Way(ABC):
+class Way(Value, ABC):
     """A way to learn a movement: `learn` it from demonstrations, `write` it to a goal."""
 
     name: ClassVar[str]

@@ -12,14 +12,15 @@ from dmp_teach.studies.inputs import RecordingsLike
 from dmp_teach.studies.readings import Reading
 from dmp_teach.studies.tables import Columns, Tabled
 from dmp_teach.studies.verdicts.evidence import Evidence, evidence_of
+from dmp_teach.values import Value
 
 HOLDS, FAILS, DEPENDS = "HOLDS", "DOES NOT HOLD", "DEPENDS ON"
 # Fewer of them are no proof: five coins fall the same way once in 32.
 NO_PROOF_BELOW = 5
 
 
-@dataclass(frozen=True)
-class Claim:
+@dataclass(frozen=True, eq=False, repr=False)
+class Claim(Value):
     """One row.
 
     Args:
@@ -98,9 +99,6 @@ class Claims(Tabled):
         raise SettingError(
             f"There is no claim {key!r}; there are: {', '.join(each.name for each in self.items)}."
         )
-
-    def __repr__(self) -> str:
-        return self.table()
 
 
 @dataclass(frozen=True)

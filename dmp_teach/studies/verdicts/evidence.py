@@ -37,6 +37,7 @@ from dmp_teach.studies.parallel import run
 from dmp_teach.studies.readings import READINGS, Reading
 from dmp_teach.studies.verdicts.single import can_learn_original, find_error, find_stray
 from dmp_teach.trajectory import Array, Trajectory
+from dmp_teach.values import Value
 
 KEPT_SAMPLES = 4
 # Fewer than the studies take when they are called alone: what a verdict needs.
@@ -66,8 +67,8 @@ def _once(
     return kept
 
 
-@dataclass(frozen=True, eq=False)
-class Evidence:
+@dataclass(frozen=True, eq=False, repr=False)
+class Evidence(Value):
     """The evidence that verdicts are computed from; every claim takes recordings, or this.
 
     Args:
@@ -82,7 +83,7 @@ class Evidence:
     labels: str | None = None
     executor: Executor | None = None
     # Any: what each of the studies finds.
-    kept: dict[tuple, Any] = field(default_factory=dict, repr=False)
+    kept: dict[tuple, Any] = field(default_factory=dict, repr=False, compare=False)
 
     @property
     def argument(self) -> str:

@@ -9,7 +9,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from dmp_teach.robot import Motion
-from dmp_teach.trajectory import Array, Trajectory, locked, path_length
+from dmp_teach.trajectory import Array, Trajectory, path_length
+from dmp_teach.values import locked
 from dmp_teach.views.scene.packing import Faces
 
 DOT_CORNERS = 8

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from dmp_teach.robot import Page
-from dmp_teach.trajectory import Array, locked
+from dmp_teach.trajectory import Array
+from dmp_teach.values import locked
 from dmp_teach.views.scene.packing import Faces
 
 Rgba = tuple[float, float, float, float]
