@@ -126,6 +126,7 @@ SAME = {
         f'<g clip-path="url(#c)"><rect width="100%" height="80" fill="white" stroke="none"/>{L}</g>'
         '<defs><clipPath id="c"><rect width="100" height="80"/></clipPath></defs>'
     ),
+    "on no paper": svg(f"<style>svg{{background:none}}</style>{L}"),
     "on squared paper": svg('<rect width="100%" height="80" stroke="none" fill="url(#p)"/>' + L),
     "on a blackboard": svg(
         '<rect width="100" height="80" fill="#021" stroke="none"/>'

@@ -36,6 +36,7 @@ DEEPEST_CLONE = 10  # clones of clones
 CLIP_POINTS = 32  # on a curve of a clip
 UPWARD = np.diag([1.0, -1.0, 1.0])
 LINK = re.compile(r"url\(\s*[\"']?#([^\"')]+)[\"']?\s*\)")
+PLAIN_COLOUR = re.compile(r"#[\da-fA-F]+|rgba?\([^()]+\)|black")
 UNLINK = "unlink clones, or convert them to paths."
 
 
@@ -88,7 +89,8 @@ class ShapeFinder:
         self._clips: dict[tuple[int, bytes], Clip] = {}
         self.others: set[str] = set()
         said = self._styles.look(root, None).own
-        paper = colour(said.get("background-color", said.get("background", "white")))
+        text = said.get("background-color", said.get("background", ""))
+        paper = colour(text) if PLAIN_COLOUR.fullmatch(text) else np.ones(4)
         self.paper = paper if paper[3] == 1 else np.ones(4)
 
     def shapes(self) -> Iterator[Shape]:
