@@ -7,6 +7,8 @@ lists of such strokes, wherever they lie in the file: the first that is found co
 from __future__ import annotations
 
 import json
+from collections.abc import Iterator
+from dataclasses import replace
 from typing import TypeGuard
 
 import numpy as np
@@ -14,11 +16,14 @@ import numpy as np
 from dmp_teach.errors import RecordingError
 from dmp_teach.formats.columns import read_columns
 from dmp_teach.formats.dmp_teach_json import begins_like_json
+from dmp_teach.formats.flat_ink import label_from
 from dmp_teach.formats.registry import CaptureOptions, Format
 from dmp_teach.formats.strangers import describe_stranger
 from dmp_teach.ink import Recording
 from dmp_teach.trajectory import Array
 
+LABEL_KEYS = ("character", "letter", "label", "word", "truth")
+MOST_LETTERS = 10_000  # in a file with one object a line
 MOST_VALUES = 200_000  # lists and objects that are looked at
 TableStroke = tuple[tuple[str, ...] | None, Array]
 """The names of columns, or None, and a row for each sample."""
@@ -31,10 +36,21 @@ def is_other_json(data: bytes) -> bool:
 
 def read_other_json(data: bytes, name: str, options: CaptureOptions) -> tuple[Recording, ...]:
     """Read the letter in a JSON file; errors as `read_columns`."""
+    text = data.decode("utf-8-sig", errors="replace")
     try:
-        content = json.loads(data.decode("utf-8-sig", errors="replace"))
+        try:
+            contents = [json.loads(text)]
+        except ValueError:
+            # One object a line, a letter each.
+            lines = [line for line in text.splitlines() if line.strip()]
+            contents = [json.loads(line) for line in lines[:MOST_LETTERS]]
     except (ValueError, RecursionError) as error:
         raise RecordingError(f"is no whole JSON: {str(error)[:100]}; save it again.") from None
+    return tuple(letter for each in contents for letter in _letters(each, name, options))
+
+
+def _letters(content: object, name: str, options: CaptureOptions) -> Iterator[Recording]:
+    """Yield the letter in a value of JSON, labelled where it says which one it is."""
     strokes = _first_strokes(content)
     if not strokes:
         raise RecordingError(
@@ -46,7 +62,10 @@ def read_other_json(data: bytes, name: str, options: CaptureOptions) -> tuple[Re
     width = alike[0].shape[1]
     gap = np.full((1, width), np.nan)
     rows = [part for table in alike if table.shape[1] == width for part in (table, gap)]
-    return read_columns(np.concatenate(rows), names, name, options, on_screen=True)
+    said = content if isinstance(content, dict) else {}
+    labels = (said[key] for key in LABEL_KEYS if isinstance(said.get(key), str))
+    for letter in read_columns(np.concatenate(rows), names, name, options, on_screen=True):
+        yield replace(letter, character=label_from(next(labels, None)) or letter.character)
 
 
 def _first_strokes(content: object) -> list[TableStroke]:

@@ -48,7 +48,7 @@ def test_letters_of_the_pad_become_the_schools_and_the_last_one_counts(tmp_path)
     (folder / "a_w01.json").write_text(
         (folder / "a_w01.json").read_text().replace('"character": "o"', '"character": "a"')
     )
-    for name in ("readme.txt", "readme.csv", "._a.svg"):
+    for name in ("readme.md", "readme.csv", "._a.svg"):
         (folder / name).write_text("no letter")
     with pytest.warns(UserWarning, match=r"Left out, as no letter: readme\.(csv|txt)"):
         assert use_script(folder) == ("a", "b")

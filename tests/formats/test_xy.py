@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.formats.read import read_recording
+from dmp_teach.formats.read import read_recording, read_recordings
 from tests.formats.ink_files import d_strokes
 from tests.formats.motive_csv import Pen, bar, bowl
 
@@ -157,6 +157,13 @@ def test_a_table_without_times_gets_a_hands_pace_and_a_note(tmp_path, kind):
     for stroke, wanted in zip(recording.strokes(), d_strokes(), strict=True):
         box = np.stack([stroke.position.min(axis=0), stroke.position.max(axis=0)])
         assert np.allclose(box, [wanted[:, 1:3].min(axis=0), wanted[:, 1:3].max(axis=0)], atol=1e-3)
+
+
+def test_a_line_of_json_for_each_letter(tmp_path):
+    line = {"word": "d", "drawing": [stroke[:, [1, 2, 0]].T.tolist() for stroke in STROKES]}
+    (tmp_path / "a.ndjson").write_text("\n".join(json.dumps({**line, "word": w}) for w in "ab"))
+    letters = read_recordings(tmp_path / "a.ndjson")
+    assert [(each.character, len(each.strokes())) for each in letters] == [("a", 2), ("b", 2)]
 
 
 def test_pressure_lifts_the_pen_and_is_kept(tmp_path):

@@ -73,7 +73,7 @@ def ends(drawn):
 def test_writers_drawn_by_lot_are_cut_where_their_pens_wrote(habit):
     """No dots (i): who rests beside a dot smaller than the marker's noise made no stroke."""
     off = [ends(take(seed, habit=habit, letters="aDBePM")) for seed in range(25)]
-    assert np.mean([each.max() < np.inf for each in off]) >= 0.97
+    assert np.mean([each.max() < np.inf for each in off]) >= 0.95
     off = np.concatenate([each for each in off if each.max() < np.inf])
     assert np.mean(off <= NEAR) >= 0.95
     assert np.median(off) <= 0.01
