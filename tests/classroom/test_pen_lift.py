@@ -161,7 +161,7 @@ def test_the_verdict_is_out_before_the_letter_is_scored_and_learned(monkeypatch)
     learn, scored = Letter.learn, attempts.score
     monkeypatch.setattr(Letter, "learn", lambda *given: done.append("learned") or learn(*given))
     monkeypatch.setattr(attempts, "score", lambda *given: done.append("scored") or scored(*given))
-    panel.observe(lambda change: done.append(said(panel)), "drawing")
+    panel.observe(lambda change: done.append(said(panel)), "message")
     write(panel, bar, backwards=True)
     assert "starts at the wrong end" in done[0]
     assert set(done[1:3]) == {"scored", "learned"}

@@ -288,12 +288,12 @@ class Pad(Results, PadTraits, RobotPanel):
             self._show_strokes(strokes)
             self.robot_counts = [len(stroke) for stroke in strokes]
             self._show(describe_pad(self._attempts, self._model, self._is_done, self._pen_lift))
+            self.drawing += 1
 
     def _show(self, traits: dict[str, object]) -> None:
-        """Send the browser what it draws at once."""
+        """Send the browser what the last question is answered with: it draws the sheet."""
         with self.hold_sync():
             for name, value in traits.items():
                 self.set_trait(name, value)
             self.kept = ""
             self.answered = self._heard
-            self.drawing += 1

@@ -41,7 +41,7 @@ class PadTraits(traitlets.HasTraits):
     parts: traitlets.List[dict[str, object]] = traitlets.List().tag(sync=True)
     tries: traitlets.List[dict[str, object]] = traitlets.List().tag(sync=True)
     tried = traitlets.Bytes().tag(sync=True)
-    shift = traitlets.List([0.0, 0.0]).tag(sync=True)
+    shift: traitlets.List[float] = traitlets.List().tag(sync=True)
     unfinished = traitlets.Bool(False).tag(sync=True)
     kept = traitlets.Unicode().tag(sync=True)
     lift = traitlets.Dict().tag(sync=True)
@@ -62,6 +62,8 @@ def describe_lift(
         "counts": [len(stroke) for stroke in ink],
         "unfinished": unfinished,
         "lift": lift.describe(now.strokes if now else ()),
+        # How all of it lies on the model is known with the score.
+        "shift": [],
     }
     if lift.missed is not None:
         shown["message"] = pad_messages.describe_missed_stroke(lift.missed)
@@ -91,9 +93,9 @@ def describe_pad(
         robots = lift.find_robots(now.strokes if now else ())
         message = pad_messages.describe_help(robots[0]) if robots else message
     said = message["text"] + message["strong"] if now else ""
-    shift = [0.0, 0.0]
-    if now is not None and now in scored and now.score is not None:
-        shift = now.score.shift.tolist()
+    shift: list[float] = []
+    if now is not None and not unfinished:
+        shift = [0.0, 0.0] if now.score is None else now.score.shift.tolist()
     return at_the_lift | {
         "message": message,
         "parts": parts,

@@ -104,8 +104,8 @@ export function drawRobot(/** @type {Model} */ model, /** @type {SheetParts} */ 
  * The child's ink once it is all there, laid on the robot's own letter as the number compares them.
  */
 function laidOn(/** @type {Model} */ model, /** @type {Place[][]} */ line) {
-  if (!model.get("counts").length || model.get("unfinished") || !line.length) return [];
   const [right, up] = model.get("shift");
+  if (right === undefined || !line.length) return [];
   return strokesOf(model, "ink").map((points) => points.map(([x, y]) => [x + right, y + up]));
 }
 
