@@ -133,7 +133,7 @@ class BeAScientist(Lesson):
                 _("Look at the other claims, each in both ways and with all its writers."),
                 lambda v: (
                     (v["claim"] != self.start["claim"] and v["how"] == COUNTER_TEST)
-                    and v["writers"] == len(self.writers.strokes)
+                    and v["writers"] >= self._number(self.claims[int(v["claim"]) - 1])
                 ),
             ),
         )
@@ -228,16 +228,13 @@ class BeAScientist(Lesson):
         if state.step == "bet" and state.is_revealed:
             number = measured.number
         stroke = self.writers.strokes[last]
-        note = _("dotted: writer {k} of {n}").format(k=last + 1, n=measured.number)
-        if number < state.values["writers"]:
-            note = _("only {n} wrote this").format(n=number)
         sheet = draw_sheet(
             [stroke],
             [measured.paths[last]],
             box=sheet_box([*paths_of(self.writers.strokes), *measured.paths]),
             extras=[{"points": each, "kind": ""} for each in measured.beside[last : last + 1]],
             caption=line_words(measured, None if is_hidden else last),
-            note=note,
+            note=_("dotted: writer {k} of {n}").format(k=last + 1, n=measured.number),
         )
         shown = measured.first(0 if is_hidden else number)
         says = (
@@ -248,7 +245,8 @@ class BeAScientist(Lesson):
         # The bet is on the rule: it is drawn on that plot alone.
         name = "ratios" if claim == "rule" else "others"
         strokes = (Trajectory(stroke.t, measured.paths[last]),)
-        return Picture(says, sheet, {name: self._draw_ratios(shown, state)}, strokes)
+        plots, highs = {name: self._draw_ratios(shown, state)}, {"writers": float(measured.number)}
+        return Picture(says, sheet, plots, strokes, highs=highs)
 
     def _draw_ratios(self, measured: WriterRatios, state: LessonState) -> Drawing:
         """Draw the ratio of each writer, and the line that the claim must pass."""

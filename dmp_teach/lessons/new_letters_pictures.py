@@ -59,14 +59,14 @@ def draw_letter(made: NewLetter) -> Drawing:
     tops = [letter.strokes[0].position[0] for letter in letters]
     # The tops are nearer than the words are long.
     words = [_word(tops[0] - [0.02, 0], _("hand 1")), _word(tops[1], _("hand 2"))]
-    labels = [_("bowl’s end"), _("third end")]
-    rings = [
-        _ring(goal, label, knob)
-        for goal, label, knob in zip(goals, labels, ("goal", "third"), strict=False)
+    names = [
+        ("goal", _("bowl’s end"), _("bowl")),
+        ("third", _("third end"), _("third")),
     ]
+    rings = [_ring(goal, *name) for goal, name in zip(goals, names, strict=False)]
     return {
         "caption": _("On paper"),
-        "note": _("dotted: both hands") if count == 1 else _("rings: 1 bowl’s end, 2 third end"),
+        "note": _("dotted: both hands"),
         "title": _("The new letter, over the D of both hands."),
         "box": BOX,
         "extras": inks,
@@ -81,11 +81,12 @@ def _word(top: Array, label: str) -> Drawing:
     return {"at": top[None] + [[-0.008, 0.013]], "kind": "word", "label": label}
 
 
-def _ring(goal: Affine, label: str, knob: str) -> Drawing:
+def _ring(goal: Affine, knob: str, label: str, word: str) -> Drawing:
     """Return a ring that two knobs move [cm]; where they are 0 follows the other knobs."""
     own = [f"{knob}_x", f"{knob}_y"]
     home = Affine(goal.base, {name: term for name, term in goal.terms.items() if name not in own})
-    return {"home": home, "at": goal, "knobs": own, "scale": CM, "label": label}
+    ring: Drawing = {"home": home, "at": goal, "knobs": own, "scale": CM}
+    return ring | {"label": label, "word": word}
 
 
 def draw_whose(made: NewLetter | None) -> Drawing:

@@ -62,6 +62,18 @@ def test_what_the_notebook_says_of_one_letter_is_so():
     assert spread.format(np.median(ratios), ratios.min(), ratios.max()) in words
 
 
+def test_one_asks_as_many_writers_as_there_are_for_a_claim():
+    panel = teach.lesson("10").panel()
+    panel.go("try")
+    few = str(1 + panel.lesson.claims.index(panel.lesson.few))
+    panel.values = panel.values | {"claim": few, "how": COUNTER_TEST, "writers": 12}
+    assert panel.picture["highs"] == {"writers": panel.lesson.few_number}
+    assert 2 in panel.progress["done"]
+    panel.values = panel.values | {"claim": panel.lesson.start["claim"]}
+    assert panel.picture["highs"] == {"writers": 12}
+    panel.forget()
+
+
 def test_hands_that_we_make_differ():
     shapes = [stroke.position / np.ptp(stroke.position) for stroke in make_writers("e").strokes]
     apart = [np.abs(shapes[0] - each).max() for each in shapes[2::2]]

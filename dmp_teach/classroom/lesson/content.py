@@ -62,6 +62,7 @@ class Picture:
         strokes: What the robot writes when it is asked.
         page: Where it writes them; None where the lesson has no say in it.
         physics: What `simulate` is called with; None: the robot's motion is shown as planned.
+        highs: Up to where sliders go here that may go further elsewhere, by the names of knobs.
     """
 
     says: Message
@@ -70,6 +71,7 @@ class Picture:
     strokes: tuple[Trajectory, ...] = ()
     page: Page | None = None
     physics: Physics | None = None
+    highs: dict[str, float] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)

@@ -165,8 +165,10 @@ export class LessonView {
   }
 
   drawPictures() {
-    for (const [name, knob] of Object.entries(this.knobs)) knob.show(this.values[name]);
-    this.stage.draw(this.model.get("picture"), this.values);
+    const picture = this.model.get("picture");
+    for (const [name, knob] of Object.entries(this.knobs))
+      knob.show(this.values[name], picture.highs[name]);
+    this.stage.draw(picture, this.values);
     this.parts.says.node.classList.toggle("dt-ahead", JSON.stringify(this.values) !== this.said);
   }
 
@@ -217,7 +219,7 @@ export class LessonView {
  * @param {(name: string, value: any, isDone: boolean) => void} onSet
  */
 function knobsOf(knobs, onSet) {
-  /** @type {Record<string, { node: HTMLElement, show(value: any): void }>} */
+  /** @type {Record<string, { node: HTMLElement, show(value: any, high?: number): void }>} */
   const made = {};
   for (const [name, knob] of Object.entries(knobs)) {
     if (knob.kind === "choice") {
@@ -263,9 +265,12 @@ function knobSlider(knob, onSet) {
   const scale = knob.is_log ? LOG.value : Number;
   const held = () => scale(Number(made.input.value));
   made.input.addEventListener("change", () => onSet(held(), true));
-  // A value that comes back rounded must not pull the thumb back.
-  const show = (/** @type {number} */ value) => {
-    if (held() !== value) made.show(value);
+  let most = knob.high;
+  const show = (/** @type {number} */ value, high = knob.high) => {
+    const shown = Math.min(value, high);
+    // A value that comes back rounded must not pull the thumb back.
+    if (held() !== shown || most !== high) made.show(shown, knob.low, high);
+    most = high;
   };
   made.show(knob.low);
   return { node: made.node, show };

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from dmp_teach.classroom.lesson.bets import ChosenBet, LessonState
 from dmp_teach.classroom.lesson.check import Answer
-from dmp_teach.classroom.lesson.content import Affine, LessonContent, Pick
+from dmp_teach.classroom.lesson.content import Affine, LessonContent, Pick, Picture
 from dmp_teach.classroom.lesson.progress import HINTS_AFTER_MISSES, LessonProgress, begin_progress
 from dmp_teach.texts import gettext as _
 
@@ -50,6 +51,8 @@ def pack(value: Any) -> Any:
         return np.ascontiguousarray(value, dtype="<f8").tobytes()
     if isinstance(value, Affine):
         return {"base": pack(value.base), "terms": pack(value.terms)}
+    if isinstance(value, Picture):
+        value = {"sheet": value.sheet, "plots": value.plots, "highs": value.highs}
     if isinstance(value, Pick):
         return {"pick": value.knob, "pictures": pack(list(value.pictures))}
     if isinstance(value, dict):
@@ -95,4 +98,4 @@ def _describe_step(lesson: LessonContent, state: LessonState) -> dict[str, Any]:
         return plot | {"thresholds": [t for t in thresholds if knobs[t["name"]].is_drawn_here]}
 
     plots = {name: keep(plot) for name, plot in picture.plots.items()}
-    return {"picture": pack({"sheet": picture.sheet, "plots": plots}), "message": picture.says}
+    return {"picture": pack(replace(picture, plots=plots)), "message": picture.says}

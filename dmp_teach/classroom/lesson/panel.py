@@ -271,7 +271,7 @@ class LessonPanel(RobotPanel, PanelPage):
         picture = self.lesson.draw(state)
         with self.hold_sync():
             self.progress = progress
-            self.picture = pack({"sheet": picture.sheet, "plots": picture.plots})
+            self.picture = pack(picture)
             self.message = picture.says
             self._draw_on_still(picture)
             self.card = describe_card(self.lesson, progress, self.answer)

@@ -59,7 +59,7 @@ export function goalRing(i, here, listeners) {
     change(node, { transform: `translate(${x.toFixed(2)} ${y.toFixed(2)})`, "aria-label": label });
     change(node, { "aria-valuenow": now, "aria-valuetext": text });
     change(node, { tabindex: isFixed ? -1 : 0, "aria-disabled": isFixed ? "true" : null });
-    place(node, labels, i, chosen, word ?? t("goal"));
+    place(node, labels, i, chosen, word);
   };
   return { node, show };
 }
@@ -148,14 +148,14 @@ function drawRing() {
 }
 
 /**
- * Put a ring's number where it can be caught, or, where there is only one ring, its word.
+ * Put a ring's number where it can be caught, or its word; where there is only one ring, a word.
  * @param {Element} ring
  * @param {ReturnType<typeof goalLabels>} labels
  * @param {number} i
  * @param {string} chosen
- * @param {string} name
+ * @param {string} [own] its word
  */
-function placeBadge(ring, { badges, word }, i, chosen, name) {
+function placeBadge(ring, { badges, word }, i, chosen, own) {
   const badge = badges[i];
   const part = (/** @type {string} */ name) =>
     /** @type {SVGElement} */ (ring.querySelector(`.dt-${name}`));
@@ -163,8 +163,9 @@ function placeBadge(ring, { badges, word }, i, chosen, name) {
   const [stalk, dot, count, reach, words] = names.map(part);
   for (const node of [stalk, dot, count, reach]) node.style.display = badge ? "" : "none";
   words.style.display = badge ? "none" : "";
+  if (own) dot.style.display = "none";
   if (!badge) {
-    change(words, word).replaceChildren(name);
+    change(words, word).replaceChildren(own ?? t("goal"));
     return;
   }
   const [x, y] = badge;
@@ -172,5 +173,6 @@ function placeBadge(ring, { badges, word }, i, chosen, name) {
   change(stalk, { x1: x * 0.4, y1: y * 0.4, x2: x * end, y2: y * end });
   for (const node of [dot, reach]) change(node, { cx: x, cy: y });
   change(dot, { class: `dt-badge ${chosen}` });
-  change(count, { x, y, class: `dt-count ${chosen}` }).replaceChildren(String(i + 1));
+  const look = own ? "dt-count dt-word" : `dt-count ${chosen}`;
+  change(count, { x, y, class: look }).replaceChildren(own ?? String(i + 1));
 }
