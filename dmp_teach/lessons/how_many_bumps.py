@@ -65,6 +65,7 @@ class HowManyBumps(Lesson):
     """Each doubling leaves a third to a quarter of the error; what counts is kernels a second."""
 
     key = "04"
+    draws_tried = True
 
     def vary(self, random: np.random.Generator | None) -> None:
         """Choose the letter, and how near is near enough."""

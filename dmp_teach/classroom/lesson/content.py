@@ -101,6 +101,8 @@ class LessonContent:
     """
 
     key: str
+    # Whether what was tried is drawn, which the kernel alone keeps.
+    draws_tried = False
 
     def __init__(self, pupil: str | None = None):
         check_pseudonym(pupil, "pupil")

@@ -38,6 +38,7 @@ export function renderLesson({ model, el, host, signal }, extend) {
   const redraw = () => {
     lesson.redraw();
     root.setAttribute("data-dt-drawing", model.get("drawing"));
+    root.toggleAttribute("data-dt-kept", lesson.isKept);
   };
   const showScene = () => showRobot(model, host, parts.robotHost, signal);
   hear(model, {
@@ -75,6 +76,8 @@ export class LessonView {
     this.work = keptWork(this.spec, () => this.send({ kind: "forget" }), signal);
     /** @type {Values} what is set, in the hand, too */
     this.values = { ...model.get("values") };
+    /** whether the browser keeps all that a pupil does here */
+    this.isKept = !this.spec.draws_tried;
     /** the values that the sentence is about */
     this.said = "";
     const says = sentence();

@@ -26,6 +26,7 @@ def describe_lesson(lesson: LessonContent) -> dict[str, Any]:
         "tasks": [task.text for task in lesson.tasks],
         "by_robot": [task.by_robot for task in lesson.tasks],
         "challenge": lesson.challenge,
+        "draws_tried": lesson.draws_tried,
     }
 
 

@@ -23,6 +23,8 @@ function renderTeaching(widget) {
  */
 function addPad(model, lesson) {
   const { paper } = lesson.stage;
+  // What is taught stays with the kernel.
+  lesson.isKept = false;
   /** @type {Place[][]} strokes that Python has not drawn yet */
   let pending = [];
   const waiting = make("g");

@@ -49,6 +49,26 @@ function make(tag, properties, ...children) {
   return made;
 }
 
+/** @type {WeakSet<object>} lessons that were left, and whose kernels are ended */
+const ended = new WeakSet();
+
+/**
+ * End the kernel of a lesson that is left, where it holds no more than a panel whose work the page
+ * keeps: school laptops have little memory.
+ * @param {any} notebook
+ */
+async function leave({ content, sessionContext }) {
+  const kernel = sessionContext?.session?.kernel;
+  const panels = [...(content?.node?.querySelectorAll(".dt-panel") ?? [])];
+  const isKept = () =>
+    panels.every((each) => each.matches("[data-dt-kept]:not(:has(.dt-work:not([hidden])))"));
+  if (!kernel || !panels.length || !isKept()) return;
+  const reply = await kernel.requestExecute({ code: "", silent: true }).done;
+  if (reply.content.execution_count > 1 || !isKept()) return;
+  ended.add(sessionContext);
+  await sessionContext.shutdown();
+}
+
 /**
  * Run the first code cell of a lesson, unless its panel still lives from before the page's reload.
  * @param {any} app
@@ -57,6 +77,7 @@ function make(tag, properties, ...children) {
 async function wake({ commands }, notebook) {
   const { context, content, sessionContext } = notebook;
   await Promise.all([context.ready, notebook.revealed, sessionContext.ready]);
+  if (ended.delete(sessionContext)) await sessionContext.startKernel();
   // The bar has it.
   content.widgets.find((/** @type {any} */ cell) => cell.model.getMetadata(STRIP))?.hide();
   const cell = content.widgets.find(isCode);
@@ -172,7 +193,10 @@ async function lessonView(app) {
     drawLessons(app, strip);
     wake(app, notebook);
   };
-  app.shell.currentChanged.connect(show);
+  app.shell.currentChanged.connect((/** @type {any} */ _, /** @type {any} */ { oldValue }) => {
+    show();
+    if (oldValue && !oldValue.isDisposed) leave(oldValue);
+  });
   show();
 }
 
