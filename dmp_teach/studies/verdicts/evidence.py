@@ -41,8 +41,8 @@ from dmp_teach.values import Value
 
 KEPT_SAMPLES = 4
 # Fewer than the studies take when they are called alone: what a verdict needs.
-JUDGED_WIDTHS = (0.2, 0.5, 2 / 3, 0.8, 1.0, 1.5, 2.0, 3.0, 4.0, 10.0, 20.0, 40.0, np.inf)
-JUDGED_SHARES = (0.02, 0.04, 0.07, 0.1, 0.2, 0.5)
+JUDGED_WIDTHS = (0.2, 2 / 3, 0.8, 1.0, 1.5, 2.0, 3.0, 4.0, 10.0, 20.0, 40.0, np.inf)
+JUDGED_SHARES = (0.02, 0.04, 0.07, 0.1, 0.5)
 JUDGED_OFFSETS = (0.005, 0.0005)
 JUDGED_RATES = (0.5, 1.0, 2.0, 3.0, 4.0, 6.0)
 JUDGED_PIECES = 5
@@ -190,7 +190,7 @@ class Evidence(Value):
             if len(path) >= 12 * KEPT_SAMPLES
         ]
         return error_curves.sweep_kernel_number(
-            kept or paths, JUDGED_SHARES[-3:], executor=self.executor
+            kept or paths, JUDGED_SHARES[-2:], executor=self.executor
         )
 
     @_once
