@@ -18,6 +18,7 @@ from dmp_teach.errors import RecordingError
 from dmp_teach.formats.flat_ink import PIXELS, FlatLetter, FlatStroke, flat_recordings
 from dmp_teach.formats.inkml.channels import METRES, SECONDS
 from dmp_teach.formats.motive.reader import labels_in, written
+from dmp_teach.formats.motive.table import LONGEST_NAME
 from dmp_teach.formats.motive.take import FEWEST_FRAMES
 from dmp_teach.formats.registry import CaptureOptions
 from dmp_teach.ink import Recording
@@ -138,7 +139,7 @@ def _named_roles(names: Sequence[str]) -> ColumnRoles:
     for rules in (COLUMN_ROLES, LAST_WORDS):
         known = set(roles)
         for k, name in enumerate(names):
-            words = name.strip().lower()
+            words = name.strip().lower()[:LONGEST_NAME]
             match = WITH_UNIT.fullmatch(words)
             unit = COLUMN_UNITS.get(match[2]) if match else None
             bare = match[1] if match and unit else words

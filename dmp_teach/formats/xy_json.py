@@ -7,6 +7,7 @@ lists of such strokes, wherever they lie in the file: the first that is found co
 from __future__ import annotations
 
 import json
+from collections import deque
 from collections.abc import Iterator
 from dataclasses import replace
 from typing import TypeGuard
@@ -24,7 +25,7 @@ from dmp_teach.trajectory import Array
 
 LABEL_KEYS = ("character", "letter", "label", "word", "truth")
 MOST_LETTERS = 10_000  # in a file with one object a line
-MOST_VALUES = 200_000  # lists and objects that are looked at
+MOST_VALUES = 20_000  # lists and objects that are looked at
 TableStroke = tuple[tuple[str, ...] | None, Array]
 """The names of columns, or None, and a row for each sample."""
 
@@ -70,9 +71,9 @@ def _letters(content: object, name: str, options: CaptureOptions) -> Iterator[Re
 
 def _first_strokes(content: object) -> list[TableStroke]:
     """Return the strokes in the first value that holds any, breadth first."""
-    queue, looked = [content], 0
+    queue, looked = deque([content]), 0
     while queue and looked < MOST_VALUES:
-        value = queue.pop(0)
+        value = queue.popleft()
         looked += 1
         one = _stroke(value)
         if one is not None:

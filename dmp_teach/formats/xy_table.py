@@ -20,7 +20,7 @@ from dmp_teach.formats.strangers import describe_stranger
 from dmp_teach.ink import Recording
 
 BEGIN_OF_TABLE = 20_000  # bytes of a file in which a table shows
-MOST_TABLE_ROWS = 500_000
+MOST_TABLE_ROWS = 200_000
 MOST_COLUMNS = 64
 CELL_WORDS = {"true": 1.0, "down": 1.0, "false": 0.0, "up": 0.0, "": np.nan, "na": np.nan}
 DECIMAL_COMMA = re.compile(r"\s*-?\d+,\d+(?:\s+-?\d+,\d+)+\s*")

@@ -116,7 +116,7 @@ class RobotPanel(UnsavedWidget):
         names = [each.name for each in known_formats()]
         suffixes = [suffix for each in known_formats() for suffix in each.suffixes]
         return {
-            "accept": ",".join(suffixes),
+            "accept": ",".join(dict.fromkeys(suffixes)),
             "names": _("{names} or {last}").format(names=", ".join(names[:-1]), last=names[-1]),
             "limit": MAX_FILE_BYTES,
         }
