@@ -221,12 +221,13 @@ def test_a_motor_that_gives_all_it_has_is_named():
     run = simulate(written(), motors="real")
     effort = np.array(run.effort)
     effort[:80, 4] = run.limits[4]
+    share = f"{8000 / len(effort):.0f} %"
     assert replace(run, effort=effort).findings == (
-        "elbow_flex_joint gives all of 66 N m for 9 % of the time; it has 66. "
+        f"elbow_flex_joint gives all of 66 N m for {share} of the time; it has 66. "
         "Write more slowly, or move the page nearer to the robot.",
     )
     effort[:80, 4] *= 2
-    assert "needs up to 132 N m for 9 % of the time" in replace(run, effort=effort).findings[0]
+    assert f"needs up to 132 N m for {share} of the time" in replace(run, effort=effort).findings[0]
 
 
 def test_ink_beside_the_letter_and_between_strokes_is_said():
