@@ -249,6 +249,17 @@ def test_a_channel_that_no_point_has_is_none(tmp_path):
     assert recording.pressure is None
 
 
+def test_values_without_a_channel_and_traces_without_a_label_are_left_out_and_told(tmp_path):
+    more = "".join(trace(s, "{x:.4f} {y:.4f} {t:.3f} {f:.0f} 7 8") for s in d_strokes())
+    for text, what in {
+        inkml(more): "values of points for which there is no channel",
+        inkml(labelled_body("D", BODY) + BODY): "2 traces that are in no letter with a label",
+    }.items():
+        recording = read(tmp_path, text)
+        check_d(recording)
+        assert what in recording.notes[-1]
+
+
 def test_a_full_stop_is_a_dot_on_the_page_of_others(tmp_path):
     """A letter of one point, beside one without a unit, which stays 50 mm high."""
     body = labelled_body("D", BODY) + labelled_body(".", "<trace>99 -9 9000 400</trace>")
@@ -267,6 +278,7 @@ def test_a_full_stop_is_a_dot_on_the_page_of_others(tmp_path):
         "<trace continuation='end'>1 2 3 4, 2 3 9 4</trace>",
         "<trace>1 2 3 4, 1e7 3 5 4</trace>",
         "<trace>1 2 9 4, 2 3 4 4</trace>",
+        "<traceView traceDataRef='#nowhere'/>",
     ],
 )
 def test_a_letter_that_cannot_be_read_is_left_out_of_its_page_and_told(tmp_path, bad):
@@ -407,7 +419,7 @@ BROKEN = {
         "trace 0 has 1 values in point 1, but its channels need 2",
     ),
     "too many values": (
-        inkml("<trace>1 2 3 4 5, 1 2 3 4</trace>"),
+        inkml("<trace>1 2 3 4 5 1 2 3 4</trace>"),
         "trace 0 has more than 4 values in a point",
     ),
     "no Y": (inkml(BODY, '<channel name="X"/>'), "has the channels X, but must have X and Y"),

@@ -85,6 +85,9 @@ def test_a_line_ends_where_it_is_cut(tmp_path, by):
 
 TOLD = {
     "narrow area, as the outline": '<path fill="none" d="M40 10H46V70H40Z"/>',
+    "as the outline of a letter": '<g fill="none"><circle cx="40" cy="40" r="30"/>'
+    '<circle cx="40" cy="40" r="24"/></g>',
+    "lines of 2 colours": L + '<path stroke="#cde" d="M0 50H90"/>',
     "area of a colour": f'{L}<path stroke="none" d="M50 30L60 20L52 31Z"/>',
     "text is no line": L + '<text stroke="black">a</text>',
     "image is no line": L + '<image href="a.png"/>',
@@ -202,6 +205,8 @@ def test_rectangles_have_round_corners(tmp_path, turn):
 NOT_FOLLOWED = {
     "style clip-path": f'<g clip-path="url(#c)">{L}</g>',
     "style mask": f'<style>.a{{mask:url(#m)}}</style><g class="a">{L}</g>',
+    "style mask-image": f'<g style="mask-image:url(#m)">{L}</g>',
+    "colour 'var(--page)'": '<path d="M0 0L9 9" stroke="var(--page)"/>',
     "style rotate": '<path style="rotate:9deg" d="M0 0L9 9"/>',
     "style d": "<path style=\"d:path('M0 0')\"/>",
     "style transform-origin": f'<g transform="scale(2)" transform-origin="5 5">{L}</g>',

@@ -27,8 +27,10 @@ def annotation(element: Element, kinds: tuple[str, ...]) -> str | None:
 
 def labelled_letters(
     root: Element, named: Callable[[str], Element]
-) -> list[tuple[Element, list[Element]]]:
+) -> tuple[list[tuple[Element, list[Element]]], list[str]]:
     """Return the innermost groups and views with a label, and the traces of each, each once.
+
+    Beside them is told why others have none.
 
     Args:
         root: Of the file; it is the one letter where nothing has a label.
@@ -63,12 +65,18 @@ def labelled_letters(
 
     groups = [each for each in root.iter() if local_tag(each) in GROUPS_OF_TRACES]
     labelled = {id(each) for each in groups if annotation(each, LABELS)}
-    letters = []
+    letters, faults = [], []
     for group in groups:
-        inside = list(shown(group)) if id(group) in labelled else []
+        try:
+            inside = list(shown(group)) if id(group) in labelled else []
+        except RecordingError as error:
+            faults.append(f"{annotation(group, LABELS)!r:.40} {error}")
+            continue
         if inside and not any(id(each) in labelled for each in inside[1:]):
             letters.append((group, _traces(inside)))
-    return letters or [(root, _traces(shown(root)))]
+    if letters or faults:
+        return letters, faults
+    return [(root, _traces(shown(root)))], []
 
 
 def _traces(elements: Iterable[Element]) -> list[Element]:

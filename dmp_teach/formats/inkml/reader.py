@@ -48,7 +48,7 @@ def read_inkml(data: bytes, _name: str, _: CaptureOptions) -> tuple[Recording, .
     """
     root = parse_xml(data, "ink", "InkML")
     contexts = Contexts(root)
-    groups = labelled_letters(root, contexts.named)
+    groups, left_out = labelled_letters(root, contexts.named)
     shown = {each for _, some in groups for each in some}
     strokes, faults, in_metres = _read_traces(root, contexts, shown)
     letters = [
@@ -56,7 +56,12 @@ def read_inkml(data: bytes, _name: str, _: CaptureOptions) -> tuple[Recording, .
         for group, traces in groups
         if not faults.keys() & set(traces)
     ]
-    return flat_recordings(letters, 1.0 if in_metres else None, list(faults.values()))
+    left_out += faults.values()
+    tops = [each for each in root if local_tag(each) in ("trace", "traceGroup")]
+    others = {each for top in tops for each in top.iter() if _has_ink(each)} - shown
+    if others:
+        left_out.append(f"{len(others)} traces that are in no letter with a label.")
+    return flat_recordings(letters, 1.0 if in_metres else None, left_out)
 
 
 def _read_traces(
@@ -67,10 +72,9 @@ def _read_traces(
     faults: dict[Element, str] = {}
     points, in_metres = 0, True
     for trace, context in _traces_with_contexts(root):
-        text = "".join(trace.itertext())
-        is_down = trace.get("type", "penDown") == "penDown"
-        if trace not in shown or not is_down or not text.strip():
+        if trace not in shown or not _has_ink(trace):
             continue
+        text = "".join(trace.itertext())
         try:
             if trace.get("continuation") in ("middle", "end"):
                 raise RecordingError(
@@ -78,7 +82,11 @@ def _read_traces(
                 )
             form = contexts.format_of(context)
             needed = max(form.channels["X"].column, form.channels["Y"].column) + 1
-            values = read_points(text, len(form.channels), needed, MOST_POINTS - points)
+            # Of some programs a point has more values than its format has channels.
+            width = max(len(form.channels), len(text.partition(",")[0].split()) * ("," in text))
+            values = read_points(text, width, needed, MOST_POINTS - points)
+            if width > len(form.channels):
+                faults[root] = "values of points for which there is no channel."
             strokes[trace], known = _pen_down(values, form, trace)
         except RecordingError as error:
             faults[trace] = f"trace {len(strokes) + len(faults)} {error}"
@@ -86,6 +94,12 @@ def _read_traces(
         points += len(values)
         in_metres &= known
     return strokes, faults, in_metres
+
+
+def _has_ink(element: Element) -> bool:
+    """Tell whether an element is a trace of a pen that was down."""
+    is_down = element.get("type", "penDown") == "penDown"
+    return local_tag(element) == "trace" and is_down and bool("".join(element.itertext()).strip())
 
 
 def _traces_with_contexts(root: Element) -> Iterator[tuple[Element, InkContext]]:

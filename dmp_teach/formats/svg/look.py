@@ -20,7 +20,8 @@ from dmp_teach.trajectory import Array
 
 INHERITED = {"visibility", "color", "stroke", "stroke-width", "stroke-opacity"}
 INHERITED |= {"fill", "fill-opacity", "fill-rule", "clip-rule"}
-NOT_FOLLOWED = {"mask", "transform-origin", "transform-box"}
+NOT_FOLLOWED = {"mask", "mask-image", "-webkit-mask", "-webkit-mask-image"}
+NOT_FOLLOWED |= {"transform-origin", "transform-box"}
 SIZES = {"x", "y", "cx", "cy", "r", "rx", "ry", "width", "height"}
 NOT_FOLLOWED_IN_STYLES = {*NOT_FOLLOWED, *SIZES, "translate", "rotate", "scale", "d"}
 ATTRIBUTES = {"display", "opacity", "transform", "clip-path", "overflow", *INHERITED, *NOT_FOLLOWED}
@@ -166,6 +167,10 @@ def colour(text: str) -> Array:
     name, *values = re.split(r"[\s,/()]+", text.strip(") "))
     if name == "url":
         return np.full(4, 0.5)
+    if name == "var":
+        raise RecordingError(
+            f"has the colour {text[:40]!r}, which is not followed here; {STYLE_CURE}"
+        )
     if len(values) == 4 and values[3].endswith("%"):
         values[3] = str(share(values[3]))
     try:

@@ -84,12 +84,19 @@ def area_of(way: Array) -> float:
 
 
 def is_outline(parts: Sequence[Array]) -> bool:
-    """Tell whether ways (K, 2) run round a long narrow area, as the edge of a line does."""
+    """Tell whether ways (K, 2) run round a long narrow area, as the edge of a line does.
+
+    A way within the box of a larger one is the edge of a hole.
+    """
     if not all(np.array_equal(way[0], way[-1]) and path_length(way) > 0 for way in parts):
         return False
     size = np.ptp(np.concatenate(parts), axis=0).max()
     steps = [np.diff(way, axis=0) for way in parts]
     headings = [np.arctan2(*step[np.abs(step).max(axis=1) > 0].T) for step in steps]
     is_simple = min(np.ptp(np.unwrap(heading)) for heading in headings) > np.pi
-    width = 2 * abs(sum(map(area_of, parts))) / sum(map(path_length, parts))
+    areas = np.abs([area_of(way) for way in parts])
+    low, high = (np.array([end(way, axis=0) for way in parts]) for end in (np.min, np.max))
+    whole = np.argmax(areas)
+    is_hole = ((low > low[whole]) & (high < high[whole])).all(axis=1)
+    width = 2 * abs(sum(np.where(is_hole, -areas, areas))) / sum(map(path_length, parts))
     return bool(is_simple and width < NARROW * size)

@@ -108,7 +108,7 @@ def _strokes(root: Element, is_ours: bool) -> tuple[list[Array], list[str]]:
     if bends:
         times = f"{bends} time{'s' * (bends > 1)}"
         notes.append(f"A line begins where the one before ends, {times}: the pen is lifted there.")
-    if any(is_outline(each.ways) for each in lines):
+    if any(is_outline(each) for each in [*(line.ways for line in lines), ways]):
         notes.append(f"A line runs round a narrow area, as the outline of a letter. {DRAW_LINE}")
     if not has_unit(root):
         notes.append(PIXELS)
@@ -165,6 +165,9 @@ def _seen(painted: list[Painted], paper: Array) -> tuple[list[Array], list[str]]
     notes = [f"Left out, for one does not see it: what is {WHY_UNSEEN[why]}." for why in unseen]
     if areas > 0:
         notes.append(f"Left out, as no line: {areas} area{'s' * (areas > 1)} of a colour.")
+    colours = len({each.colour.tobytes() for _, each in seen if each.area is None})
+    if colours > 1:
+        notes.append(f"Its lines of {colours} colours are one letter: delete those that are none.")
     return [way for way, _ in kept], notes
 
 
