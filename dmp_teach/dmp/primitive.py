@@ -187,6 +187,10 @@ class DMP(Value):
 
         The weights of `original` belong to one goal offset: it cannot be mapped.
         """
+        if np.shape(matrix) != 2 * self.start.shape:
+            raise TrajectoryError(
+                f"matrix has shape {np.shape(matrix)}, but must be {2 * self.start.shape}."
+            )
         return replace(
             self,
             weights=self.weights @ matrix.T,

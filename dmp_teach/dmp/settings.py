@@ -236,8 +236,10 @@ class Settings(Value):
             samples: How many it has.
 
         Raises:
-            SettingError: More kernels than samples.
+            SettingError: More kernels than samples, or a duration that is none.
         """
+        if not 0 < duration < math.inf:
+            raise SettingError(f"duration is {duration}, but must be a time longer than 0 s.")
         n_kernels, alpha = self.n_kernels, self.alpha
         if n_kernels is None:
             wanted = KERNELS_PER_SECOND * round(duration, 6)

@@ -148,7 +148,10 @@ class Page(Value):
     def moved(self, shift: ArrayLike) -> Page:
         """Return the same sheet, its centre shifted by (3,) in the world [m]."""
         X = self.X_world_page.copy()
-        X[:3, 3] += _points("shift", shift, (3,)).reshape(3)
+        step = _points("shift", shift, (3,))
+        if step.ndim > 1:
+            raise PageError(f"shift has shape {step.shape}, but must be 3 numbers [m].")
+        X[:3, 3] += step
         return Page(X, self.width, self.height)
 
     def rounded(self) -> Page:

@@ -104,8 +104,8 @@ class StrokeVerdict(Value):
 
 def check_strict(strict: object) -> None:
     """Raise a LetterError unless these are some of `MATTERS`."""
-    is_list = isinstance(strict, Collection) and not isinstance(strict, str)
-    if not (is_list and all(isinstance(each, str) and each in MATTERS for each in strict)):
+    given = strict if isinstance(strict, Collection) and not isinstance(strict, str) else (None,)
+    if not all(isinstance(each, str) and each in MATTERS for each in given):
         raise LetterError(f"strict is {shown(strict)}, but must be some of {MATTERS}.")
 
 

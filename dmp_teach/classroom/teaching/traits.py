@@ -15,7 +15,16 @@ import numpy as np
 from dmp_teach.arguments import checked
 from dmp_teach.classroom.teaching.faults import SHAPE_FAULTS, WAY_FAULTS
 from dmp_teach.errors import RecordingError
-from dmp_teach.files import ASSETS, checked_object, contents, is_number, loaded, must, write_whole
+from dmp_teach.files import (
+    ASSETS,
+    checked_object,
+    contents,
+    is_number,
+    is_whole,
+    loaded,
+    must,
+    write_whole,
+)
 from dmp_teach.scoring import Score
 from dmp_teach.values import Value
 
@@ -139,6 +148,7 @@ class PupilTraits(Value):
     @checked
     def forgets_after(self, turn: int) -> bool:
         """Return whether it forgets something between this turn, from 1, and the next."""
+        must(is_whole(turn) and turn > 0, "turn", turn, "a whole number from 1")
         cycle, place = divmod(turn - 1, FORGETTING_CYCLE)
         random = np.random.default_rng([self.seed, cycle])
         return place == int(random.integers(1, FORGETTING_CYCLE))

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from dmp_teach.arguments import checked
 from dmp_teach.errors import PageError
 from dmp_teach.robot.arm import get_solver
 from dmp_teach.robot.motion import BoolArray
@@ -70,6 +71,7 @@ class ReachMap(Value):
         return f"ReachMap({grid}, {self.reached.sum()} of {self.reached.size} reached)"
 
 
+@checked
 def reach_map(
     x: Sequence[float] | None = None,
     tilt: Sequence[float] | None = None,
@@ -109,6 +111,7 @@ def reach_map(
     return ReachMap(distances, tilts, "tilt", rows, *_try_pages(rows, executor, progress))
 
 
+@checked
 def reach_around(
     page: Page | None = None,
     x: Sequence[float] | None = None,

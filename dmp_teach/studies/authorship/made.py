@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from dmp_teach.arguments import checked
 from dmp_teach.dmp import Settings
 from dmp_teach.errors import LetterError, SettingError
 from dmp_teach.letters import (
@@ -96,6 +97,7 @@ class _References:
         return [str(self.writers[row.argmin()]) if np.isfinite(row).any() else None for row in far]
 
 
+@checked
 def attribute_made_letters(
     recordings: RecordingsLike = None,
     variations: int = DEFAULT_VARIATIONS,

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from concurrent.futures import Executor
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
 
 from dmp_teach.arguments import checked
 from dmp_teach.dmp import DMP, Settings, as_settings
-from dmp_teach.errors import SettingError
+from dmp_teach.errors import SettingError, shown
 from dmp_teach.studies.experiments.variants import Variant
 from dmp_teach.studies.inputs import RecordingsLike, named_strokes
 from dmp_teach.studies.parallel import Progress, run
@@ -91,6 +91,9 @@ class GoalChanges(Tabled):
     @checked
     def values(self, name: str) -> Array:
         """Return one figure of every case, such as `values("star")`, shape (C,)."""
+        if not all(hasattr(case, name) for case in self.cases):
+            known = ", ".join(each.name for each in fields(GoalChange))
+            raise SettingError(f"There is no figure {shown(name)}; there are: {known}.")
         return np.array([getattr(case, name) for case in self.cases])
 
     @property

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from dmp_teach.dmp import DMP
+from dmp_teach.arguments import checked
+from dmp_teach.dmp import DMP, check_point
 from dmp_teach.studies.experiments.goal_change import both_forms, goal_factor
 from dmp_teach.trajectory import Array, Trajectory
 from dmp_teach.values import Value, locked
@@ -54,6 +55,7 @@ def trace_goal_change(
     return draw_goal_change(Trajectory(stroke.t, stroke.position[:, axis]), (shift,), name)
 
 
+@checked
 def draw_goal_change(
     stroke: Trajectory, shift: Sequence[float] = (0.1, 0.0), name: str = ""
 ) -> GoalPaths:
@@ -65,7 +67,7 @@ def draw_goal_change(
         name: What the stroke is called.
     """
     star, original = (DMP.imitate(stroke, settings) for settings in both_forms())
-    moved = locked(shift)
+    moved = locked(check_point("shift", shift, stroke.dimensions))
     paths = {
         "demonstration": stroke.position,
         "DMP*": star.rollout(goal=star.goal + moved).position,

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from dmp_teach.arguments import checked
 from dmp_teach.dmp import DMP, Settings, as_settings
 from dmp_teach.errors import SettingError
 from dmp_teach.studies.experiments.joint_demand import arm_at_table, greatest_acceleration
@@ -64,6 +65,7 @@ class GoalsNearStart(Tabled):
         }
 
 
+@checked
 def change_goals_near_start(
     recordings: RecordingsLike = None,
     shift: float = 0.01,

@@ -8,11 +8,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from dmp_teach.arguments import checked
 from dmp_teach.dmp import DMP, Settings, as_settings
+from dmp_teach.errors import SettingError, shown
 from dmp_teach.studies.parallel import Progress, run
 from dmp_teach.studies.tables import Columns, Tabled
 from dmp_teach.trajectory import Array, Trajectory, interpolate_points, rms
 
+# Half of the samples in a second [Hz].
+LARGEST_RATE = 60.0
 INK_KINDS = ("waves", "closed", "corners", "straight")
 TURN_RATES = (0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0)
 """Turns of the pen in a second [Hz]; a hand that writes makes 2 to 5."""
@@ -72,6 +76,7 @@ def learn_random_ink(
     return RandomInkErrors(INK_KINDS, np.asarray(rates), found[:, :, 0], found[:, :, 1])
 
 
+@checked
 def draw_random_ink(kind: str, rate: float, rng: np.random.Generator) -> Trajectory:
     """Draw one stroke of 2 s in 2-D at 120 samples a second, at rest at both ends.
 
@@ -80,7 +85,14 @@ def draw_random_ink(kind: str, rate: float, rng: np.random.Generator) -> Traject
             "corners" (straight pieces) or "straight".
         rate: Turns in a second [Hz]; a straight stroke has none, and is only faster or slower.
         rng: Of the shape, size and place.
+
+    Raises:
+        SettingError: No such kind, or a rate that so few samples cannot show.
     """
+    if kind not in INK_KINDS:
+        raise SettingError(f"kind is {shown(kind)}, but must be one of: {', '.join(INK_KINDS)}.")
+    if not 0 <= rate <= LARGEST_RATE:
+        raise SettingError(f"rate is {shown(rate)}, but must be from 0 to {LARGEST_RATE:g} Hz.")
     t = np.linspace(0, 1, 241)
     eased = t**3 * (10 - 15 * t + 6 * t**2)
     turns = max(1, round(2 * rate))

@@ -120,6 +120,7 @@ def choose_kernels(
     return _choice("n_kernels", path, named, found, tolerance)
 
 
+@checked
 def choose_width(
     trajectory: Trajectory | Recording,
     settings: Settings | None = None,

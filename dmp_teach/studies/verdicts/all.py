@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from concurrent.futures import Executor
 
+from dmp_teach.arguments import checked
 from dmp_teach.studies.inputs import RecordingsLike
 from dmp_teach.studies.parallel import Progress, run
 from dmp_teach.studies.readings import READINGS, Reading
@@ -36,6 +37,7 @@ ALL_CLAIMS = (
 )
 
 
+@checked
 def claims(
     recordings: RecordingsLike | Evidence = None,
     *,
