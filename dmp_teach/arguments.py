@@ -17,7 +17,7 @@ from dmp_teach.errors import SettingError, TeachError, shown
 
 _RAW = (ArithmeticError, AttributeError, LookupError, TypeError, ValueError)
 _ARRAY_LIKE = set(get_args(ArrayLike))
-LARGEST = 1e300
+LARGEST, LARGEST_SEED = 1e300, 2**32 - 1
 _HOLDERS = {Mapping, dict, Sequence, tuple, list, Iterable, Collection}
 # Any: kinds, some of which are no classes.
 _WORDS: dict[Any, str] = {
@@ -51,6 +51,15 @@ def checked(function: _Function) -> _Function:
         raise SettingError(f"{name} is {shown(value)}, but must be {words}.")
 
     return cast(_Function, call)
+
+
+def check_whole(name: str, value: object, least: int, most: int) -> None:
+    """Raise a SettingError unless a value is a whole number from `least` to `most`."""
+    is_whole = isinstance(value, Integral) and not isinstance(value, bool)
+    if not (is_whole and least <= int(value) <= most):  # type: ignore[call-overload]
+        raise SettingError(
+            f"{name} is {shown(value)}, but must be a whole number from {least} to {most}."
+        )
 
 
 # Any: numbers in whatever form.

@@ -158,6 +158,7 @@ def question(way: str, varied: bool, less: bool) -> str:
     return f"{way}{', varied' * varied}, {'less the mean' if less else 'as drawn'}"
 
 
+@checked
 def ink_directions(path: Array) -> Array:
     """Return the directions of ink at equal arc length, from its upper end on, shape (78,)."""
     downwards = path if path[0, 1] >= path[-1, 1] else path[::-1]

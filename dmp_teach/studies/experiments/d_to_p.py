@@ -143,6 +143,7 @@ def goal_transforms() -> dict[str, Settings]:
     return {"DMP*": Settings.star(), "original": Settings.original(), "similarity": similarity}
 
 
+@checked
 def make_p_from_d(
     recordings: RecordingsLike = None,
     settings: Mapping[str, Settings] | None = None,

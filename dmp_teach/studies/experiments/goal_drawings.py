@@ -41,6 +41,7 @@ class GoalPaths(Value):
         return f"GoalPaths({self.stroke!r}, goal moved by {self.shift} m: {', '.join(self.paths)})"
 
 
+@checked
 def trace_goal_change(
     stroke: Trajectory, axis: int = 0, shift: float = 0.01, name: str = ""
 ) -> GoalPaths:

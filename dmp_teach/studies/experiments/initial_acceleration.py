@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from dmp_teach.arguments import checked
 from dmp_teach.dmp import DMP, Settings, as_settings
 from dmp_teach.studies.inputs import RecordingsLike, Stroke, named_strokes
 from dmp_teach.studies.parallel import Progress, run
@@ -43,6 +44,7 @@ class InitialAcceleration(Tabled):
         }
 
 
+@checked
 def measure_initial_acceleration(
     recordings: RecordingsLike = None,
     shift: float = 0.01,

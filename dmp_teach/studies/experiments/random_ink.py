@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from dmp_teach.arguments import checked
+from dmp_teach.arguments import LARGEST_SEED, check_whole, checked
 from dmp_teach.dmp import DMP, Settings, as_settings
 from dmp_teach.errors import SettingError, shown
 from dmp_teach.studies.parallel import Progress, run
@@ -50,6 +50,7 @@ class RandomInkErrors(Tabled):
         }
 
 
+@checked
 def learn_random_ink(
     settings: Settings | None = None,
     rates: Sequence[float] = TURN_RATES,
@@ -70,6 +71,8 @@ def learn_random_ink(
         progress: As in `claims`.
     """
     form = as_settings(settings)
+    check_whole("pieces", pieces, 1, 10_000)
+    check_whole("seed", seed, 0, LARGEST_SEED)
     work = [(kind, float(rate), pieces, seed, form) for kind in INK_KINDS for rate in rates]
     shape = (len(INK_KINDS), len(rates), 2, pieces)
     found = np.array(run(_errors_and_misses, work, executor, progress)).reshape(shape)

@@ -9,6 +9,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from dmp_teach.arguments import checked
 from dmp_teach.dmp import DMP, Settings, as_settings, named_settings
 from dmp_teach.errors import SettingError
 from dmp_teach.letters import rms_distance
@@ -79,6 +80,7 @@ class Redrawings(Tabled):
         }
 
 
+@checked
 def redraw_letters(
     recordings: RecordingsLike = None,
     letters: str = "abem",
@@ -104,6 +106,7 @@ def redraw_letters(
     return Redrawings(tuple(item for items in found for item in items))
 
 
+@checked
 def redraw_at_widths(
     recordings: RecordingsLike = None,
     letters: str = "a",

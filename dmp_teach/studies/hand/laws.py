@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from dmp_teach.arguments import checked
 from dmp_teach.studies.hand.power_law import UNKNOWN, Bends, Exponent, measure_power_law
 from dmp_teach.studies.inputs import RecordingsLike, Written, list_letters
 from dmp_teach.texts import gettext as _
@@ -60,6 +61,7 @@ class HandLaws(Value):
         return "\n".join(lines)
 
 
+@checked
 def measure_hand(recordings: RecordingsLike, quick: RecordingsLike = None) -> HandLaws:
     """Measure the two-thirds power law and isochrony in ink.
 

@@ -10,6 +10,7 @@ from time import perf_counter
 import numpy as np
 from numpy.typing import ArrayLike
 
+from dmp_teach.arguments import checked
 from dmp_teach.dmp import check_point
 from dmp_teach.errors import SettingError, TeachError, kind_of, shown
 from dmp_teach.files import is_whole
@@ -120,6 +121,7 @@ class WaysTried(Tabled):
         return columns
 
 
+@checked
 def compare_ways_to_learn(
     takes: RecordingsLike = None,
     numbers: Sequence[int] | int | None = None,
@@ -190,6 +192,7 @@ def try_way(piece: tuple[type[Way], tuple[Trajectory, ...], Array, Array]) -> Wa
     return lead_way(way, takes, meant, shift, perf_counter() - begin)
 
 
+@checked
 def lead_way(
     way: Way,
     takes: tuple[Trajectory, ...],
@@ -206,10 +209,12 @@ def lead_way(
         shift: How far its goal moves, shape (D,) [m].
         seconds: How long it took to learn [s].
     """
+    shift = check_point("shift", shift, meant.shape[-1])
     letter, moved = way.write(), way.write(meant[-1] + shift)
     return WayTried(way, takes, meant, shift, letter, moved, seconds, np.nan)
 
 
+@checked
 def share_of_same_way(drawn: Array, taught: Array) -> float:
     """Return how much of a line goes the way of another, to within 45 degrees [share of it].
 
@@ -217,10 +222,14 @@ def share_of_same_way(drawn: Array, taught: Array) -> float:
         drawn: The line, shape (T, D) [m].
         taught: The other one at the same moments, shape (T, D) [m].
     """
-    steps, shown = np.diff(drawn, axis=0), np.diff(taught, axis=0)
+    if drawn.shape != taught.shape:
+        raise SettingError(
+            f"drawn has shape {drawn.shape} and taught {taught.shape}, but must have the same."
+        )
+    steps, others = np.diff(drawn, axis=0), np.diff(taught, axis=0)
     length = np.linalg.norm(steps, axis=1)
-    along = np.sum(steps * shown, axis=1)
-    is_same = along > np.sqrt(0.5) * length * np.linalg.norm(shown, axis=1)
+    along = np.sum(steps * others, axis=1)
+    is_same = along > np.sqrt(0.5) * length * np.linalg.norm(others, axis=1)
     return float(length[is_same].sum() / max(length.sum(), 1e-9))
 
 

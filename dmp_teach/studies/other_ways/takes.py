@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import scipy
 
+from dmp_teach.arguments import LARGEST_SEED, check_whole, checked
 from dmp_teach.trajectory import Array, Trajectory
 
 # Standard deviations from take to take, shares of what varies; wobbles of the stroke's size.
@@ -12,8 +13,10 @@ SIZE, WIDTH, LEAN, PACE, PLACE = 0.05, 0.03, 0.05, 0.08, 0.015
 # How far the pen strays, and over which share of the stroke it comes back.
 WOBBLES = ((0.015, 1 / 8), (0.004, 1 / 30))
 HURRY = 0.02
+MOST_TAKES = 10_000
 
 
+@checked
 def draw_takes(stroke: Trajectory, number: int, seed: int = 0) -> tuple[Trajectory, ...]:
     """Draw takes of a stroke as one hand would write them, about 6 % of its size apart.
 
@@ -24,7 +27,12 @@ def draw_takes(stroke: Trajectory, number: int, seed: int = 0) -> tuple[Trajecto
         stroke: What the hand means, at any number of dimensions; the first two lean.
         number: How many.
         seed: Whose hand; the same seed gives the same takes.
+
+    Raises:
+        SettingError: No such number, or seed.
     """
+    check_whole("number", number, 0, MOST_TAKES)
+    check_whole("seed", seed, 0, LARGEST_SEED)
     return tuple(_draw_take(stroke, np.random.default_rng([seed, n])) for n in range(number))
 
 

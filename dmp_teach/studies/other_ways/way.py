@@ -14,6 +14,7 @@ from typing import Any, ClassVar, Self
 import numpy as np
 from numpy.typing import ArrayLike
 
+from dmp_teach.arguments import checked
 from dmp_teach.dmp import check_point
 from dmp_teach.errors import MissingPartError, TrajectoryError, kind_of
 from dmp_teach.trajectory import Array, Trajectory, resample_in_time
@@ -163,6 +164,7 @@ def list_demonstrations(demonstrations: Iterable[Trajectory]) -> tuple[Trajector
     return given
 
 
+@checked
 def even_path(movement: Trajectory, steps: int = CUTS) -> Array:
     """Return where a pen is at equal parts of its duration, shape (steps + 1, D) [m]."""
     return resample_in_time(movement, steps + 1).position

@@ -9,6 +9,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from dmp_teach.arguments import checked
 from dmp_teach.errors import RecordingError, kind_of
 from dmp_teach.ink import Recording, characters, recording_of
 from dmp_teach.letters import resample_evenly
@@ -29,6 +30,7 @@ MAX_DOT_INK = 0.12
 ARROW_STYLE = "-|>,head_width=0.22,head_length=0.45"
 
 
+@checked
 def draw_contact_sheet(
     alphabet: str | None = None, recordings: Iterable[Recording] | None = None, numbers: bool = True
 ) -> Figure:

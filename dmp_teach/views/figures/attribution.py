@@ -7,6 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.figure import Figure
 
+from dmp_teach.arguments import checked
 from dmp_teach.errors import SettingError
 from dmp_teach.studies import Answers, Attributions
 from dmp_teach.views.figures.figure_style import DrawStyle, add_legend_below, new_figure, style_axes
@@ -26,6 +27,7 @@ DARK_SHARE = 0.55
 MAX_NUMBERED_WRITERS = 18
 
 
+@checked
 def draw_attribution_bars(*found: Attributions) -> Figure:
     """Draw a bar for each question: letters given to their writer, the interval, and chance.
 
@@ -65,6 +67,7 @@ def draw_attribution_bars(*found: Attributions) -> Figure:
     return figure
 
 
+@checked
 def draw_confusion(answers: Answers) -> Figure:
     """Draw a row for each writer, shaded by the share of his letters given to each writer [%].
 

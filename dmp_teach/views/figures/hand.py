@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from dmp_teach.arguments import checked
 from dmp_teach.errors import ViewError
 from dmp_teach.studies import Exponent, HandLaws
 from dmp_teach.texts import gettext as _
@@ -29,6 +30,7 @@ SMALL_WORDS: DrawStyle = {
 }
 
 
+@checked
 def draw_hand_laws(hands: Mapping[str, HandLaws]) -> Figure:
     """Draw the speed of hands over the curvature of their ink, and their exponents side by side.
 

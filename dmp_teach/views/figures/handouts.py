@@ -12,6 +12,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.patches import Circle, FancyArrowPatch
 
+from dmp_teach.arguments import checked
 from dmp_teach.errors import ViewError, kind_of
 from dmp_teach.letters import Letter, resample_evenly, rms_distance
 from dmp_teach.scoring import LetterLike
@@ -40,6 +41,7 @@ MM_PER_INCH = 25.4
 BLACK, GREY = "#000000", "#767676"
 
 
+@checked
 def draw_worksheet(
     letters: Sequence[LetterLike], paper: str = "A4", is_colored: bool = True
 ) -> Figure:
@@ -90,6 +92,7 @@ def draw_worksheet(
     return figure
 
 
+@checked
 def draw_certificate(letter: LetterLike, paper: str = "A4", is_colored: bool = True) -> Figure:
     """Draw what a pupil has taught the robot: the own letter, the robot's, and its stamp.
 

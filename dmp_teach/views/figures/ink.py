@@ -6,6 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from dmp_teach.arguments import checked
 from dmp_teach.letters import resample_evenly
 from dmp_teach.studies import GoalPaths, MadeLetter, MadeLetters, Redrawings, Redrawn
 from dmp_teach.trajectory import Array, all_points, path_length
@@ -44,6 +45,7 @@ BOWL_LOOK: DrawStyle = {"color": "#E69F00", "linestyle": (0, (6, 1.2))}
 MAX_DISTANCE_IN_SIZES = 3.5
 
 
+@checked
 def draw_four_widths(redrawings: Redrawings, letter: int = 0) -> Figure:
     """Draw the paper's figure 5: one letter with four kernel widths.
 
@@ -64,6 +66,7 @@ def draw_four_widths(redrawings: Redrawings, letter: int = 0) -> Figure:
     return figure
 
 
+@checked
 def draw_redrawn_letters(redrawings: Redrawings, most: int = 4) -> Figure:
     """Draw the paper's figure 9: letters as demonstrated and as DMP* wrote them, in one scale.
 
@@ -100,6 +103,7 @@ def draw_redrawn_letters(redrawings: Redrawings, most: int = 4) -> Figure:
     return figure
 
 
+@checked
 def draw_goal_paths(paths: GoalPaths) -> Figure:
     """Draw the paper's figure 8: a letter with a moved goal, by DMP* and by the original form.
 
@@ -133,6 +137,7 @@ def draw_goal_paths(paths: GoalPaths) -> Figure:
     return figure
 
 
+@checked
 def draw_d_to_p(made: MadeLetters, most: int = 3) -> Figure:
     """Draw the paper's figure 10: D as demonstrated, and the P that each transformation makes.
 

@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from dmp_teach.arguments import checked
 from dmp_teach.errors import LetterError
 from dmp_teach.ink import Recording, alphabets, recording_of
 from dmp_teach.letters import Shelf, letters_needed, make_letter, recipes
@@ -25,6 +26,7 @@ from dmp_teach.views.palette import MUTED_COLOR, PERSON_COLOR, ROBOT_COLOR, STRO
 TRANSFORM_NAMES = {"star": "DMP*", "similarity": "similarity"}
 
 
+@checked
 def draw_made_letters(
     character: str = "P", source: str = "D", recordings: Iterable[Recording] | None = None
 ) -> Figure:
@@ -69,6 +71,7 @@ def draw_made_letters(
     return figure
 
 
+@checked
 def draw_recipes(shelf: Shelf, transform: str = "star") -> Figure:
     """Draw every letter that a writer's strokes make, and name the letters that they come from.
 
@@ -103,6 +106,7 @@ def draw_recipes(shelf: Shelf, transform: str = "star") -> Figure:
     return figure
 
 
+@checked
 def draw_text(
     strokes: Sequence[Trajectory], width: float | None = None, height: float | None = None
 ) -> Figure:

@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from dmp_teach.arguments import checked
 from dmp_teach.dmp import KERNELS, Kernels
 from dmp_teach.studies import Choice, ErrorCurves, GoalPaths
 from dmp_teach.trajectory import Array
@@ -45,6 +46,7 @@ TRACE_LOOKS: dict[str, DrawStyle] = {
 }
 
 
+@checked
 def draw_kernel_types(number: int = 8) -> Figure:
     """Draw the paper's figure 2: the kinds of kernel over the phase.
 
@@ -74,6 +76,7 @@ def draw_kernel_types(number: int = 8) -> Figure:
     return figure
 
 
+@checked
 def draw_error_over_width(curves: ErrorCurves, variant: str | None = None) -> Figure:
     """Draw the paper's figure 4: both errors against kernel width, a line for each letter.
 
@@ -94,6 +97,7 @@ def draw_error_over_width(curves: ErrorCurves, variant: str | None = None) -> Fi
     return figure
 
 
+@checked
 def draw_error_over_number(curves: ErrorCurves, variant: str | None = None) -> Figure:
     """Draw the paper's figure 6: both errors against the number of kernels, a line for each letter.
 
@@ -115,6 +119,7 @@ def draw_error_over_number(curves: ErrorCurves, variant: str | None = None) -> F
     return figure
 
 
+@checked
 def draw_goal_change_over_time(traces: GoalPaths) -> Figure:
     """Draw the paper's figure 7: position and velocity of one coordinate whose goal moved.
 
@@ -137,6 +142,7 @@ def draw_goal_change_over_time(traces: GoalPaths) -> Figure:
     return figure
 
 
+@checked
 def draw_kernel_choice(choice: Choice) -> Figure:
     """Draw the curve of a validation, with the choice and both rules of thumb.
 

@@ -6,6 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from dmp_teach.arguments import checked
 from dmp_teach.ink import Recording
 from dmp_teach.letters import Letter
 from dmp_teach.robot import Motion
@@ -21,6 +22,7 @@ from dmp_teach.views.figures.figure_style import (
 from dmp_teach.views.palette import MUTED_COLOR, PERSON_COLOR, ROBOT_COLOR, STROKE_COLORS
 
 
+@checked
 def draw_pipeline(recording: Recording, letter: Letter, motion: Motion) -> Figure:
     """Draw the paper's figure 3 as our pipeline: capture, strokes, DMP*, letter and joints.
 

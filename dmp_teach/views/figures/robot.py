@@ -9,6 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.image import imread
 
+from dmp_teach.arguments import checked
 from dmp_teach.errors import ViewError, kind_of
 from dmp_teach.robot import (
     ROBOT_PARTS,
@@ -46,6 +47,7 @@ REACH_LOOKS: dict[str, DrawStyle] = {
 }
 
 
+@checked
 def draw_reach(*maps: ReachMap) -> Figure:
     """Draw where a page can lie, a panel for each map.
 
@@ -67,6 +69,7 @@ def draw_reach(*maps: ReachMap) -> Figure:
     return figure
 
 
+@checked
 def draw_writing(motion: Motion | Run, camera: str = "over the shoulder") -> Figure:
     """Draw the robot that writes, in six frames from left to right and then down (figure 1).
 

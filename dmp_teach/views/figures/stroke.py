@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from dmp_teach.arguments import checked
 from dmp_teach.errors import RecordingError
 from dmp_teach.ink import Recording
 from dmp_teach.segmentation import RULES
@@ -30,6 +31,7 @@ RULE_NAMES = {
 }
 
 
+@checked
 def draw_strokes_by_rule(recording: Recording, theta: float = 0.10, sigma: float = 0.006) -> Figure:
     """Draw one recording and its strokes by every rule: height and dz/dt over time, and ink.
 

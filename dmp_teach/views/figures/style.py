@@ -7,6 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 
+from dmp_teach.arguments import checked
 from dmp_teach.letters import Letter, Style
 from dmp_teach.trajectory import Array
 from dmp_teach.views.figures.figure_style import new_figure, plot_path, set_same_view, style_paper
@@ -16,6 +17,7 @@ LETTERS_PER_ROW = 5
 PRINCIPAL_STYLES_DRAWN = 2
 
 
+@checked
 def draw_style_sheet(style: Style, seed: int = 0) -> Figure:
     """Draw what several writers' letters share, and how they differ.
 

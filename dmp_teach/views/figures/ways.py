@@ -8,6 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from dmp_teach.arguments import checked
 from dmp_teach.errors import ViewError, kind_of, shown
 from dmp_teach.studies import WaysTried, WayTried
 from dmp_teach.views.figures.figure_style import (
@@ -27,6 +28,7 @@ MOVED_LOOK: DrawStyle = {"color": COMPARED_COLOR, "linestyle": (0, (5, 1.5)), "l
 MOST_BEYOND = 0.12
 
 
+@checked
 def draw_ways_to_learn(tried: WaysTried, numbers: Sequence[int] | None = None) -> Figure:
     """Draw the letter of every way, to its own goal and to the one that moved.
 
