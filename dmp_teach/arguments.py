@@ -123,7 +123,7 @@ def _fit_all(value: Any, inner: tuple[Any, ...]) -> bool:
     """Return whether what a value holds is what an annotation says of it."""
     if inner and isinstance(value, Mapping):
         return all(_fits(k, inner[0]) and _fits(v, inner[1]) for k, v in value.items())
-    is_list = isinstance(value, list | str | tuple)
+    is_list = isinstance(value, bytes | list | str | tuple)
     if inner and is_list and (len(inner) == 1 or inner[1] is Ellipsis):
         return all(_fits(each, inner[0]) for each in value)
     return True

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from numbers import Real
 from typing import Self, TypedDict
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 from dmp_teach.arguments import as_numbers, checked
-from dmp_teach.errors import RecordingError
+from dmp_teach.errors import RecordingError, shown
 from dmp_teach.ink.svg_repr import draw_svg
 from dmp_teach.segmentation import Spans, cut_at_times, get_rule
 from dmp_teach.trajectory import Array, Trajectory
@@ -77,7 +78,11 @@ class Recording(Value):
             )
         object.__setattr__(self, "t", locked(path.t))
         object.__setattr__(self, "position", locked(path.position))
+        if not isinstance(self.character, str | type(None)):
+            raise RecordingError(f"character is {shown(self.character)}, but must be text or None.")
         if self.baseline is not None:
+            if not isinstance(self.baseline, Real) or not abs(self.baseline) < 1e9:
+                raise RecordingError(f"baseline is {shown(self.baseline)}, but must be a y [m].")
             object.__setattr__(self, "baseline", float(self.baseline))
         if self.given_strokes is not None:
             object.__setattr__(self, "given_strokes", _checked(self.given_strokes, len(path)))
@@ -153,7 +158,12 @@ class Recording(Value):
 
 def _checked(spans: Spans, samples: int) -> Spans:
     """Return the strokes as plain integers; a RecordingError names the one that cannot be."""
-    pairs = tuple((int(a), int(b)) for a, b in spans)
+    try:
+        pairs = tuple((int(a), int(b)) for a, b in spans)
+    except (OverflowError, TypeError, ValueError):
+        raise RecordingError(
+            f"given_strokes is {shown(spans)}, but must be pairs (start, end) of whole numbers."
+        ) from None
     if not pairs:
         raise RecordingError(
             "given_strokes is empty, but a letter has at least one stroke; use None to find them."

@@ -213,8 +213,8 @@ def _points(name: str, values: ArrayLike, widths: tuple[int, ...]) -> Array:
 def _four_by_four(values: ArrayLike) -> Array:
     """Return `values` as a (4, 4) array of finite numbers, or raise a PageError."""
     try:
-        X = np.array(values, dtype=float)
-    except (TypeError, ValueError) as error:
+        X = as_numbers(values)
+    except ValueError as error:
         raise PageError(f"X_world_page must be 4 by 4 numbers, but: {error}.") from None
     if X.shape != (4, 4) or not np.isfinite(X).all():
         raise PageError(f"X_world_page has shape {X.shape}, but must be 4 by 4 finite numbers.")
@@ -267,7 +267,7 @@ def check_finite(name: str, value: float, meaning: str) -> float:
     """Return a finite number, or raise a PageError that says what it should be."""
     try:
         found = float(value)
-    except (TypeError, ValueError):
+    except (OverflowError, TypeError, ValueError):
         found = np.nan
     if not np.isfinite(found):
         raise PageError(f"{name} is {shown(value)}, but must be {meaning}.")

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from dmp_teach.arguments import checked
+from dmp_teach.arguments import check_whole, checked
 from dmp_teach.letters import resample_evenly
 from dmp_teach.studies import GoalPaths, MadeLetter, MadeLetters, Redrawings, Redrawn
 from dmp_teach.trajectory import Array, all_points, path_length
@@ -44,6 +44,9 @@ BOWL_LOOK: DrawStyle = {"color": "#E69F00", "linestyle": (0, (6, 1.2))}
 # Ink that gets farther away than this many sizes of the letter is cut.
 MAX_DISTANCE_IN_SIZES = 3.5
 
+# More letters than this are no figure.
+MOST_DRAWN = 1000
+
 
 @checked
 def draw_four_widths(redrawings: Redrawings, letter: int = 0) -> Figure:
@@ -54,6 +57,7 @@ def draw_four_widths(redrawings: Redrawings, letter: int = 0) -> Figure:
         letter: Which letter of them, counted from 0.
     """
     names = list(dict.fromkeys(item.letter.name for item in redrawings.items))
+    check_whole("letter", letter, 0, len(names) - 1)
     items = [item for item in redrawings.items if item.letter.name == names[letter]]
     items = items[: len({item.settings for item in items})]
     size = (3.1 * len(items), 3.5)
@@ -76,6 +80,7 @@ def draw_redrawn_letters(redrawings: Redrawings, most: int = 4) -> Figure:
         redrawings: From `redraw_letters`.
         most: How many letters are drawn at most.
     """
+    check_whole("most", most, 1, MOST_DRAWN)
     by_character = {item.letter.character: item for item in reversed(redrawings.items)}
     first = list(by_character.values())[::-1]
     items = (first + [item for item in redrawings.items if item not in first])[:most]
@@ -145,6 +150,7 @@ def draw_d_to_p(made: MadeLetters, most: int = 3) -> Figure:
         made: From `make_p_from_d`.
         most: How many writers are drawn at most.
     """
+    check_whole("most", most, 1, MOST_DRAWN)
     sources = [item.source for item in made.by(made.ways[0])][:most]
     columns = 1 + len(made.ways)
     figure, panels = new_figure(len(sources), columns, 2.7 * columns, 3.2 * len(sources) + 0.4)

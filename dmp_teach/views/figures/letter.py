@@ -42,7 +42,9 @@ def draw_made_letters(
     """
     if recordings is None:
         recordings = [recording_of(source, name) for name in alphabets()]
-    shown = [recording for recording in recordings if recording.character == source]
+    shown = [
+        recording for recording in recordings if getattr(recording, "character", None) == source
+    ]
     how = next((how for _, how in recipes(character) if letters_needed(how) == (source,)), None)
     if not shown or how is None:
         missing = f"recording of {source!r}"
@@ -117,6 +119,8 @@ def draw_text(
         width: Of the sheet, whose middle is the origin [m]; None: as wide as the ink.
         height: Of the sheet [m].
     """
+    if len(strokes) == 0:
+        raise LetterError("strokes is empty; give those of a text.")
     ink = 1e3 * all_points(strokes)
     corners = np.stack([ink.min(axis=0), ink.max(axis=0)])
     if width is not None and height is not None:

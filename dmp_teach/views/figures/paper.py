@@ -8,7 +8,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from dmp_teach.arguments import checked
+from dmp_teach.arguments import check_whole, checked
 from dmp_teach.dmp import KERNELS, Kernels
 from dmp_teach.studies import Choice, ErrorCurves, GoalPaths
 from dmp_teach.trajectory import Array
@@ -53,6 +53,7 @@ def draw_kernel_types(number: int = 8) -> Figure:
     Args:
         number: N.
     """
+    check_whole("number", number, 1, 300)
     kinds = [kind for kernel in KERNELS.values() for kind in kernel.kinds()]
     figure, panels = new_figure(1, len(kinds), 3.25 * len(kinds), 2.9, sharey=True)
     s = np.linspace(0, 1, 2001)

@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
 
-from dmp_teach.arguments import checked
+from dmp_teach.arguments import LARGEST_SEED, check_whole, checked
 from dmp_teach.letters import Letter, Style
 from dmp_teach.trajectory import Array
 from dmp_teach.views.figures.figure_style import new_figure, plot_path, set_same_view, style_paper
@@ -29,6 +29,7 @@ def draw_style_sheet(style: Style, seed: int = 0) -> Figure:
         style: From `Style.of`.
         seed: Of the random letters; the same seed gives the same letters.
     """
+    check_whole("seed", seed, 0, LARGEST_SEED)
     rows = _collect_rows(style, np.random.default_rng(seed))
     size = (2.1 * LETTERS_PER_ROW, 2.4 * len(rows))
     figure, panels = new_figure(len(rows), LETTERS_PER_ROW, *size, sharex=True, sharey=True)
