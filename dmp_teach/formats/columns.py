@@ -59,7 +59,6 @@ def read_columns(
     names: Sequence[str] | None,
     file: str,
     options: CaptureOptions,
-    on_screen: bool = False,
 ) -> tuple[Recording, ...]:
     """Return the letter of a table.
 
@@ -68,7 +67,6 @@ def read_columns(
         names: Of the columns, C of them; None where the file has none.
         file: The name of the file, which may tell the letter.
         options: How a pen in three dimensions looks at its page.
-        on_screen: Whether places without a unit are pixels, y down.
 
     Raises:
         RecordingError: No column for x and y, or rows that cannot be ink.
@@ -84,7 +82,7 @@ def read_columns(
             )
         columns = {role: values[:, column] for role, (column, _) in roles.items()}
         t = _seconds(columns.get("t"), roles, notes)
-        xy, scale = _on_page(columns, roles, notes, on_screen)
+        xy, scale = _on_page(columns, roles, notes)
         parts = _parts(columns, t, xy, notes)
         if not parts or sum(b - a for a, b in parts) < FEWEST_ROWS:
             raise RecordingError(
@@ -209,7 +207,7 @@ def _seconds(times: Array | None, roles: ColumnRoles, notes: list[str]) -> Array
 
 
 def _on_page(
-    columns: dict[str, Array], roles: ColumnRoles, notes: list[str], on_screen: bool
+    columns: dict[str, Array], roles: ColumnRoles, notes: list[str]
 ) -> tuple[Array, float | None]:
     """Return the places (N, 2), y up, and the metres in their unit; None where unknown."""
     xy = np.column_stack([columns["x"], columns["y"]])
@@ -223,9 +221,7 @@ def _on_page(
         scale = 1.0
         notes.append("The file says no unit of length: taken as metres.")
     if scale == METRES["px"]:
-        notes.append(PIXELS)
-    if scale == METRES["px"] or (scale is None and on_screen):
-        notes.append("Taken is that y points down the screen.")
+        notes += [PIXELS, "Taken is that y points down the screen."]
         xy = xy * [1, -1]
     else:
         notes.append("Taken is that y points up the page.")

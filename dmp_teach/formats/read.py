@@ -31,7 +31,7 @@ def read_recording(
 
     Motion capture (Motive CSV), digital ink (InkML, UNIPEN), the field's reference sets (Character
     Trajectories and LASA, `.mat`), drawings (SVG), JSON of ours, and tables of t, x, y, and z or
-    pressure (text, NumPy, JSON): what is in the file decides, not its name. The recording stands in
+    pressure (text, NumPy): what is in the file decides, not its name. The recording stands in
     the frame of its page: x to the right, y up the page, z out of it, the origin at the lower left
     corner of the ink (a file of ours says where it is). A CSV keeps its clock; it begins with the
     first stroke and ends with the last one, gaps are filled with straight lines, and nothing is

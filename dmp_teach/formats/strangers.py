@@ -92,6 +92,7 @@ KINDS = (
     Kind("a notebook (Jupyter)", r'\s*\{(?=.*"(?:cells|nbformat)"\s*:)', PENLESS),
     Kind("a web page", r"\s*(?i:<!doctype html|<html)", PENLESS),
     Kind("a map (GeoJSON)", r'\s*\{.{0,200}"FeatureCollection"', TO_NUMBERS),
+    Kind("JSON of another program", r'\s*(?:\{\s*["}]|\[\s*[\[{"\]\d-])', TO_NUMBERS),
     Kind("IAM-OnDB ink", r".{0,300}<WhiteboardCaptureSession", TO_NUMBERS),
     Kind("notes of Xournal", r".{0,300}<xournal", NOTES),
     Kind("a robot's model (URDF)", r".{0,2000}?<robot\b", PENLESS),

@@ -60,6 +60,8 @@ STRANGERS = {
     b'{"cells": [], "nbformat": 4}': "a notebook .Jupyter.",
     b"<!DOCTYPE html><html></html>": "a web page",
     b'{"type": "FeatureCollection"}': "a map .GeoJSON.",
+    b'{"strokes": [[[0, 0], [1, 1]]]}': "JSON of another program.*CSV with the columns t, x, y",
+    b"[[0.0, 0.1], [0.1, 0.2]]": "JSON of another program",
     b'<?xml version="1.0"?><WhiteboardCaptureSession/>': "IAM-OnDB ink",
     b'<?xml version="1.0"?><robot name="fetch"/>': "a robot's model .URDF.",
     b"<note>x</note>": "an XML file of another kind",

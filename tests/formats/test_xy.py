@@ -1,13 +1,12 @@
-"""Plain tables, arrays and JSON of other programs: the same D, however it is written."""
+"""Plain tables and arrays: the same D, however it is written."""
 
 import io
-import json
 
 import numpy as np
 import pytest
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.formats.read import read_recording, read_recordings
+from dmp_teach.formats.read import read_recording
 from tests.formats.ink_files import d_strokes
 from tests.formats.motive_csv import Pen, bar, bowl
 
@@ -103,18 +102,6 @@ TIMED = {
     "npz of one": npz(demo=array()),
     "npz of names": npz(**dict(zip("txy", array().T, strict=True))),
     "npz of places": npz(time=array()[:, 0], pos=array()[:, 1:]),
-    "json of columns": json.dumps(dict(zip("txy", array(False).T.tolist(), strict=True))).encode(),
-    "json of points": json.dumps(
-        {
-            "app": "x",
-            "strokes": [[dict(zip("txy", p, strict=True)) for p in s.tolist()] for s in STROKES],
-        }
-    ).encode(),
-    "json of rows": json.dumps({"data": {"ink": [stroke.tolist() for stroke in STROKES]}}).encode(),
-    "json of lying rows": json.dumps([stroke.T.tolist() for stroke in STROKES]).encode(),
-    "json of objects": json.dumps(
-        [{"color": "red", "points": stroke.tolist()} for stroke in STROKES]
-    ).encode(),
 }
 UNTIMED = {
     "x y": text("x y", sign=" ", columns=(1, 2)),
@@ -131,7 +118,7 @@ UNTIMED = {
 def good_files(_):
     """For the tests of damaged files."""
     names = {"a.csv": "a header", "a.txt": "spaces", "a.tsv": "tabs", "a.npy": "npy"}
-    names |= {"a.npz": "npz of names", "a.json": "json of points"}
+    names |= {"a.npz": "npz of names"}
     return {f"xy_{name}": TIMED[kind] for name, kind in names.items()}
 
 
@@ -157,13 +144,6 @@ def test_a_table_without_times_gets_a_hands_pace_and_a_note(tmp_path, kind):
     for stroke, wanted in zip(recording.strokes(), d_strokes(), strict=True):
         box = np.stack([stroke.position.min(axis=0), stroke.position.max(axis=0)])
         assert np.allclose(box, [wanted[:, 1:3].min(axis=0), wanted[:, 1:3].max(axis=0)], atol=1e-3)
-
-
-def test_a_line_of_json_for_each_letter(tmp_path):
-    line = {"word": "d", "drawing": [stroke[:, [1, 2, 0]].T.tolist() for stroke in STROKES]}
-    (tmp_path / "a.ndjson").write_text("\n".join(json.dumps({**line, "word": w}) for w in "ab"))
-    letters = read_recordings(tmp_path / "a.ndjson")
-    assert [(each.character, len(each.strokes())) for each in letters] == [("a", 2), ("b", 2)]
 
 
 def test_pressure_lifts_the_pen_and_is_kept(tmp_path):
@@ -212,8 +192,6 @@ FAULTS = {
         "different lengths: 'x', 'y'",
     ),
     "objects": (npy(np.array([None, {}])), "no array of numbers"),
-    "no points": (b'{"a": [1, 2]}', "no list of points is found"),
-    "cut off": (b'{"x": [1, 2', "is no whole JSON"),
 }
 
 
