@@ -6,9 +6,8 @@ from itertools import pairwise
 
 import numpy as np
 
-from dmp_teach.formats.flat_ink import LARGEST_INK
 from dmp_teach.formats.motive.table import list_names
-from dmp_teach.formats.motive.take import Take, at_frame
+from dmp_teach.formats.motive.take import Take
 from dmp_teach.segmentation import Flags, Spans, find_leaps
 from dmp_teach.trajectory import Array
 
@@ -36,10 +35,11 @@ def find_doubts(take: Take, position: Array, strokes: Spans) -> tuple[tuple[str,
     notes += _leaps(take, leap, strokes, is_ink)
     if take.faults:
         notes.append(f"Left out: {len(take.faults)} rows or cells. The first: {take.faults[0]}")
-    if take.far:
+    if len(take.left):
+        doubtful[take.left] = True
         notes.append(
-            f"The marker is more than {LARGEST_INK:.0f} m away {len(take.far)} times, first at "
-            f"{at_frame(take.far[0])}: left out, as if it were not seen."
+            f"The marker leaps away farther than a hand moves, {len(take.left)} times, first at "
+            f"{take.at(take.left[0])}: left out, as if it were not seen."
         )
     if take.pen.rivals:
         notes.append(

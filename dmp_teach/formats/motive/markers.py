@@ -1,8 +1,9 @@
 """Which marker of a take is the pen, also where Motive gave it another name in mid-take.
 
 The markers of rigid bodies are no pens, and neither is one that hardly moves. Of several that move
-the one nearest to the paper is taken. Where no marker moves, a rigid body may be the pen. A marker
-that the cameras lose and find again may come back under another name.
+the one nearest to the paper is taken. Where no marker moves, a rigid body may be the pen, and then
+a marker of one. A marker that the cameras lose and find again may come back under another name, and
+two may swap names.
 """
 
 from __future__ import annotations
@@ -24,6 +25,8 @@ LATEST_RETURN = 0.5  # a marker that comes back later may be anything [s]
 REJOIN_RADIUS = 0.01  # a marker comes back this near to where it was lost ... [m]
 HAND_SPEED = 1.0  # ... or as far as a hand moves meanwhile [m/s]
 MOST_PIECES = 200  # of a pen under changing names
+LONGEST_LEAP = 0.1  # a marker that leaps farther than a hand moves is another thing [m]
+MOST_LEAPS = (100, 0.1)  # in a track, and as a share of it; in others the unit is wrong
 BODY = re.compile(r"RigidBody \d+")
 
 
@@ -49,12 +52,14 @@ class Pen:
         track: Where it was seen.
         others: The names of the other markers that could be named.
         rivals: Those of them that move like a pen, too.
+        left: Frames in which its marker was seen where the pen cannot be, as places in the table.
     """
 
     name: str
     track: Track
     others: list[str]
     rivals: list[str]
+    left: np.ndarray
 
 
 def find_pen(table: Table, marker: str | None, out: Array) -> Pen:
@@ -76,9 +81,9 @@ def find_pen(table: Table, marker: str | None, out: Array) -> Pen:
     every = markers | bodies
     free = {key: axes for key, axes in markers.items() if not _is_part(key[0], names)}
     named = {key: axes for key, axes in every.items() if key[0] == marker}
-    tracks = _tracks(table, free | bodies | named)
+    tracks = _tracks(table, every if marker is None else free | bodies | named)
     moves = {key: _moves(track, table.t) for key, track in tracks.items()}
-    pools = [free, bodies] if marker is None else [named]
+    pools = [free, bodies, markers] if marker is None else [named]
     brisk = (pool for pool in pools if any(moves[key] >= FEWEST_MOVES for key in pool))
     pool = next(brisk, pools[0] or pools[-1])
     if not pool:
@@ -94,13 +99,13 @@ def find_pen(table: Table, marker: str | None, out: Array) -> Pen:
     chosen = max(pool, key=lambda key: len(tracks[key].seen))
     if near := [key for key in rivals if key in pool]:
         chosen = min(near, key=lambda key: float(np.median(tracks[key].points @ out)))
-    pieces, track = _followed(chosen, {key: tracks[key] for key in free | pool}, table.t)
-    followed = [label for label, _ in pieces]
+    followed, track = _followed(chosen, {key: tracks[key] for key in free | pool}, table.t)
+    left = np.setdiff1d(tracks[chosen].seen, track.seen)
     others, moving = (
         [label for label in dict.fromkeys(label for label, _ in keys) if label not in followed]
         for keys in (free, rivals)
     )
-    return Pen(", then ".join(followed), track, others, moving)
+    return Pen(", then ".join(followed), track, others, moving, left)
 
 
 def _is_part(label: str, bodies: set[str]) -> bool:
@@ -147,24 +152,39 @@ def _moves(track: Track, t: Array) -> int:
 
 def _followed(
     chosen: MarkerKey, tracks: dict[MarkerKey, Track], t: Array
-) -> tuple[list[MarkerKey], Track]:
-    """Return the pen's marker and those that go on for it, in their order, and the whole track."""
-    pieces, whole = [chosen], tracks[chosen]
-    others = {key: track for key, track in tracks.items() if key != chosen and len(track.seen)}
+) -> tuple[list[str], Track]:
+    """Return the names of the pen's marker and of those that go on for it, and the whole track."""
+    whole, *rest = sorted(_unbroken(tracks[chosen], t), key=lambda part: -_moves(part, t))
+    others = [(chosen, part) for part in rest]
+    for key, track in tracks.items():
+        if key != chosen and len(track.seen):
+            others += [(key, part) for part in _unbroken(track, t)]
+    pieces = {chosen}
     for _ in range(MOST_PIECES if len(whole.seen) else 0):
-        parts = {key: _nearest_part(whole, track, t) for key, track in others.items()}
-        best = min(parts, key=lambda key: parts[key][0], default=None)
-        if best is None or parts[best][0] > 1:
+        found = [_nearest_part(whole, track, t) for _, track in others]
+        best = min(range(len(found)), key=lambda k: found[k][0], default=None)
+        if best is None or found[best][0] > 1:
             break
-        part, other = parts[best][1], others[best]
-        pieces.append(best)
+        part, (key, other) = found[best][1], others.pop(best)
+        pieces.add(key)
         seen = np.concatenate([whole.seen, other.seen[part]])
         order = np.argsort(seen)
         whole = Track(seen[order], np.concatenate([whole.points, other.points[part]])[order])
-        others[best] = Track(np.delete(other.seen, part), np.delete(other.points, part, axis=0))
-        others = {key: track for key, track in others.items() if len(track.seen)}
-    first = {key: tracks[key].seen[:1].tolist() for key in pieces}
-    return sorted(first, key=lambda key: first[key]), whole
+        if len(part) < len(other.seen):
+            left = Track(np.delete(other.seen, part), np.delete(other.points, part, axis=0))
+            others.insert(best, (key, left))
+    order_of_names = sorted(pieces, key=lambda key: tracks[key].seen[:1].tolist())
+    return list(dict.fromkeys(label for label, _ in order_of_names)), whole
+
+
+def _unbroken(track: Track, t: Array) -> list[Track]:
+    """Return the parts of a track between leaps that no hand makes, as where two swap names."""
+    leap = np.linalg.norm(np.diff(track.points, axis=0), axis=1)
+    cuts = np.flatnonzero(leap > LONGEST_LEAP + HAND_SPEED * np.diff(t[track.seen])) + 1
+    if len(cuts) > min(MOST_LEAPS[0], MOST_LEAPS[1] * len(track.seen)):
+        return [track]
+    parts = zip(np.split(track.seen, cuts), np.split(track.points, cuts), strict=True)
+    return [Track(*part) for part in parts]
 
 
 def _nearest_part(pen: Track, other: Track, t: Array) -> tuple[float, np.ndarray]:

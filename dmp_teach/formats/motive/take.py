@@ -30,7 +30,7 @@ class Take:
         frames: Frame number and row in the file of each sample, length T.
         unseen: How long the file goes on before the first sample and after the last one, without
             the marker [s].
-        far: Frame number and row of each sample that no camera can have seen, left out.
+        left: The samples in which its marker is where the pen cannot be.
         faults: Why rows and cells of the file were left out.
     """
 
@@ -40,7 +40,7 @@ class Take:
     is_seen: np.ndarray
     frames: list[tuple[str, int]]
     unseen: tuple[float, float]
-    far: list[tuple[str, int]]
+    left: np.ndarray
     faults: list[str]
 
     def at(self, k: int) -> str:
@@ -76,9 +76,7 @@ def read_take(data: bytes, marker: str | None, out: Array) -> Take:
             f"{FEWEST_FRAMES}; record again. {choice}"
         )
     frames, t = [(row[0], k) for k, row in table.body], table.t
-    on_way, leap = find_leaps(t[seen], points)
-    is_far = ~on_way & (leap > LARGEST_INK)
-    far = [frames[k] for k in seen[is_far]]
+    on_way, _ = find_leaps(t[seen], points)
     size = float(np.ptp(points[on_way], axis=0).max())
     # Where the unit is wrong, all that moves is off any way.
     size = max(size, float(np.ptp(np.quantile(points, [0.1, 0.9], axis=0), axis=0).max()))
@@ -90,11 +88,11 @@ def read_take(data: bytes, marker: str | None, out: Array) -> Take:
             f"{SMALLEST_TAKE} to {LARGEST_INK} m. It is {away.max():.4g} m off at {worst}. "
             f"Is 'Length Units' in row 1 right, and is this marker the pen? {choice}"
         )
-    seen, points, on_way = seen[~is_far], points[~is_far], on_way[~is_far]
     first, last = seen[0], seen[-1]
     part = slice(first, last + 1)
     filled = interpolate_points(t[part], t[seen][on_way], points[on_way])
     filled[seen - first] = points
     is_seen = np.isin(np.arange(first, last + 1), seen)
     unseen = float(t[first] - t[0]), float(t[-1] - t[last])
-    return Take(pen, t[part], filled, is_seen, frames[part], unseen, far, table.faults)
+    left = pen.left[(pen.left > first) & (pen.left < last)] - first
+    return Take(pen, t[part], filled, is_seen, frames[part], unseen, left, table.faults)
