@@ -25,7 +25,6 @@ from dmp_teach.studies.experiments.goal_near_start import change_goals_near_star
 from dmp_teach.studies.experiments.initial_acceleration import measure_initial_acceleration
 from dmp_teach.studies.experiments.random_ink import learn_random_ink
 from dmp_teach.studies.experiments.redraw import redraw_at_widths, redraw_letters
-from dmp_teach.studies.experiments.star_vs_original import compare_with_original
 from dmp_teach.studies.experiments.validation import choose_kernels, choose_width
 from dmp_teach.studies.experiments.variants import rms_error
 
@@ -41,7 +40,6 @@ TAKE_SETTINGS = {
     learn_alike: ([LEARNED, LEARNED],),
     write_word: ("hi",),
     write_lines: ("hi",),
-    compare_with_original: (D,),
     measure_initial_acceleration: (D,),
     choose_kernels: (STROKE,),
     choose_width: (STROKE,),
@@ -56,6 +54,7 @@ TAKE_SETTINGS = {
 }
 # What other rooms call with settings that are checked already.
 INSIDE = {"Hand.of", "NamedChoice.of", "both_forms", "has_ends", "kernels_of", "note_gaps"}
+INSIDE |= {"both_errors", "imitate_within", "time_ratio", "Evidence.errors", "Evidence.strays"}
 # Its settings are keywords, each checked by its own knob.
 INSIDE |= {"explore"}
 

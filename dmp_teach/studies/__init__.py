@@ -14,7 +14,6 @@ _RENAMED = {
     "Bench": "Evidence",
     "ProgressBar": "progress_bar",
     "Traces": "GoalPaths",
-    "against_original": "compare_with_original",
     "any_shape": "learn_random_ink",
     "attribution": "attribute_made_letters",
     "error_against_number": "sweep_kernel_number",

@@ -25,7 +25,6 @@ from .experiments.redraw import Redrawings as Redrawings
 from .experiments.redraw import Redrawn as Redrawn
 from .experiments.redraw import redraw_at_widths as redraw_at_widths
 from .experiments.redraw import redraw_letters as redraw_letters
-from .experiments.star_vs_original import compare_with_original as compare_with_original
 from .experiments.stroke_segmentation import compare_segmentation as compare_segmentation
 from .experiments.validation import Choice as Choice
 from .experiments.validation import choose_kernels as choose_kernels

@@ -38,7 +38,6 @@ class GoalChange:
         original: The original form from the demonstration, root mean square [m].
         star_velocity: The same for velocities [m/s].
         original_velocity: The same for velocities [m/s].
-        star_miss: The distance of the end of DMP* from the goal [m].
         original_farthest: The greatest distance of the original form from the demonstration [m].
     """
 
@@ -51,7 +50,6 @@ class GoalChange:
     original: float
     star_velocity: float
     original_velocity: float
-    star_miss: float
     original_farthest: float
 
     @property
@@ -220,7 +218,6 @@ def _case(name: str, path: Trajectory, shift: Array, star: DMP, old: DMP) -> Goa
         original=rms(apart[1]),
         star_velocity=speed[0],
         original_velocity=speed[1],
-        star_miss=float(np.linalg.norm(drawn[0][-1] - star.goal - shift)),
         original_farthest=float(np.linalg.norm(apart[1], axis=1).max()),
     )
 

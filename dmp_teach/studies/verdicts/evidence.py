@@ -21,7 +21,6 @@ from dmp_teach.studies.experiments import (
     initial_acceleration,
     random_ink,
     redraw,
-    star_vs_original,
     stroke_segmentation,
 )
 from dmp_teach.studies.experiments.variants import PAPER_SHARE, Variant
@@ -35,7 +34,7 @@ from dmp_teach.studies.inputs import (
 )
 from dmp_teach.studies.parallel import run
 from dmp_teach.studies.readings import READINGS, Reading
-from dmp_teach.studies.verdicts.single import can_learn_original, find_error, find_stray
+from dmp_teach.studies.verdicts import single
 from dmp_teach.trajectory import Array, Trajectory
 from dmp_teach.values import Value
 
@@ -116,13 +115,13 @@ class Evidence(Value):
     @cached_property
     def open_letters(self) -> tuple[Written, ...]:
         """The letters, or our own where all strokes are closed, which the original form refuses."""
-        open_strokes = map(can_learn_original, named_strokes(self.letters))
+        open_strokes = map(single.can_learn_original, named_strokes(self.letters))
         return self.letters if any(open_strokes) else list_letters()
 
     @cached_property
     def open_strokes(self) -> tuple[Stroke, ...]:
         """Their strokes that the original form can learn."""
-        return tuple(filter(can_learn_original, named_strokes(self.open_letters)))
+        return tuple(filter(single.can_learn_original, named_strokes(self.open_letters)))
 
     @property
     def borrowed(self) -> str:
@@ -168,7 +167,7 @@ class Evidence(Value):
         """
         variant = Variant(settings, share)
         pieces = [(each.path, variant, stretch, pace) for each in self.open_strokes]
-        return np.array(run(find_error, pieces, self.executor))
+        return np.array(run(single.find_error, pieces, self.executor))
 
     @_once
     def widths(self) -> error_curves.ErrorCurves:
@@ -203,7 +202,7 @@ class Evidence(Value):
     def strays(self, original: Settings) -> Array:
         """Return how far each open stroke strays whose goal is its start, shape (S,) [m]."""
         return np.array(
-            run(find_stray, [(s.path, original) for s in self.open_strokes], self.executor)
+            run(single.find_stray, [(s.path, original) for s in self.open_strokes], self.executor)
         )
 
     @_once
@@ -255,7 +254,7 @@ class Evidence(Value):
     def time_ratio(self, reading: Reading) -> float:
         """Return the time that DMP* takes, as a share of what Ijspeert's form takes."""
         paths = [each.path for each in self.open_strokes]
-        return star_vs_original.time_ratio(paths, reading.star, Settings.original())
+        return single.time_ratio(paths, reading.star, Settings.original())
 
     @_once
     def shapes(self, reading: Reading) -> random_ink.RandomInkErrors:

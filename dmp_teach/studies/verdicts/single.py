@@ -1,6 +1,9 @@
-"""What is asked of a single stroke."""
+"""What is asked of single strokes."""
 
 from __future__ import annotations
+
+from collections.abc import Sequence
+from time import perf_counter
 
 import numpy as np
 
@@ -9,6 +12,10 @@ from dmp_teach.errors import SettingError
 from dmp_teach.studies.experiments.variants import Variant, rms_error
 from dmp_teach.studies.inputs import Stroke
 from dmp_teach.trajectory import Trajectory
+
+REPEATS_PER_TIMING = 5
+TIMED_STROKES = 6
+_TIMES: dict[tuple, float] = {}
 
 
 def can_learn_original(stroke: Stroke) -> bool:
@@ -38,3 +45,27 @@ def find_error(piece: tuple[Trajectory, Variant, float, float]) -> float:
     path = Trajectory(t, stretch * position)
     error = rms_error(path, variant.on(path))
     return error / float(np.ptp(path.position, axis=0).max())
+
+
+def time_ratio(paths: Sequence[Trajectory], settings: Settings, original: Settings) -> float:
+    """Return how long a form takes to learn and draw, as a share of what the original form takes.
+
+    The median over six strokes, the quickest of five tries each, N = Num/10 for both. Measured once
+    in a process, then kept.
+    """
+    variants, paths = (Variant(settings), Variant(original)), paths[:TIMED_STROKES]
+    key = (variants, *(path.position.tobytes() for path in paths))
+    if key not in _TIMES:
+        ratios = [_quickest(path, variants[0]) / _quickest(path, variants[1]) for path in paths]
+        _TIMES[key] = float(np.median(ratios)) if ratios else 1.0
+    return _TIMES[key]
+
+
+def _quickest(path: Trajectory, variant: Variant) -> float:
+    """Return the shortest time of a few tries to learn and draw a stroke [s]."""
+    tries = []
+    for _ in range(REPEATS_PER_TIMING):
+        begin = perf_counter()
+        DMP.imitate(path, variant.on(path)).rollout()
+        tries.append(perf_counter() - begin)
+    return min(tries)
