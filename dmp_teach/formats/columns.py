@@ -30,22 +30,28 @@ COLUMN_UNITS |= dict.fromkeys(("sec", "secs", "second", "seconds", "meter", "met
 COLUMN_UNITS |= dict.fromkeys(("msec", "millis", "milliseconds", "millimeter", "millimetre"), 1e-3)
 COLUMN_UNITS |= dict.fromkeys(("inch", "inches"), METRES["in"])
 WITH_UNIT = re.compile(r"(.+?)(?:\s+in\s+|[\s_/|-]*[\[({<]\s*|[\s_/|-]+)([a-zµ]+)\s*[\])}>]?")
-PLACE_WORDS = "(?:pos|position|coord|coordinate|pen|tip|ink|point|pose|marker|p|page|client)*"
+PLACE_WORDS = (
+    "(?:pos|position|coord|coordinate|pen|tip|ink|point|pose|marker|p|page|client|offset|screen)*"
+)
 COLUMN_ROLES = {
     "t": "t|times?|timestamps?|stamp|zeit|temps|tiempo|tempo|elapsed|clock|ms|s|secs?|seconds?",
-    **{axis: f"{PLACE_WORDS}{axis}(?:pos|position|coord|coordinate|value)?" for axis in "xyz"},
+    **{
+        axis: f"{PLACE_WORDS}{axis}(?:pos|position|[ck]oord|[ck]oordinate|value)?" for axis in "xyz"
+    },
     "force": "(?:pen|tip|normal)?(?:p|pressure|force|f|druck|press|pression|presion)",
-    "down": "(?:is)?(?:pen|tip|touch|contact|button)?(?:down|state|status|switch|onpaper)?",
+    "down": "(?:is)?(?:pen|tip|touch|contact|button)?"
+    "(?:down|state|status|switch|onpaper|event|type|eventtype)?",
     "up": "(?:is)?(?:pen)?(?:up|lifted|inair)",
     "stroke": "(?:stroke|trace|segment|path)s?(?:id|no|nr|num|number|index)?",
 }
-ARRAY_CURE = "Save t, x, y as the columns of one array of numbers."
+ON_SCREEN = re.compile("page|client|offset|screen")  # such columns are in pixels
 # Of `pose.position.x` and `hand_x`, but not of a speed, a turn or a force.
 LAST_WORDS = {
     axis: rf"(?!.*(?:vel|speed|acc|rot|orient|quat|force|torque|ang|twist|grad)).*[\W_]{axis}"
     for axis in "xyz"
 }
 FEWEST_ROWS = 5
+MOSTLY_DOWN = 0.5  # in a column of 0 and 1 without a name, which else may mean anything
 USUAL_STEP = (0.0005, 0.5)  # from row to row [s]
 USUAL_SIZE = (0.005, 1.0)  # of ink that is in metres, where nothing says so [m]
 LOOKED_AWAY = (0.25, 10.0)  # a pause is longer than this [s], and so many usual steps
@@ -105,32 +111,6 @@ def read_columns(
         return flat_recordings([FlatLetter(strokes, *about, notes=tuple(notes))], scale)
 
 
-def read_arrays(
-    arrays: dict[str, Array], file: str, options: CaptureOptions
-) -> tuple[Recording, ...]:
-    """Return the letter in arrays with names, of one column or of x, y and z; as `read_columns`.
-
-    Raises:
-        RecordingError: Also where an array is no table of numbers, or not as long as the others.
-    """
-    names, columns = [], []
-    for label, array in arrays.items():
-        if array.dtype.kind not in "iufb" or array.ndim not in (1, 2) or not array.size:
-            raise RecordingError(
-                f"holds an array of shape {array.shape} and kind {array.dtype.kind!r}. {ARRAY_CURE}"
-            )
-        table = array.astype(float).reshape(len(array), -1)
-        table = table.T if len(table) < min(table.shape[1], 9) else table
-        is_place = len(arrays) > 1 and 1 < table.shape[1] <= 3
-        names += list("xyz"[: table.shape[1]]) if is_place else [label] * table.shape[1]
-        columns += list(table.T)
-    if len({len(column) for column in columns}) != 1:
-        raise RecordingError(
-            f"holds arrays of different lengths: {', '.join(map(repr, arrays))[:200]}. {ARRAY_CURE}"
-        )
-    return read_columns(np.column_stack(columns), names if len(arrays) > 1 else None, file, options)
-
-
 def _named_roles(names: Sequence[str]) -> ColumnRoles:
     """Return the roles of columns with names; the first of each counts."""
     roles: ColumnRoles = {}
@@ -149,6 +129,8 @@ def _named_roles(names: Sequence[str]) -> ColumnRoles:
                     f"has two columns for {role}, {names[roles[role][0]]!r} and {name!r}; leave "
                     "those of the pen in it."
                 )
+            if role in ("x", "y") and ON_SCREEN.search(bare):
+                unit = METRES["px"]
             if bare and role is not None and role not in roles:
                 # A column may be called "ms" and nothing else.
                 roles[role] = (k, unit or (COLUMN_UNITS.get(bare) if role == "t" else None))
@@ -179,6 +161,8 @@ def _guessed_roles(values: Array, notes: list[str]) -> ColumnRoles:
         share = np.ptp(last) / max(np.ptp(rows[:, order[:2]], axis=0).max(), 1e-300)
         is_height = 0.02 < share < 2 and (last != np.round(last)).any()
         role = "down" if np.isin(last, (0, 1)).all() else "z" if is_height else "force"
+        if role == "down" and last.mean() < MOSTLY_DOWN:
+            return {}
         roles[role] = (order[2], None)
     elif len(order) > 3:
         return {}
@@ -193,13 +177,15 @@ def _seconds(times: Array | None, roles: ColumnRoles, notes: list[str]) -> Array
     if times is None:
         return None
     unit, step = roles["t"][1], np.diff(times[np.isfinite(times)])
-    usual = float(np.median(step)) if len(step) else 0.0
+    if not len(step):
+        notes.append("Its times are no numbers: they are left out.")
+        return None
     if unit is not None:
         return times * unit
     if (step == 1).all():
         notes.append("Its times count the rows, and say no unit: they are left out.")
         return None
-    fitting = (each for each in (1.0, 1e-3, 1e-6, 1e-9) if each * usual < USUAL_STEP[1])
+    fitting = (each for each in (1.0, 1e-3, 1e-6, 1e-9) if each * np.median(step) < USUAL_STEP[1])
     unit = next(fitting, 1.0)
     if unit != 1:
         notes.append(f"Its times say no unit: taken as {unit:g} s.")
@@ -234,8 +220,10 @@ def _parts(
     """Return the runs of rows in which the pen is down."""
     known = xy if t is None else np.column_stack([xy, t])
     down: Flags = np.logical_and.reduce(np.isfinite(known), axis=1)
-    if "down" in columns:
-        down &= columns["down"] > 0
+    if "down" in columns and np.isfinite(columns["down"]).any():
+        # It stays as it was said last.
+        said = np.where(np.isfinite(columns["down"]), np.arange(len(down)), 0)
+        down &= columns["down"][np.maximum.accumulate(said)] > 0
     elif "up" in columns:
         down &= ~(columns["up"] > 0)
     elif "force" in columns and (columns["force"] > 0).any():

@@ -54,7 +54,7 @@ KINDS = (
     Kind("a rich-text document", r"\{\\rtf", PENLESS),
     Kind("an old Office file (.doc, .xls, .ppt)", r"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1", SHEET),
     Kind("a OneNote notebook", r"\xe4\x52\x5c\x7b\x8c\xd8\xa7\x4d", NOTES),
-    Kind("Windows ink (ISF)", r"(?:base64:)?(?:AI|AP)[A-Za-z0-9+/]{40}", NOTES),
+    Kind("Windows ink (ISF)", r"base64:A|(?:AI|AP)[A-Za-z0-9+/]{40}", NOTES),
     Kind("an archive (gzip, as .svgz and .xopp are)", r"\x1f\x8b", UNPACK),
     Kind("an archive (7z)", r"7z\xbc\xaf", UNPACK),
     Kind("an archive (RAR)", r"Rar!", UNPACK),

@@ -53,7 +53,7 @@ def read_unipen(data: bytes, _name: str, _: CaptureOptions) -> tuple[Recording, 
         FlatLetter([stroke for k in places if (stroke := strokes[k])], label)
         for label, places in segments
     ]
-    return flat_recordings(letters, _metres(said), faults)
+    return flat_recordings(letters, _metres(said, "X"), faults)
 
 
 def _components(
@@ -61,7 +61,8 @@ def _components(
 ) -> tuple[list[Component], list[tuple[str | None, Sequence[int]]], list[str]]:
     """Return all components, each character with the numbers of its components, and faults."""
     components: list[Component] = []
-    segments = []
+    segments, faults = [], []
+    broken: set[int] = set()
     count = 0
     for number, line in enumerate(lines, start=1):
         words = line.split()
@@ -72,13 +73,15 @@ def _components(
         elif words and components and not words[0].startswith("."):
             row = [value for word in words if (value := finite_number(word)) is not None]
             if len(words) != width or len(row) != width:
-                raise RecordingError(
+                faults.append(
                     f"row {number} is {line[:40]!r}, but a point must have {width} numbers."
                 )
+                broken.add(len(components) - 1)
+                continue
             components[-1][1].append([*row, float(count)])
             count += 1
     letters: list[tuple[str | None, Sequence[int]]] = []
-    faults, total = [], 0
+    total = 0
     for number, line in segments:
         try:
             letter = _segment(line, number, len(components))
@@ -86,8 +89,8 @@ def _components(
             faults.append(str(error))
             continue
         if letter is not None:
-            letters.append(letter)
             total += len(letter[1])
+            letters += [letter] if broken.isdisjoint(letter[1]) else []
         if total > MOST_UNIPEN_LINES:
             raise RecordingError(
                 f"has more than {MOST_UNIPEN_LINES} components in its segments; cut it."
@@ -130,13 +133,15 @@ def _stroke(
     elif rate is not None and 1 <= rate <= 1e5:
         t = values[:, -1] / rate
     force = np.maximum(values[:, columns.index("P")], 0.0) if "P" in columns else None
-    return FlatStroke(values[:, [columns.index("X"), columns.index("Y")]], t, force)
+    xy = values[:, [columns.index("X"), columns.index("Y")]]
+    wide, high = _metres(said, "X"), _metres(said, "Y")
+    return FlatStroke(xy * [1.0, high / wide] if wide and high else xy, t, force)
 
 
-def _metres(said: dict[str, list[str]]) -> float | None:
-    """Return the metres in a unit of X; None where the file does not say."""
-    for keyword, metres in ((".X_POINTS_PER_MM", 0.001), (".X_POINTS_PER_INCH", 0.0254)):
-        value = _first_number(said, keyword)
+def _metres(said: dict[str, list[str]], axis: str) -> float | None:
+    """Return the metres in a unit of X or Y; None where the file does not say."""
+    for unit, metres in (("MM", 0.001), ("INCH", 0.0254)):
+        value = _first_number(said, f".{axis}_POINTS_PER_{unit}")
         if value is not None and value > 0:
             return metres / value
     return None

@@ -7,15 +7,18 @@ from __future__ import annotations
 
 import io
 import zipfile
+from collections import Counter
 
 import numpy as np
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.formats.columns import ARRAY_CURE, read_arrays
+from dmp_teach.formats.columns import read_columns
 from dmp_teach.formats.registry import CaptureOptions, Format
 from dmp_teach.ink import Recording
+from dmp_teach.trajectory import Array
 
 NPY = b"\x93NUMPY"
+ARRAY_CURE = "Save t, x, y as the columns of one array of numbers."
 MOST_UNPACKED = 128_000_000  # [bytes]
 
 
@@ -34,6 +37,36 @@ def read_numpy(data: bytes, name: str, options: CaptureOptions) -> tuple[Recordi
             f"holds no array of numbers: {str(error)[:120]}. {ARRAY_CURE}"
         ) from None
     return read_arrays(arrays, name, options)
+
+
+def read_arrays(
+    arrays: dict[str, Array], file: str, options: CaptureOptions
+) -> tuple[Recording, ...]:
+    """Return the letter in arrays with names, of one column or of x, y and z; as `read_columns`.
+
+    Raises:
+        RecordingError: Also where an array is no table of numbers, or not as long as the others.
+    """
+    names, columns = [], []
+    for label, array in arrays.items():
+        if array.dtype.kind not in "iufb" or array.ndim not in (1, 2) or not array.size:
+            raise RecordingError(
+                f"holds an array of shape {array.shape} and kind {array.dtype.kind!r}. {ARRAY_CURE}"
+            )
+        table = array.astype(float).reshape(len(array), -1)
+        table = table.T if len(table) < min(table.shape[1], 9) else table
+        is_place = len(arrays) > 1 and 1 < table.shape[1] <= 3
+        axes = [f"{label}_{axis}" for axis in "xyz"[: table.shape[1]]]
+        names += axes if is_place else [label] * table.shape[1]
+        columns += list(table.T)
+    lengths = Counter(map(len, columns)).most_common()
+    if len(lengths) > 1 and lengths[0][1] < 2:
+        raise RecordingError(
+            f"holds arrays of different lengths: {', '.join(map(repr, arrays))[:200]}. {ARRAY_CURE}"
+        )
+    kept = [k for k, column in enumerate(columns) if len(column) == lengths[0][0]]
+    table = np.column_stack([columns[k] for k in kept])
+    return read_columns(table, [names[k] for k in kept] if len(arrays) > 1 else None, file, options)
 
 
 def _array(data: bytes) -> np.ndarray:

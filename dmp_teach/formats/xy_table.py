@@ -22,7 +22,16 @@ from dmp_teach.ink import Recording
 BEGIN_OF_TABLE = 20_000  # bytes of a file in which a table shows
 MOST_TABLE_ROWS = 200_000
 MOST_COLUMNS = 64
-CELL_WORDS = {"true": 1.0, "down": 1.0, "false": 0.0, "up": 0.0, "": np.nan, "na": np.nan}
+CELL_WORDS = {"true": 1.0, "false": 0.0}
+CELL_WORDS |= {
+    f"{what}{event}": float(event in ("down", "start"))
+    for what in ("", "pen", "pointer", "touch", "mouse")
+    for event in ("down", "start", "up", "end", "cancel")
+}
+CLOCK_TIME = re.compile(r"(?:.*[t ])?(\d+):(\d\d):(\d\d(?:\.\d*)?)(?:z|[+-]\d\d:?\d\d)?")
+SEVERAL = re.compile(
+    r"(?:letter|char|character|label|trial|sample|demo|writer|user|subject)s?\W*(?:id)?"
+)
 DECIMAL_COMMA = re.compile(r"\s*-?\d+,\d+(?:\s+-?\d+,\d+)+\s*")
 DECIMAL_PAIR = re.compile(r"(-?\d+),(\d+)")
 WHOLE = re.compile(r"-?\d+")
@@ -57,6 +66,7 @@ def read_table_of_text(data: bytes, name: str, options: CaptureOptions) -> tuple
     if not 0 < width <= MOST_COLUMNS:
         raise RecordingError(f"has {width} columns; give t, x, y, and z or pressure.")
     names = _names(lines[:first], sign, width)
+    _refuse_several(lines[first:], names or [], sign)
     blank = [np.nan] * width
     table = [blank if row is None else row[:width] + blank[len(row) :] for row in rows[first:]]
     odd = next((k for k, row in enumerate(rows) if row and len(row) > width), None)
@@ -110,15 +120,34 @@ def _numbers(line: str, sign: str | None) -> list[float] | None:
     cells = _cells(line.strip("\r\n |[]"), sign)
     row = []
     for cell in cells:
-        text = cell.lower().replace(",", ".") if sign != "," else cell.lower()
-        try:
-            row.append(CELL_WORDS[text] if text in CELL_WORDS else float(text.replace("_", "x")))
-        except ValueError:
-            row.append(np.nan)
+        row.append(_number(cell.lower().replace(",", ".") if sign != "," else cell.lower()))
     found = sum(bool(np.isfinite(value)) for value in row)
     if found < 2 or 2 * found < len(row):
         return None
     return [value if abs(value) < 1e100 else np.nan for value in row]
+
+
+def _number(text: str) -> float:
+    """Return the number in a cell, 1 or 0 for a word such as "penup", seconds for a time of day."""
+    clock = CLOCK_TIME.fullmatch(text[:MOST_COLUMNS])
+    if clock:
+        return 3600 * float(clock[1]) + 60 * float(clock[2]) + float(clock[3])
+    try:
+        return CELL_WORDS[text] if text in CELL_WORDS else float(text.replace("_", "x"))
+    except ValueError:
+        return np.nan
+
+
+def _refuse_several(lines: Sequence[str], names: Sequence[str], sign: str | None) -> None:
+    """Raise a RecordingError where a column says of a table that it holds several letters."""
+    for k, name in enumerate(names):
+        if SEVERAL.fullmatch(name.strip().lower()):
+            said = {cells[k] for line in lines if len(cells := _cells(line, sign)) > k}
+            if 1 < len(said) <= len(lines) / FEWEST_ROWS:
+                raise RecordingError(
+                    f"holds {len(said)} letters, as its column {name[:40]!r} says; save each as a "
+                    "table of its own."
+                )
 
 
 def _names(above: Sequence[str], sign: str | None, width: int) -> list[str] | None:

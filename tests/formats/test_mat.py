@@ -75,6 +75,18 @@ def test_lasa_is_in_millimetres_and_seconds(tmp_path, compressed):
         assert letter.pressure is None
 
 
+def test_demonstrations_may_stand_upright_and_alone_and_arrays_in_a_struct(tmp_path):
+    path = 50 * PATHS[0]
+    upright = saved(tmp_path, {"demos": cells([path])}, "A.mat")
+    letter = read_recording(upright)
+    assert letter.character == "A"
+    size = np.ptp(letter.strokes()[0].position, axis=0)
+    np.testing.assert_allclose(size, np.ptp(path, axis=0) / 1000, rtol=0.01)
+    t = np.arange(len(path)) * 0.01
+    struct = {"take": {"t": t, "x": path[:, 0], "y": path[:, 1]}, "gains": np.ones(3)}
+    assert read_recording(saved(tmp_path, struct)).duration == pytest.approx(t[-1])
+
+
 def test_a_lasa_shape_that_is_no_letter_has_no_label_and_a_step_will_do_for_times(tmp_path):
     variables = lasa([0.05 * PATHS[0]])
     for demo in variables["demos"][0]:

@@ -56,6 +56,19 @@ def test_characters_are_letters_and_words_are_not(tmp_path):
     assert [(each.character, len(each.strokes())) for each in letters] == [("l", 1), ("c", 1)]
 
 
+def test_height_has_a_scale_of_its_own(tmp_path):
+    ink = read(tmp_path, d_unipen(HEAD + ".Y_POINTS_PER_MM 50\n")).strokes()
+    assert np.ptp(np.vstack([stroke.position for stroke in ink])[:, 1]) == pytest.approx(0.12)
+
+
+def test_a_letter_with_a_row_that_is_no_point_is_left_out_and_told(tmp_path):
+    segments = '.SEGMENT CHARACTER 0 OK "l"\n.SEGMENT CHARACTER 2 OK "c"\n'
+    text = d_unipen(segments=segments).replace(".PEN_DOWN\n", ".PEN_DOWN\none 2\n", 1)
+    letter = read(tmp_path, text)
+    assert letter.character == "c"
+    assert "row 8 is 'one 2'" in letter.notes[-1]
+
+
 BROKEN = {
     "a word": (HEAD + ".PEN_DOWN\n1 2\none 2\n", "row 7 is 'one 2', but a point must have 2"),
     "no Y": (".COORD X\n.PEN_DOWN\n1\n", "has the columns X, but must have X and Y"),

@@ -62,8 +62,27 @@ def savetxt(**how):
     return file.getvalue()
 
 
-FIELDS = np.array([tuple(row) for row in array()], [("time", float), ("x", float), ("y", float)])
 STROKES = [np.array(stroke)[:, :3] for stroke in d_strokes()]
+
+
+def clocked():
+    """Times of day, as programs log them."""
+    lines = [f"2026-01-01T10:00:{t:09.6f}Z,{x:.6f},{y:.6f}" for t, x, y in np.vstack(STROKES)]
+    return "\n".join(["time,x,y", *lines]).encode()
+
+
+def events():
+    """A word for each row, as a browser names it, and no pause that would tell a stroke."""
+    lines = ["type,t,x,y"]
+    for stroke in STROKES:
+        for k, (t, x, y) in enumerate(stroke):
+            event = "pointermove" if k else "pointerdown"
+            lines.append(f"{event},{t:.6f},{x:.6f},{y:.6f}")
+        lines.append(f"pointerup,{t + 0.01:.6f},{x:.6f},{y:.6f}")
+    return "\n".join(lines).encode()
+
+
+FIELDS = np.array([tuple(row) for row in array()], [("time", float), ("x", float), ("y", float)])
 MM = {"x": 1000.0, "y": 1000.0}
 TIMED = {
     "a header": text(),
@@ -101,6 +120,12 @@ TIMED = {
     "npy of fields": npy(FIELDS),
     "npz of one": npz(demo=array()),
     "npz of names": npz(**dict(zip("txy", array().T, strict=True))),
+    "npz of places and speeds": npz(
+        time=array()[:, 0], pos=array()[:, 1:], vel=array()[:, 1:], rates=np.arange(7.0)
+    ),
+    "times of day": clocked(),
+    "events": events(),
+    "German names": text("Zeit,X-Koordinate [mm],Y-Koordinate [mm]", **MM),
     "npz of places": npz(time=array()[:, 0], pos=array()[:, 1:]),
 }
 UNTIMED = {
@@ -165,6 +190,8 @@ def test_pixels_go_down_the_screen_and_other_units_are_told(tmp_path):
     ink = np.vstack([stroke.position for stroke in recording.strokes()])
     assert np.ptp(ink[:, 1]) == pytest.approx(0.06, abs=1e-4)
     assert recording.strokes()[0].position[0, 1] > 0.05, "the bar begins at its top"
+    page = read(tmp_path, text("t,pageX,pageY", x=96 / 0.0254, y=-96 / 0.0254))
+    assert page.strokes()[0].position[0] == pytest.approx([0.0, 0.06], abs=1e-4)
     unsaid = read(tmp_path, text(x=5000.0, y=5000.0))
     assert any("50 mm high" in note for note in unsaid.notes)
 
@@ -185,6 +212,11 @@ FAULTS = {
     "no x": (text("t,velocity,y"), "which columns are x and y.*'velocity'"),
     "two markers": (text("t,x1,y1,x2", columns=(0, 1, 2, 1)), "two columns for x, 'x1' and 'x2'"),
     "many columns": (b"1 2 3 4 5 6\n" * 20, "which columns are x and y.*6, without names"),
+    "several letters": (
+        b"letter,t,x,y\n" + b"".join(b"%c,%d,%d,3\n" % (97 + k // 9, k, k) for k in range(18)),
+        "holds 2 letters, as its column 'letter' says",
+    ),
+    "pen or deltas": (b"-1 2 0\n3 -2 0\n" * 20 + b"3 4 1\n1 1 0\n", "which columns are x and y"),
     "few rows": (b"t,x,y\n0,1,2\n", "fewer than 5 rows"),
     "rows of other lengths": (text() + b"1,2,3,4\n", "has 4 cells, but the first one 3"),
     "arrays of two lengths": (

@@ -20,17 +20,17 @@ from pathlib import Path
 import numpy as np
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.formats.columns import read_arrays
 from dmp_teach.formats.flat_ink import FlatLetter, FlatStroke, flat_recordings, label_from
 from dmp_teach.formats.mat.parser import HDF5, MatValue, parse_mat
 from dmp_teach.formats.registry import CaptureOptions, Format
+from dmp_teach.formats.xy_numpy import read_arrays
 from dmp_teach.ink import Recording
 from dmp_teach.trajectory import Array
 
 UCI_RATE = 200.0  # [1/s]
 MOST_SAMPLES = 100_000  # in one letter
 FEWEST_SAMPLES = 5
-LASA_SHAPE = re.compile(r"([A-Za-z])_?[Ss]hape.*")
+LASA_SHAPE = re.compile(r"([A-Z])(?:_.*|[Ss]hape.*)?")
 
 
 def begins_like_mat(data: bytes) -> bool:
@@ -53,16 +53,18 @@ def read_sets(data: bytes, name: str, options: CaptureOptions) -> tuple[Recordin
     if "demos" in variables:
         shape = variables.get("name")
         match = LASA_SHAPE.fullmatch(shape if isinstance(shape, str) else Path(name).stem)
-        character = match[1].upper() if match else None
+        character = match[1] if match else None
         dt = variables.get("dt")
         strokes, faults = _strokes(
             "demos", variables["demos"], lambda cell: _demonstration(cell, dt)
         )
         letters = [FlatLetter(stroke, character) for stroke in strokes]
         return flat_recordings(letters, 0.001, faults)
+    structs = [each for each in variables.values() if isinstance(each, dict)]
     arrays = {
         label: value
-        for label, value in variables.items()
+        for each in [variables, *structs]
+        for label, value in each.items()
         if isinstance(value, np.ndarray) and value.size > 1
     }
     if arrays:
@@ -141,8 +143,11 @@ def _character_labels(consts: MatValue, count: int) -> Sequence[str | None]:
 
 def _demonstration(cell: MatValue, usual_step: MatValue) -> FlatStroke:
     """Return one demonstration."""
-    pos = cell.get("pos") if isinstance(cell, dict) else None
-    if not isinstance(cell, dict) or not isinstance(pos, np.ndarray) or pos.shape[:1] != (2,):
+    cell = cell if isinstance(cell, dict) else {"pos": cell}
+    pos = cell.get("pos")
+    if isinstance(pos, np.ndarray) and pos.ndim == 2 and pos.shape[1] == 2:
+        pos = pos.T
+    if not isinstance(pos, np.ndarray) or pos.shape[:1] != (2,):
         raise RecordingError("has no matrix 'pos' of 2 x T [mm].")
     _check_matrix(pos)
     t, dt = cell.get("t"), cell.get("dt", usual_step)
