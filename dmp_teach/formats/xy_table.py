@@ -29,7 +29,7 @@ CELL_WORDS |= {
     for event in ("down", "start", "up", "end", "cancel")
 }
 CLOCK_TIME = re.compile(r"(?:.*[t ])?(\d+):(\d\d):(\d\d(?:\.\d*)?)(?:z|[+-]\d\d:?\d\d)?")
-SEVERAL = re.compile(
+LETTER_COLUMN = re.compile(
     r"(?:letter|char|character|label|trial|sample|demo|writer|user|subject)s?\W*(?:id)?"
 )
 DECIMAL_COMMA = re.compile(r"\s*-?\d+,\d+(?:\s+-?\d+,\d+)+\s*")
@@ -141,7 +141,7 @@ def _number(text: str) -> float:
 def _refuse_several(lines: Sequence[str], names: Sequence[str], sign: str | None) -> None:
     """Raise a RecordingError where a column says of a table that it holds several letters."""
     for k, name in enumerate(names):
-        if SEVERAL.fullmatch(name.strip().lower()):
+        if LETTER_COLUMN.fullmatch(name.strip().lower()):
             said = {cells[k] for line in lines if len(cells := _cells(line, sign)) > k}
             if 1 < len(said) <= len(lines) / FEWEST_ROWS:
                 raise RecordingError(

@@ -17,6 +17,7 @@ from dmp_teach.errors import RecordingError
 from dmp_teach.formats.motive.table import AxisColumns, MarkerKey, Table, cell_number, list_names
 from dmp_teach.trajectory import Array
 
+FARTHEST_SAMPLE = 1e6  # farther is no farther [m]
 MEDIAN_BLOCK = 0.1  # a track is judged by medians over this long, which no single cell can move [s]
 MEDIAN_STEP = 0.001  # a pen moves more than this from one of them to the next [m]
 FEWEST_MOVES = 3  # a marker that was pushed moves once or twice
@@ -135,7 +136,12 @@ def _tracks(table: Table, markers: dict[MarkerKey, AxisColumns]) -> dict[MarkerK
             seen[key].append(k)
             points[key].append(point)
     return {
-        key: Track(np.array(seen[key], dtype=int), np.reshape(points[key], (-1, 3)) * table.scale)
+        key: Track(
+            np.array(seen[key], dtype=int),
+            np.clip(
+                np.reshape(points[key], (-1, 3)) * table.scale, -FARTHEST_SAMPLE, FARTHEST_SAMPLE
+            ),
+        )
         for key in markers
     }
 

@@ -13,7 +13,6 @@ from dmp_teach.formats.motive.table import list_names, read_table
 from dmp_teach.segmentation import find_leaps
 from dmp_teach.trajectory import Array, interpolate_points
 
-FARTHEST_SAMPLE = 1e6  # farther is no farther [m]
 FEWEST_FRAMES = 20  # fewer samples are no letter
 SMALLEST_TAKE = 0.004  # no marker at a hand that writes moves less [m]
 
@@ -67,7 +66,7 @@ def read_take(data: bytes, marker: str | None, out: Array) -> Take:
     """
     table = read_table(data)
     pen = find_pen(table, marker, out)
-    seen, points = pen.track.seen, np.clip(pen.track.points, -FARTHEST_SAMPLE, FARTHEST_SAMPLE)
+    seen, points = pen.track.seen, pen.track.points
     other = f"Other markers that could be named with marker=...: {list_names(pen.others)}."
     choice = other if pen.others else "The file has no other marker that could be the pen."
     if len(seen) < FEWEST_FRAMES:
