@@ -102,6 +102,13 @@ def test_the_decay_term_leaves_nothing_of_the_first_jump():
     assert ((found.fed > 0) & (found.fed < found.without)).all()
 
 
+def test_a_swinging_spring_and_one_that_lags_pull_with_their_own_stiffness():
+    """The authors' program has K = 32 / s^2."""
+    found = measure_initial_acceleration([letter(200, 1.5, seed=1)], 0.01, Settings.as_coded())
+    np.testing.assert_allclose(found.without, 32 * 0.01)
+    assert 0 < found.fed[0] < found.without[0]
+
+
 def test_joint_speeds_move_the_pen_as_they_should():
     """By another route: the joints turned for a moment, and the pen where the model says."""
     model, arm = Model.load(), arm_at_table()

@@ -58,7 +58,8 @@ def measure_initial_acceleration(
     Args:
         recordings: Recordings, files or strokes; None takes our own alphabets.
         shift: How far the goal moves, along the first coordinate [m].
-        settings: Of DMP*; `Settings.star()` unless given. Feed-forward is tried both ways.
+        settings: Of DMP*; `Settings.star()` unless given. Feed-forward is tried both ways; steps
+            are explicit, since a lagged spring has no input in its first.
         executor: As in `claims`; a piece of work is one stroke.
         progress: As in `claims`.
     """
@@ -70,11 +71,13 @@ def measure_initial_acceleration(
 def _first(piece: tuple[Stroke, float, Settings]) -> tuple[float, float, float]:
     """Return the three accelerations of one stroke [m/s2]."""
     stroke, shift, settings = piece
+    explicit = replace(settings, integrator="explicit")
     printed, fed = (
-        DMP.imitate(stroke.path, replace(settings, feed_goal=feed)) for feed in (False, True)
+        DMP.imitate(stroke.path, replace(explicit, feed_goal=feed)) for feed in (False, True)
     )
     # Settings of a primitive are complete: alpha is a number.
-    K = (printed.settings.alpha or 0.0) ** 2 / 4 / printed.duration**2
+    D = (printed.settings.alpha or 0.0) / printed.duration
+    K = (D / 2 / settings.damping) ** 2
     return K * shift, _added(printed, shift), _added(fed, shift)
 
 
