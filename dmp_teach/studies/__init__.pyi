@@ -36,7 +36,9 @@ from .hand.laws import HandLaws as HandLaws
 from .hand.laws import measure_hand as measure_hand
 from .hand.power_law import Exponent as Exponent
 from .inputs import RecordingsLike as RecordingsLike
+from .inputs import Written as Written
 from .inputs import list_letters as list_letters
+from .inputs import list_letters_on_page as list_letters_on_page
 from .inputs import list_recordings as list_recordings
 from .other_ways.compare import WAYS as WAYS
 from .other_ways.compare import WaysTried as WaysTried

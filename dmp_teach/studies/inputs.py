@@ -105,14 +105,20 @@ def _pattern(labels: str) -> re.Pattern[str]:
 def _files(path: str | os.PathLike[str], labels: re.Pattern[str] | None) -> Iterable[Recording]:
     """Yield the letter of a file, or those of all files in a folder that are labelled."""
     folder = Path(path)
-    files = sorted(each for each in folder.iterdir() if each.is_file()) if folder.is_dir() else ()
-    for each in files or (folder,):
-        found = labels.search(each.stem) if labels else None
-        if found or not labels:
-            said = found.groupdict() if found else {}
-            yield read_recording(each, character=said.get("character"), writer=said.get("writer"))
-        elif not files:
-            raise RecordingError(f"labels is {labels.pattern!r}, which {each.name} does not match.")
+    files = [folder]
+    if folder.is_dir():
+        # Systems hide files of their own beside others.
+        files = sorted(f for f in folder.iterdir() if f.is_file() and not f.name.startswith("."))
+    matches = [(each, labels.search(each.stem) if labels else None) for each in files]
+    # A file that is not there is refused by its reader.
+    kept = [(each, found) for each, found in matches if found or not labels or not each.exists()]
+    if not kept:
+        names = ", ".join(each.name for each in files[:3])
+        why = f"labels is {labels.pattern!r}, which {names} does not match" if labels else ""
+        raise RecordingError(f"{why if files else f'The folder {folder.name} has no files'}.")
+    for each, found in kept:
+        said = found.groupdict() if found else {}
+        yield read_recording(each, character=said.get("character"), writer=said.get("writer"))
 
 
 def list_letters(recordings: RecordingsLike = None) -> tuple[Written, ...]:
@@ -125,6 +131,23 @@ def list_letters(recordings: RecordingsLike = None) -> tuple[Written, ...]:
     """
     given = list_recordings(recordings)
     return tuple(_letter(each, number) for number, each in enumerate(given, start=1))
+
+
+def list_letters_on_page(recordings: RecordingsLike = None) -> tuple[Written, ...]:
+    """Return every letter, as `list_letters`.
+
+    Raises:
+        RecordingError: As `list_letters`; a stroke that is not 2-D.
+    """
+    letters = list_letters(recordings)
+    for letter in letters:
+        for stroke in letter.strokes:
+            if stroke.dimensions != 2:
+                raise RecordingError(
+                    f"{letter.name} has a {stroke.dimensions}-D stroke, but the paper is about ink "
+                    "on a page: give strokes of x and y."
+                )
+    return letters
 
 
 def named_strokes(recordings: RecordingsLike = None) -> tuple[Stroke, ...]:

@@ -14,8 +14,10 @@ from dmp_teach.robot import Fetch, Page
 from dmp_teach.studies import (
     GoalPaths,
     RecordingsLike,
+    Written,
     draw_goal_change,
     list_letters,
+    list_letters_on_page,
     list_recordings,
     make_p_from_d,
     redraw_at_widths,
@@ -24,7 +26,6 @@ from dmp_teach.studies import (
     sweep_kernel_width,
     trace_goal_change,
 )
-from dmp_teach.trajectory import Trajectory
 from dmp_teach.views.figures import (
     draw_d_to_p,
     draw_error_over_number,
@@ -51,23 +52,26 @@ def figure(number: int, recordings: RecordingsLike = None, *, labels: str | None
     Args:
         number: 1 to 10.
         recordings: Recordings, files, folders or strokes; None takes our own alphabets. Where no a
-            was recorded, figures of one letter take the first that was.
+            was recorded, figures of one letter take the first that was; ours are in figure 3 where
+            only strokes are given, and in figure 10 where nobody wrote a D of bar and bowl.
         labels: How letters and writers are read off the names of files, as in `claims`.
 
     Raises:
-        SettingError: No such figure.
-        RecordingError: Something that no letter can be read from.
+        SettingError: No such figure, or, for 7 and 8, a stroke that the original form refuses.
+        RecordingError: Something that no letter can be read from, or a stroke that is not 2-D.
         MissingPartError: For figure 1, pybullet is not installed.
     """
     if type(number) is not int or number not in FIGURES:
         raise SettingError(
             f"number is {number!r}, but the paper's figures are 1 to {len(FIGURES)}."
         )
-    return FIGURES[number](list_recordings(recordings, labels))
+    given = list_recordings(recordings, labels)
+    list_letters_on_page(given)
+    return FIGURES[number](given)
 
 
 def _robot(given: Sequence) -> Figure:
-    letter = Letter.learn(_strokes(given))
+    letter = Letter.learn(_letter(given).strokes)
     return draw_writing(Fetch().write(letter.write(), Page.table()))
 
 
@@ -80,14 +84,16 @@ def _pipeline(given: Sequence) -> Figure:
 
 
 def _moved_goal(given: Sequence) -> Figure:
-    return draw_goal_change_over_time(trace_goal_change(_strokes(given)[0], name="a, x"))
+    letter = _letter(given)
+    name = f"{letter.character}, x"
+    return draw_goal_change_over_time(trace_goal_change(letter.strokes[0], name=name))
 
 
 def _mirrored_letter(given: Sequence) -> Figure:
     """Draw the goal to the side on which the original form mirrors the letter, where one is."""
-    stroke = _strokes(given)[0]
+    letter = _letter(given)
     shifts = 0.1 * np.array([[1, 0], [-1, 0], [0, 1], [0, -1]])
-    paths = [draw_goal_change(stroke, tuple(shift), "a") for shift in shifts]
+    paths = [draw_goal_change(letter.strokes[0], tuple(s), letter.character) for s in shifts]
 
     def mirrors(path: GoalPaths) -> bool:
         return bool(path.factor.min() < 0)
@@ -95,10 +101,10 @@ def _mirrored_letter(given: Sequence) -> Figure:
     return draw_goal_paths(next(filter(mirrors, paths), paths[0]))
 
 
-def _strokes(given: Sequence) -> tuple[Trajectory, ...]:
-    """Return the strokes of the first a, or of the first letter where there is none."""
+def _letter(given: Sequence) -> Written:
+    """Return the first a, or the first letter where there is none."""
     letters = list_letters(given)
-    return next((each for each in letters if each.character == "a"), letters[0]).strokes
+    return next((each for each in letters if each.character == "a"), letters[0])
 
 
 FIGURES: dict[int, Callable[[Sequence], Figure]] = {

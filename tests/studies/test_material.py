@@ -45,6 +45,15 @@ def test_what_is_no_recording_is_named():
         list_letters([])
 
 
+def test_a_folder_without_files_and_one_that_is_not_there_are_told_apart(tmp_path):
+    (tmp_path / ".hidden").write_text("of the system")
+    for labels in (None, "(?P<writer>q)"):
+        with pytest.raises(RecordingError, match=r"The folder .* has no files"):
+            list_recordings(tmp_path, labels)
+        with pytest.raises(RecordingError, match="No such file"):
+            list_recordings(tmp_path / "nowhere", labels)
+
+
 def test_a_folder_is_labelled_by_the_pattern_of_its_names(tmp_path):
     bare = replace(recording_of("a"), character=None, writer=None)
     for name in ("aa_AB", "D3_CD", "notes"):
@@ -54,6 +63,8 @@ def test_a_folder_is_labelled_by_the_pattern_of_its_names(tmp_path):
     assert len(list_recordings(tmp_path)) == 3
     with pytest.raises(RecordingError, match=r"labels is .* which notes\.json does not match"):
         list_recordings(tmp_path / "notes.json", "(?P<writer>q)")
+    with pytest.raises(RecordingError, match=r"which D3_CD\.json, aa_AB\.json.* does not match"):
+        list_recordings(tmp_path, "(?P<writer>q)")
     for pattern in ("(", "a", "(?P<who>a)", 3):
         with pytest.raises(RecordingError, match="labels is "):
             list_recordings(tmp_path, pattern)

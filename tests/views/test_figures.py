@@ -12,7 +12,7 @@ from matplotlib.figure import Figure
 
 import dmp_teach as teach
 from dmp_teach.dmp import KERNELS, Kernels
-from dmp_teach.errors import SettingError
+from dmp_teach.errors import RecordingError, SettingError
 from dmp_teach.ink.alphabet import recording_of
 from dmp_teach.studies.experiments.d_to_p import make_p_from_d
 from dmp_teach.studies.experiments.error_curves import sweep_kernel_number, sweep_kernel_width
@@ -21,6 +21,7 @@ from dmp_teach.studies.experiments.redraw import redraw_at_widths, redraw_letter
 from dmp_teach.studies.experiments.validation import choose_kernels, choose_width
 from dmp_teach.views import figures
 from dmp_teach.views.paper_figure import FIGURES
+from tests.dmp.ink import letter
 
 A = recording_of("a")
 OURS = [A, recording_of("e"), recording_of("D")]
@@ -159,6 +160,15 @@ def test_a_figure_of_the_paper_is_drawn_by_its_own_number(number):
     titles = [panel.get_title(loc="left") for panel in teach.figure(number, OURS).axes]
     word = {2: "(a)", 3: "DMP*", 5: "1/N", 7: "goal", 8: "mirrored", 9: "‘e’", 10: "a P"}[number]
     assert any(word in title for title in titles)
+
+
+def test_a_figure_names_the_letter_that_was_given_and_says_which_are_ours():
+    given = recording_of("e")
+    assert teach.figure(7, given).axes[0].get_title(loc="left").startswith("e, x: ")
+    assert "D writer-1, of ours" in teach.figure(10, given).axes[0].get_title(loc="left")
+    for number in (7, 8, 9, 10):
+        with pytest.raises(RecordingError, match=r"\? 1 has a 3-D stroke"):
+            teach.figure(number, [letter(50, 1.0, dimensions=3)])
 
 
 def test_there_are_ten_figures():

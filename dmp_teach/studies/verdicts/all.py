@@ -42,7 +42,7 @@ def claims(
     recordings: RecordingsLike | Evidence = None,
     *,
     labels: str | None = None,
-    readings: tuple[Reading, ...] | None = None,
+    readings: tuple[Reading, ...] = READINGS,
     executor: Executor | None = None,
     progress: Progress | None = None,
 ) -> Claims:
@@ -61,14 +61,15 @@ def claims(
             alphabets.
         labels: A pattern (regular expression) that finds letter and writer in a file's name, by a
             group `character`, a group `writer`, or both; of a folder it takes the files that match.
-        readings: By which claims about DMP* are judged; None: ours, the text mended, the authors'
-            program, and as printed (`studies.READINGS`).
+        readings: By which claims about DMP* are judged: ours, the text mended, the authors'
+            program, and as printed, unless given.
         executor: Any `concurrent.futures.Executor`; the studies send it one stroke at a time.
         progress: Called as `progress(done, total)` after each claim, such as
             `teach.progress_bar("claims")`.
 
     Raises:
-        RecordingError: Something that no letter can be read from.
+        RecordingError: Something that no letter can be read from, or a stroke that is not 2-D.
+        SettingError: Readings that are none.
     """
-    evidence = evidence_of(recordings, executor, labels, readings or READINGS)
+    evidence = evidence_of(recordings, executor, labels, readings)
     return Claims(tuple(run(lambda claim: claim(evidence), ALL_CLAIMS, progress=progress)))

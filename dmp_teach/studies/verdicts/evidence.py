@@ -11,7 +11,7 @@ from typing import Any, Concatenate, ParamSpec, TypeVar, cast
 import numpy as np
 
 from dmp_teach.dmp import Settings
-from dmp_teach.errors import RecordingError
+from dmp_teach.errors import SettingError, shown
 from dmp_teach.studies.authorship import answers, made, real
 from dmp_teach.studies.experiments import (
     d_to_p,
@@ -29,6 +29,7 @@ from dmp_teach.studies.inputs import (
     Stroke,
     Written,
     list_letters,
+    list_letters_on_page,
     list_recordings,
     named_strokes,
 )
@@ -84,6 +85,15 @@ class Evidence(Value):
     # Any: what each of the studies finds.
     kept: dict[tuple, Any] = field(default_factory=dict, repr=False, compare=False)
 
+    def __post_init__(self) -> None:
+        given = self.readings
+        is_list = isinstance(given, tuple | list) and given
+        if not is_list or not all(isinstance(each, Reading) for each in given):
+            raise SettingError(
+                f"readings is {shown(given)}, but must be readings, such as studies.READINGS[:1]."
+            )
+        super().__post_init__()
+
     @property
     def argument(self) -> str:
         """The arguments of the call that computes a claim again."""
@@ -97,20 +107,8 @@ class Evidence(Value):
 
     @cached_property
     def letters(self) -> tuple[Written, ...]:
-        """Every letter, cut into strokes once.
-
-        Raises:
-            RecordingError: A stroke that is not 2-D: these claims are about ink on a page.
-        """
-        found = list_letters(self.read)
-        for letter in found:
-            for stroke in letter.strokes:
-                if stroke.dimensions != 2:
-                    raise RecordingError(
-                        f"{letter.name} has a stroke of {stroke.dimensions} dimensions, but the "
-                        "paper's claims are about ink on a page: give strokes of x and y."
-                    )
-        return found
+        """Every letter, cut into strokes once."""
+        return list_letters_on_page(self.read)
 
     @cached_property
     def open_letters(self) -> tuple[Written, ...]:

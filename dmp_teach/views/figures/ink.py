@@ -158,7 +158,7 @@ def draw_d_to_p(made: MadeLetters, most: int = 3) -> Figure:
         shown = 1e3 * all_points(source.strokes)
         for stroke in source.strokes:
             row[0].plot(*_space_dots(1e3 * stroke.position).T, **DEMO_LOOK)
-        style_paper(row[0], f"{source.name}, as shown")
+        style_paper(row[0], f"{source.name}, {'of ours' if made.borrowed else 'as shown'}")
         kept = [shown]
         for panel, way in zip(row[1:], made.ways, strict=True):
             item = made.by(way)[number]
