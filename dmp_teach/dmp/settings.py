@@ -186,7 +186,7 @@ class Settings(Value):
 
     @classmethod
     def original(cls, **changes: Unpack[SettingChanges]) -> Self:
-        """Return Ijspeert 2002, the paper's equations 1 to 5: full Gaussians, f times (g - y0)."""
+        """Return Ijspeert 2002, the paper's equations 1 to 5, smoothed and started as `star`."""
         return cls._preset("original", changes)
 
     @classmethod

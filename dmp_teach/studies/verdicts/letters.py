@@ -84,7 +84,7 @@ def strokes_from_height(evidence: Evidence) -> Found:
             each.off for each, item in zip(found, items, strict=True)
             if each.strokes == item.strokes
         ]  # fmt: skip
-        off = f" {mm(float(np.median(count)))} off" if count else ""
+        off = f" (off by {mm(float(np.median(count)))})" if count else ""
         cases[name] = right >= 0.9 * len(items)
         words.append(f"{name} {len(count)}{off}, {right}")
     known, steady = sum(item.known for item in items), sum(item.steady for item in items)
