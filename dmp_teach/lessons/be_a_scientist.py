@@ -6,21 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from dmp_teach.classroom import (
-    Answer,
-    Condition,
-    Drawing,
-    DrawnBet,
-    KeptBet,
-    Knobs,
-    Lesson,
-    LessonState,
-    OneOf,
-    Picture,
-    Slider,
-    Task,
-    at_least,
-)
+from dmp_teach import classroom as kit
 from dmp_teach.lessons.drawing import draw_sheet, paths_of, sheet_box
 from dmp_teach.lessons.many_writers import find_writers
 from dmp_teach.lessons.tested_claims import (
@@ -52,7 +38,7 @@ VERDICTS = tuple(f"verdict_{place}" for place in CLAIM_PLACES)
 FEW_WRITERS = (2, 3, 4)
 
 
-class BeAScientist(Lesson):
+class BeAScientist(kit.Lesson):
     """One example is no proof: count writers, see the spread, change one thing at a time."""
 
     key = "10"
@@ -84,21 +70,21 @@ class BeAScientist(Lesson):
         return _("How do you know that it is true?")
 
     @property
-    def knobs(self) -> Knobs:
+    def knobs(self) -> kit.Knobs:
         """What one looks at; and the table of verdicts, which alone is the answer."""
         ways = {PAPERS_WAY: _("the paper’s way"), COUNTER_TEST: _("counter-test")}
         options, most = verdict_words(), len(self.writers.strokes)
         words = [f"{n} {claim_words()[claim]}" for n, claim in enumerate(self.claims, start=1)]
-        number = Slider(_("How many writers"), "n", 1, most, is_view=True)
+        number = kit.Slider(_("How many writers"), "n", 1, most, is_view=True)
         return {
-            "claim": OneOf(_("Look at claim"), {n: n for n in CLAIM_PLACES}, is_view=True),
-            "how": OneOf(_("Measured"), ways, is_view=True),
+            "claim": kit.OneOf(_("Look at claim"), {n: n for n in CLAIM_PLACES}, is_view=True),
+            "how": kit.OneOf(_("Measured"), ways, is_view=True),
             "writers": number,
-            **{name: OneOf(said, options) for name, said in zip(VERDICTS, words, strict=True)},
+            **{name: kit.OneOf(said, options) for name, said in zip(VERDICTS, words, strict=True)},
         }
 
     @property
-    def bet(self) -> DrawnBet:
+    def bet(self) -> kit.DrawnBet:
         """The smallest and the largest ratio."""
         question = _(
             "One writer wrote this {letter}. The paper says that DMP*, the newer rule, is more "
@@ -111,25 +97,25 @@ class BeAScientist(Lesson):
         places = np.array([[1.0, 2.0], [float(most), 2.0]])
         labels = [_("The smallest number"), _("The largest number")]
         asked = question.format(letter=self.writers.character, n=most)
-        return DrawnBet(
+        return kit.DrawnBet(
             asked, "ratios", places, labels, step=0.05, unit=_("times"), low=0.1, high=200.0
         )
 
     @property
-    def tasks(self) -> Sequence[Task]:
+    def tasks(self) -> Sequence[kit.Task]:
         """What to try."""
         return (
-            Task(
+            kit.Task(
                 _("Ask one writer after the other. From how many on is it no luck?"),
                 lambda v: v["writers"] >= 5,
             ),
-            Task(
+            kit.Task(
                 _("Do the counter-test of claim {n}. What is left of its number?").format(
                     n=self.start["claim"]
                 ),
                 lambda v: v["how"] == COUNTER_TEST and v["claim"] == self.start["claim"],
             ),
-            Task(
+            kit.Task(
                 _("Look at the other claims, each in both ways and with all its writers."),
                 lambda v: (
                     (v["claim"] != self.start["claim"] and v["how"] == COUNTER_TEST)
@@ -158,12 +144,12 @@ class BeAScientist(Lesson):
             _("The table is: {table}.").format(table="; ".join(table)),
         )
 
-    def conditions(self, answer: Answer) -> Sequence[Condition]:
+    def conditions(self, answer: kit.Answer) -> Sequence[kit.Condition]:
         """Return how many claims are judged; whether rightly, the check alone tells."""
         judged = sum(answer[name] != OPEN for name in VERDICTS)
-        return [at_least(_("claims judged"), judged, len(VERDICTS))]
+        return [kit.at_least(_("claims judged"), judged, len(VERDICTS))]
 
-    def mistakes(self, answer: Answer) -> Sequence[tuple[bool, str]]:
+    def mistakes(self, answer: kit.Answer) -> Sequence[tuple[bool, str]]:
         """Return whether each verdict goes against the numbers, and the open ones last."""
         found = []
         right = sum(answer[name] == self.solution[name] for name in VERDICTS)
@@ -196,7 +182,7 @@ class BeAScientist(Lesson):
             "counter_way": way_words(claim, COUNTER_TEST),
         }
 
-    def praise(self, answer: Answer) -> str:
+    def praise(self, answer: kit.Answer) -> str:
         """Return what was found."""
         said = [self.solution[name] for name in VERDICTS]
         found = [f"{words} {said.count(each)}" for each, words in verdict_words().items()]
@@ -206,7 +192,7 @@ class BeAScientist(Lesson):
         words = _("Your table: {table}. One example would have made you believe all three.")
         return words.format(table=table)
 
-    def tell_bet(self, bet: KeptBet) -> str:
+    def tell_bet(self, bet: kit.KeptBet) -> str:
         """Return the bet beside the truth."""
         ratios = self._measured("rule", PAPERS_WAY).ratios
         low, high = sorted(float(y) for _x, y in bet)
@@ -218,7 +204,7 @@ class BeAScientist(Lesson):
         )
         return words.format(**facts)
 
-    def draw(self, state: LessonState) -> Picture:
+    def draw(self, state: kit.LessonState) -> kit.Picture:
         """Draw the newest writer's letter, and the ratio of each writer."""
         claim = self.claims[int(state.values["claim"]) - 1]
         measured = self._measured(claim, str(state.values["how"]))
@@ -246,9 +232,9 @@ class BeAScientist(Lesson):
         name = "ratios" if claim == "rule" else "others"
         strokes = (Trajectory(stroke.t, measured.paths[last]),)
         plots, highs = {name: self._draw_ratios(shown, state)}, {"writers": float(measured.number)}
-        return Picture(says, sheet, plots, strokes, highs=highs)
+        return kit.Picture(says, sheet, plots, strokes, highs=highs)
 
-    def _draw_ratios(self, measured: WriterRatios, state: LessonState) -> Drawing:
+    def _draw_ratios(self, measured: WriterRatios, state: kit.LessonState) -> kit.Drawing:
         """Draw the ratio of each writer, and the line that the claim must pass."""
         most = len(self.writers.strokes)
         ratios = measured.ratios

@@ -7,31 +7,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from dmp_teach.classroom import (
-    Answer,
-    Condition,
-    DrawnBet,
-    KeptBet,
-    Knobs,
-    Lesson,
-    LessonState,
-    OneOf,
-    Picture,
-    Slider,
-    Task,
-    at_most,
-)
+from dmp_teach import classroom as kit
 from dmp_teach.dmp import Settings
-from dmp_teach.lessons.drawing import (
-    draw_bumps,
-    draw_sheet,
-    error_axis,
-    error_of,
-    learn_letter,
-    millimetres,
-    paths_of,
-    tell_number,
-)
+from dmp_teach.lessons import drawing
 from dmp_teach.letters import Letter
 from dmp_teach.texts import gettext as _
 
@@ -50,18 +28,18 @@ def learn_with_width(character: str, kernel: str, width: float, fit: str) -> Let
         kernel_sigma=max(0.2, width / 3) if kernel in ("cut", "bell") else math.inf,
         sharpen=False,
     )
-    return learn_letter(character, settings)
+    return drawing.learn_letter(character, settings)
 
 
-def error_at_width(character: str, answer: Answer) -> float:
+def error_at_width(character: str, answer: kit.Answer) -> float:
     """Return how far off a letter is with these settings, on average [mm]."""
     width = float(answer["kernel_width"])
-    return 1000 * error_of(
+    return 1000 * drawing.error_of(
         learn_with_width(character, str(answer["kernel"]), width, str(answer["fit"]))
     )
 
 
-class BumpWidth(Lesson):
+class BumpWidth(kit.Lesson):
     """A width that touches, between gaps and mush."""
 
     key = "03"
@@ -70,7 +48,7 @@ class BumpWidth(Lesson):
         """Choose the two letters and the shape of the bumps."""
         self.pair = PAIRS[0] if random is None else PAIRS[random.integers(len(PAIRS))]
         self.kernel = "box" if random is None else ("box", "cut")[random.integers(2)]
-        best: Answer = {"kernel_width": 1.1, "kernel": self.kernel, "fit": "lwr"}
+        best: kit.Answer = {"kernel_width": 1.1, "kernel": self.kernel, "fit": "lwr"}
         self.limit = math.ceil(18 * max(error_at_width(each, best) for each in self.pair)) / 10
         self.start = {**best, "kernel_width": 10.0, "letter": self.pair[0]}
         self.solution = {**best, "letter": self.pair[0]}
@@ -81,22 +59,22 @@ class BumpWidth(Lesson):
         return _("How wide should each bump be?")
 
     @property
-    def knobs(self) -> Knobs:
+    def knobs(self) -> kit.Knobs:
         """What a pupil can set."""
         kernels = {"box": _("box"), "cut": _("cut bell"), "smooth": _("soft bell")}
         return {
-            "kernel_width": Slider.of(
+            "kernel_width": kit.Slider.of(
                 "kernel_width", NARROWEST, WIDEST, is_log=True, icons=("narrow", "one")
             ),
-            "letter": OneOf(_("Letter"), {each: each for each in self.pair}, is_view=True),
-            "kernel": OneOf(_("Shape"), {**kernels, "bell": _("bell without ends")}),
-            "fit": OneOf(
+            "letter": kit.OneOf(_("Letter"), {each: each for each in self.pair}, is_view=True),
+            "kernel": kit.OneOf(_("Shape"), {**kernels, "bell": _("bell without ends")}),
+            "fit": kit.OneOf(
                 _("Learned"), {"lwr": _("one bump at a time"), "joint": _("all together")}
             ),
         }
 
     @property
-    def bet(self) -> DrawnBet:
+    def bet(self) -> kit.DrawnBet:
         """The curve of errors."""
         question = _(
             "The robot’s {letter} has gone soft: its bumps are ten times too wide. How far off is "
@@ -105,21 +83,23 @@ class BumpWidth(Lesson):
         places = np.array([[width, 3.0] for width in BET_WIDTHS])
         labels = [_("How far off at width {width:g}").format(width=each) for each in BET_WIDTHS]
         asked = question.format(letter=self.pair[0])
-        return DrawnBet(asked, "curve", places, labels, step=0.1, unit="mm", low=0.1, high=100.0)
+        return kit.DrawnBet(
+            asked, "curve", places, labels, step=0.1, unit="mm", low=0.1, high=100.0
+        )
 
     @property
-    def tasks(self) -> Sequence[Task]:
+    def tasks(self) -> Sequence[kit.Task]:
         """What to try."""
         return (
-            Task(
+            kit.Task(
                 _("Make the bumps wider and wider. What melts first?"),
                 lambda v: v["kernel_width"] > 12,
             ),
-            Task(
+            kit.Task(
                 _("Now go below 1. What happens between the bumps?"),
                 lambda v: v["kernel_width"] < 0.8,
             ),
-            Task(
+            kit.Task(
                 _("Learn all together, with a width from 3 to 8. Is the letter still soft?"),
                 lambda v: v["fit"] == "joint" and 3 <= v["kernel_width"] <= 8,
             ),
@@ -145,19 +125,21 @@ class BumpWidth(Lesson):
             _("At width 1 the bumps just touch. Try 1.1."),
         )
 
-    def conditions(self, answer: Answer) -> Sequence[Condition]:
+    def conditions(self, answer: kit.Answer) -> Sequence[kit.Condition]:
         """Return the error of each letter."""
-        return [at_most(each, error_at_width(each, answer), self.limit, "mm") for each in self.pair]
+        return [
+            kit.at_most(each, error_at_width(each, answer), self.limit, "mm") for each in self.pair
+        ]
 
-    def mistakes(self, answer: Answer) -> Sequence[tuple[bool, str]]:
+    def mistakes(self, answer: kit.Answer) -> Sequence[tuple[bool, str]]:
         """Return what is wrong with the width, the shape or the fit."""
         width, kernel = float(answer["kernel_width"]), answer["kernel"]
         errors = {each: error_at_width(each, answer) for each in self.pair}
         worst, error = max(errors.items(), key=lambda each: each[1])
         is_far, has_ends = error > self.limit, kernel != "bell"
-        facts: Answer = {"width": _width_words(width), "letter": worst, "limit": self.limit}
-        facts["mm"] = millimetres(error / 1000, self.limit)
-        facts["share"] = tell_number(100 * (1 - width), 0.0, 0)
+        facts: kit.Answer = {"width": _width_words(width), "letter": worst, "limit": self.limit}
+        facts["mm"] = drawing.millimetres(error / 1000, self.limit)
+        facts["share"] = drawing.tell_number(100 * (1 - width), 0.0, 0)
         together = _(
             "All together each bump is told what the others do, and at width {width} {letter} is "
             "{mm} mm off. The challenge is for bumps that learn one at a time."
@@ -188,7 +170,7 @@ class BumpWidth(Lesson):
         ]
         return [(is_made, words.format(**facts)) for is_made, words in found]
 
-    def praise(self, answer: Answer) -> str:
+    def praise(self, answer: kit.Answer) -> str:
         """Return what was found."""
         words = _(
             "Width {width} keeps both: {errors}. At width 1 bumps just touch: that is enough."
@@ -197,7 +179,7 @@ class BumpWidth(Lesson):
         width = _width_words(float(answer["kernel_width"]))
         return words.format(width=width, errors=", ".join(errors))
 
-    def tell_bet(self, bet: KeptBet) -> str:
+    def tell_bet(self, bet: kit.KeptBet) -> str:
         """Return where the bet was near, and where it was far off."""
         truth = [error_at_width(self.pair[0], self.start | {"kernel_width": x}) for x, _y in bet]
         ratios = [y / true for (_x, y), true in zip(bet, truth, strict=True)]
@@ -208,12 +190,12 @@ class BumpWidth(Lesson):
             "surprise is at width {far[0]:g}: you said {far[1]}, it is {far[2]} mm."
         )
         facts = [
-            (x, millimetres(y / 1000), millimetres(true / 1000))
+            (x, drawing.millimetres(y / 1000), drawing.millimetres(true / 1000))
             for (x, y), true in zip(bet, truth, strict=True)
         ]
         return words.format(near=facts[near], far=facts[far])
 
-    def draw(self, state: LessonState) -> Picture:
+    def draw(self, state: kit.LessonState) -> kit.Picture:
         """Draw the letter, the curve of what was tried, and the bumps over time."""
         values = state.values
         character, kernel = str(values["letter"]), str(values["kernel"])
@@ -221,16 +203,16 @@ class BumpWidth(Lesson):
         letter = learn_with_width(character, kernel, width, fit)
         written = letter.write()
         error = error_at_width(character, values)
-        sheet = draw_sheet(
+        sheet = drawing.draw_sheet(
             letter.strokes,
-            paths_of(written),
+            drawing.paths_of(written),
             caption=_("On paper"),
             note=_("width {width:.2g}").format(width=width),
         )
-        plots = {"curve": self._draw_curve(state, error), "strip": draw_bumps(letter)}
-        return Picture(self._say(error, width, fit, kernel), sheet, plots, written)
+        plots = {"curve": self._draw_curve(state, error), "strip": drawing.draw_bumps(letter)}
+        return kit.Picture(self._say(error, width, fit, kernel), sheet, plots, written)
 
-    def _draw_curve(self, state: LessonState, error: float) -> dict[str, object]:
+    def _draw_curve(self, state: kit.LessonState, error: float) -> dict[str, object]:
         """Draw the errors that were tried; the whole curve where the truth is revealed."""
         values = state.values
         of = {"letter": values["letter"], "kernel": values["kernel"], "fit": values["fit"]}
@@ -253,7 +235,7 @@ class BumpWidth(Lesson):
             "caption": _("How far off"),
             "note": _("your bet, and the truth") if state.is_revealed else _("what you tried"),
             "x": x | {"log": True, "ticks": ticks},
-            "y": error_axis(),
+            "y": drawing.error_axis(),
             "lines": lines,
             "dots": dots,
         }
@@ -277,10 +259,10 @@ class BumpWidth(Lesson):
                 text, strong = _("Each bump knows its neighbours. "), _("Its width hardly matters.")
         elif is_far:
             strong = _("Where soft bells meet, they hardly push.")
-        number = {"number": millimetres(error / 1000), "unit": _("mm off on average")}
+        number = {"number": drawing.millimetres(error / 1000), "unit": _("mm off on average")}
         return {**number, "text": text, "strong": strong, "after": ""}
 
 
 def _width_words(width: float) -> str:
     """Return a width as it is shown; one that leaves gaps does not look like 1."""
-    return tell_number(width, 1.0, 2) if width < 1 else f"{width:.2g}"
+    return drawing.tell_number(width, 1.0, 2) if width < 1 else f"{width:.2g}"

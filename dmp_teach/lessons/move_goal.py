@@ -6,22 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from dmp_teach.classroom import (
-    Answer,
-    Condition,
-    Drawing,
-    DrawnBet,
-    KeptBet,
-    Knobs,
-    Lesson,
-    LessonState,
-    OneOf,
-    Picture,
-    Slider,
-    Task,
-    at_least,
-    at_most,
-)
+from dmp_teach import classroom as kit
 from dmp_teach.lessons.drawing import draw_sheet, goal_ring, millimetres
 from dmp_teach.lessons.goals import (
     ACROSS,
@@ -47,7 +32,7 @@ BET_POINTS = 9
 ALIKE = 0.02
 
 
-class MoveGoal(Lesson):
+class MoveGoal(kit.Lesson):
     """A rule that keeps the shape, beside one that mirrors it and one that turns it."""
 
     key = "05"
@@ -75,24 +60,24 @@ class MoveGoal(Lesson):
         return _("What happens when the goal moves?")
 
     @property
-    def knobs(self) -> Knobs:
+    def knobs(self) -> kit.Knobs:
         """What a pupil can set."""
         rules = {"original": _("first rule"), "printed": _("DMP* as printed")}
         rules |= {"star": "DMP*", "similarity": _("similarity")}
         low, high = sorted([self.side * ACROSS, -self.side * AWAY])
-        x = Slider(_("Goal to the right"), "g", low, high, 0.1, "cm", 1, is_drawn_here=True)
-        y = Slider(_("Goal upwards"), "g", -UP, UP, 0.1, "cm", 1, is_drawn_here=True)
+        x = kit.Slider(_("Goal to the right"), "g", low, high, 0.1, "cm", 1, is_drawn_here=True)
+        y = kit.Slider(_("Goal upwards"), "g", -UP, UP, 0.1, "cm", 1, is_drawn_here=True)
         letters = {each: each for each in (self.letter, STEEP)}
         return {
             "goal_x": x,
             "goal_y": y,
-            "moves_at": Slider(_("When the goal moves"), "t", 0.0, self.latest, 0.1, "s", 1),
-            "rule": OneOf(_("Rule"), rules),
-            "letter": OneOf(_("Letter"), letters, is_view=True),
+            "moves_at": kit.Slider(_("When the goal moves"), "t", 0.0, self.latest, 0.1, "s", 1),
+            "rule": kit.OneOf(_("Rule"), rules),
+            "letter": kit.OneOf(_("Letter"), letters, is_view=True),
         }
 
     @property
-    def bet(self) -> DrawnBet:
+    def bet(self) -> kit.DrawnBet:
         """The line that the robot will write."""
         question = _(
             "The robot learned this {letter} by the first rule that was invented. Now its goal has "
@@ -103,25 +88,25 @@ class MoveGoal(Lesson):
         u = np.linspace(0.12, 0.74, BET_POINTS)[:, None]
         places = led.primitive.start + u * led.offsets[1]
         labels = [_("Place {n} of the line").format(n=n + 1) for n in range(BET_POINTS)]
-        return DrawnBet(question.format(letter=self.letter), "sheet", places, labels, axis="xy")
+        return kit.DrawnBet(question.format(letter=self.letter), "sheet", places, labels, axis="xy")
 
     @property
-    def tasks(self) -> Sequence[Task]:
+    def tasks(self) -> Sequence[kit.Task]:
         """What to try."""
 
-        def is_aside(v: Answer) -> bool:
+        def is_aside(v: kit.Answer) -> bool:
             return v["goal_x"] != self.start["goal_x"] and 0.5 <= abs(v["goal_x"]) <= 2
 
         return (
-            Task(
+            kit.Task(
                 _("Drag the ring across the start, by each rule. Which keeps the shape?"),
                 lambda v: v["rule"] in ("star", "printed") and v["goal_x"] != self.start["goal_x"],
             ),
-            Task(
+            kit.Task(
                 _("Take C and the first rule. Drag its ring 1 cm aside. What becomes of C?"),
                 lambda v: v["rule"] == "original" and v["letter"] == STEEP and is_aside(v),
             ),
-            Task(
+            kit.Task(
                 _("Let the goal move while the pen is on its way. What does the pen do?"),
                 lambda v: v["moves_at"] > 0.2 * self.latest,
             ),
@@ -151,18 +136,18 @@ class MoveGoal(Lesson):
             solution.format(x=x, y=y, **self._wanted()),
         )
 
-    def conditions(self, answer: Answer) -> Sequence[Condition]:
+    def conditions(self, answer: kit.Answer) -> Sequence[kit.Condition]:
         """Return how far the goal moved, how much kept its way, and where the pen stops."""
         led, wanted = MovedLetter(self.letter, answer), self._wanted()
         x, y = map(float, led.shift * (self.side, self.up))
         return [
-            at_least(wanted["aside"], x, ASIDE, "cm"),
-            at_least(wanted["up"], y, UPWARDS, "cm"),
-            at_least(_("the same way"), led.share, LEAST_SHARE, "%"),
-            at_most(_("from the goal"), led.miss, MOST_MISS, "mm"),
+            kit.at_least(wanted["aside"], x, ASIDE, "cm"),
+            kit.at_least(wanted["up"], y, UPWARDS, "cm"),
+            kit.at_least(_("the same way"), led.share, LEAST_SHARE, "%"),
+            kit.at_most(_("from the goal"), led.miss, MOST_MISS, "mm"),
         ]
 
-    def mistakes(self, answer: Answer) -> Sequence[tuple[bool, str]]:
+    def mistakes(self, answer: kit.Answer) -> Sequence[tuple[bool, str]]:
         """Return what is wrong with the rule, the moment or the place."""
         led = MovedLetter(self.letter, answer)
         aside, up, same, from_goal = (each.is_met for each in self.conditions(answer))
@@ -198,7 +183,7 @@ class MoveGoal(Lesson):
         aside, up = _ways(self.side, self.up)
         return {"letter": self.letter, "aside": aside, "up": up}
 
-    def praise(self, answer: Answer) -> str:
+    def praise(self, answer: kit.Answer) -> str:
         """Return what was found."""
         words = _(
             "{share} % of the {letter} goes the same way, {cm:.1f} cm from its old goal. The "
@@ -206,7 +191,7 @@ class MoveGoal(Lesson):
         )
         return words.format(**MovedLetter(self.letter, answer).facts)
 
-    def tell_bet(self, bet: KeptBet) -> str:
+    def tell_bet(self, bet: kit.KeptBet) -> str:
         """Return how far the drawn line is from the robot's, and whose it is like."""
         led = MovedLetter(self.letter, self.start)
         slid = MovedLetter(self.letter, self.start | {"rule": "star"})
@@ -222,7 +207,7 @@ class MoveGoal(Lesson):
             return f"{told} {_('You kept the shape, as a newer rule does.')}"
         return f"{told} {_('A newer rule keeps the shape.')}"
 
-    def draw(self, state: LessonState) -> Picture:
+    def draw(self, state: kit.LessonState) -> kit.Picture:
         """Draw the letter, and one coordinate of it over time by two rules."""
         led = MovedLetter(str(state.values["letter"]), state.values)
         is_hidden = state.step == "bet" and not state.is_revealed
@@ -237,18 +222,20 @@ class MoveGoal(Lesson):
         plots = self._draw_plots(led, is_hidden, state.step != "bet")
         says = self._ask(led) if is_hidden else _say(led)
         strokes = () if is_hidden else (Trajectory(led.primitive.times, led.path),)
-        return Picture(says, sheet, plots, strokes)
+        return kit.Picture(says, sheet, plots, strokes)
 
-    def _draw_plots(self, led: MovedLetter, is_hidden: bool, has_knob: bool) -> dict[str, Drawing]:
+    def _draw_plots(
+        self, led: MovedLetter, is_hidden: bool, has_knob: bool
+    ) -> dict[str, kit.Drawing]:
         """Draw left and right over time, and the velocity, by this rule and by another one."""
         names = {"original": _("first"), "similarity": _("similarity")}
         rule = str(led.values["rule"])
         other = "star" if rule == "original" else "original"
         beside = MovedLetter(led.character, led.values | {"rule": other})
         x = {"label": "", "low": 0.0, "high": float(led.times[-1])}
-        plots: dict[str, Drawing] = {}
+        plots: dict[str, kit.Drawing] = {}
         for order, name in enumerate(("position", "velocity")):
-            lines: list[Drawing] = [{"points": led.person_sideways(order), "kind": "child"}]
+            lines: list[kit.Drawing] = [{"points": led.person_sideways(order), "kind": "child"}]
             for each, kind in () if is_hidden else ((beside, "quiet"), (led, "robot")):
                 label = names.get(str(each.values["rule"]), "DMP*")
                 lines.append({"points": each.sideways(order), "kind": kind, "label": label})

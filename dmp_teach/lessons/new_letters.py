@@ -6,22 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from dmp_teach.classroom import (
-    Answer,
-    ChosenBet,
-    Condition,
-    KeptBet,
-    Knobs,
-    Lesson,
-    LessonState,
-    OneOf,
-    Picture,
-    Slider,
-    Task,
-    at_most,
-    between,
-    exactly,
-)
+from dmp_teach import classroom as kit
 from dmp_teach.lessons.drawing import tell_number
 from dmp_teach.lessons.new_letters_pictures import draw_blind, draw_letter, draw_speed, draw_whose
 from dmp_teach.lessons.two_hands import BOWL, NewLetter, find_goals
@@ -33,7 +18,7 @@ LOWEST, HIGHEST = 40, 60
 MOST_GAP, MOST_LEAN_OFF, MOST_END_OFF = 2.0, 1.0, 6.0
 
 
-class NewLetters(Lesson):
+class NewLetters(kit.Lesson):
     """A D becomes a P, an R or a B by other goals, between two hands."""
 
     key = "07"
@@ -47,7 +32,7 @@ class NewLetters(Lesson):
             self.whose = int(random.integers(1, 3))
         self.letter, self.third = letter, THIRD_STROKES[letter]
         moved = dict.fromkeys(("goal_x", "goal_y", "third_x", "third_y"), 0.0)
-        self.start: Answer = moved | {"share": 0, "third": "none", "way": "lifted"}
+        self.start: kit.Answer = moved | {"share": 0, "third": "none", "way": "lifted"}
         self.solution = find_goals(self.start | {"share": share, "third": self.third})
         self.lean = round(NewLetter(self.solution).lean)
 
@@ -63,50 +48,50 @@ class NewLetters(Lesson):
         return names | {"hump": _("n hump"), "ring": "o"}
 
     @property
-    def knobs(self) -> Knobs:
+    def knobs(self) -> kit.Knobs:
         """The hands, the shelf, and where strokes end."""
 
-        def goal(label: str, low: float, high: float) -> Slider:
-            return Slider(label, "g", low, high, 0.1, "cm", 1, is_drawn_here=True)
+        def goal(label: str, low: float, high: float) -> kit.Slider:
+            return kit.Slider(label, "g", low, high, 0.1, "cm", 1, is_drawn_here=True)
 
         ways = {"lifted": _("lift the pen"), "joined": _("in one line")}
         return {
             "goal_x": goal(_("Bowl’s end, sideways"), -4.0, 6.0),
             "goal_y": goal(_("Bowl’s end, upwards"), -2.0, 10.0),
-            "share": Slider(_("How much of hand 2"), "", -50, 150, 5, "%", is_drawn_here=True),
-            "third": OneOf(_("From the shelf"), self.thirds),
+            "share": kit.Slider(_("How much of hand 2"), "", -50, 150, 5, "%", is_drawn_here=True),
+            "third": kit.OneOf(_("From the shelf"), self.thirds),
             "third_x": goal(_("Third end, sideways"), -4.0, 14.0),
             "third_y": goal(_("Third end, upwards"), -4.0, 10.0),
-            "way": OneOf(_("Between strokes"), ways, is_view=True),
+            "way": kit.OneOf(_("Between strokes"), ways, is_view=True),
         }
 
     @property
-    def bet(self) -> ChosenBet:
+    def bet(self) -> kit.ChosenBet:
         """Whose bowl it is."""
         question = _(
             "Two hands wrote a D. From the bowl of one of them the robot has made the bowl of a P, "
             "by moving its end. Whose bowl is it?"
         )
         hands = {"1": _("hand 1"), "2": _("hand 2"), "none": _("nobody can tell")}
-        return ChosenBet(question, hands)
+        return kit.ChosenBet(question, hands)
 
     @property
-    def tasks(self) -> Sequence[Task]:
+    def tasks(self) -> Sequence[kit.Task]:
         """What to try."""
         return (
-            Task(
+            kit.Task(
                 _("Drag the ring to the middle of the stem. Which letter is it now?"),
                 lambda v: v["goal_y"] >= 4,
             ),
-            Task(
+            kit.Task(
                 _("Take a third stroke from the shelf, and drag its ring. Can you make an R? A B?"),
                 lambda v: v["third"] != "none" and np.hypot(v["third_x"], v["third_y"]) > 1,
             ),
-            Task(
+            kit.Task(
                 _("Go from hand 1 to hand 2, and beyond 100 %. Whose bowl is it half way?"),
                 lambda v: v["share"] > 100,
             ),
-            Task(
+            kit.Task(
                 _("Write it in one line. At which joint does the pen no longer stop?"),
                 lambda v: v["way"] == "joined",
             ),
@@ -146,20 +131,20 @@ class NewLetters(Lesson):
         facts |= {"share": self.solution["share"], "name": self.thirds[self.third]}
         return first, (second + more).format(**facts), (last + end).format(**facts)
 
-    def conditions(self, answer: Answer) -> Sequence[Condition]:
+    def conditions(self, answer: kit.Answer) -> Sequence[kit.Condition]:
         """Return where the bowl meets the stem, how that leans, and where the third ends."""
         made = NewLetter(answer)
         up = made.meeting[1]
         wanted, took = (2 if third == "none" else 3 for third in (self.third, made.third))
         asked = [
-            exactly(_("strokes"), took, wanted),
-            at_most(_("bowl to stem"), made.gap, MOST_GAP, "mm"),
-            between(_("they meet at"), 100 * up, LOWEST, HIGHEST, "%"),
-            between(_("lean"), made.lean, self.lean - 1, self.lean + 1, "°"),
+            kit.exactly(_("strokes"), took, wanted),
+            kit.at_most(_("bowl to stem"), made.gap, MOST_GAP, "mm"),
+            kit.between(_("they meet at"), 100 * up, LOWEST, HIGHEST, "%"),
+            kit.between(_("lean"), made.lean, self.lean - 1, self.lean + 1, "°"),
         ]
         if self.third != "none":
             off = 1000 * self._miss(made)
-            asked.append(at_most(_("third end off by"), off, MOST_END_OFF, "mm"))
+            asked.append(kit.at_most(_("third end off by"), off, MOST_END_OFF, "mm"))
         return asked
 
     def _miss(self, made: NewLetter) -> float:
@@ -168,7 +153,7 @@ class NewLetters(Lesson):
             return float(np.linalg.norm(made.lifted[BOWL][-1] - made.foot))
         return float(np.linalg.norm(made.third_miss))
 
-    def mistakes(self, answer: Answer) -> Sequence[tuple[bool, str]]:
+    def mistakes(self, answer: kit.Answer) -> Sequence[tuple[bool, str]]:
         """Return what is open, too low or high, too many, or leans otherwise."""
         made = NewLetter(answer)
         _count, met, height, leans, *_end = (each.is_met for each in self.conditions(answer))
@@ -226,7 +211,7 @@ class NewLetters(Lesson):
             ),
         }
 
-    def praise(self, answer: Answer) -> str:
+    def praise(self, answer: kit.Answer) -> str:
         """Return what was made, and of whom."""
         made = NewLetter(answer)
         words = _(
@@ -241,7 +226,7 @@ class NewLetters(Lesson):
         """The P of one hand whose bowl is judged."""
         return NewLetter(find_goals(self.start | {"share": 100 * (self.whose - 1)}))
 
-    def tell_bet(self, bet: KeptBet) -> str:
+    def tell_bet(self, bet: kit.KeptBet) -> str:
         """Return whose it is, and whom two ways of making it are given to."""
         near = self.shown.nearest
         facts = {"whose": self.whose, "taken": near["DMP*"], "alike": near["similarity"]}
@@ -256,18 +241,18 @@ class NewLetters(Lesson):
         begin = said.get(str(bet), _("You said: nobody can tell."))
         return f"{begin} {words.format(**facts)}"
 
-    def draw(self, state: LessonState) -> Picture:
+    def draw(self, state: kit.LessonState) -> kit.Picture:
         """Draw two hands and a bowl, or the new letter; and whose it is, or how fast the pen is."""
         if state.step == "bet":
             shown = self.shown
             is_seen = state.is_revealed
             plots = {"whose": draw_whose(shown if is_seen else None)}
             sheet = draw_blind(shown, self.whose if is_seen else None)
-            return Picture(_ask(is_seen, state.bet), sheet, plots, shown.strokes)
+            return kit.Picture(_ask(is_seen, state.bet), sheet, plots, shown.strokes)
         made = NewLetter(state.values)
         is_joined = state.values["way"] == "joined"
         plots = {"speed": draw_speed(made)} if is_joined else {"whose": draw_whose(made)}
-        return Picture(_say(made), draw_letter(made), plots, made.strokes)
+        return kit.Picture(_say(made), draw_letter(made), plots, made.strokes)
 
 
 def _where(aside: float, above: float) -> str:
@@ -277,7 +262,7 @@ def _where(aside: float, above: float) -> str:
     return _("right of") if aside > 0 else _("left of")
 
 
-def _ask(is_seen: bool, bet: KeptBet | None) -> dict[str, str]:
+def _ask(is_seen: bool, bet: kit.KeptBet | None) -> dict[str, str]:
     """Return what is said of the bowl at the beginning."""
     text = _("The two hands differ in how they lean, and in how round they are. ")
     after = _("Can a new letter show whose it is?") if is_seen else ""

@@ -7,21 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from dmp_teach.classroom import (
-    Answer,
-    ChosenBet,
-    Condition,
-    Drawing,
-    KeptBet,
-    Knobs,
-    Lesson,
-    LessonState,
-    OneOf,
-    Picture,
-    Slider,
-    Task,
-    at_most,
-)
+from dmp_teach import classroom as kit
 from dmp_teach.lessons.drawing import draw_sheet, goal_ring, tell_number
 from dmp_teach.lessons.five_ways import (
     LED_LETTERS,
@@ -46,7 +32,7 @@ NUMBERS_ALLOWED = 100
 SEVERAL = 5
 
 
-class OtherWays(Lesson):
+class OtherWays(kit.Lesson):
     """One demonstration or many, a moved goal, and how much must be stored: no way wins all."""
 
     key = "12"
@@ -67,12 +53,12 @@ class OtherWays(Lesson):
         return _("Are there other ways to learn?")
 
     @property
-    def knobs(self) -> Knobs:
+    def knobs(self) -> kit.Knobs:
         """What a pupil can set; where the goal is, is no part of the answer."""
         names = way_names()
         options = {key: names[key] for key in ways_here()}
         x, y = (
-            Slider(
+            kit.Slider(
                 label,
                 "g",
                 -REACH,
@@ -87,14 +73,14 @@ class OtherWays(Lesson):
             for label in (_("Goal to the right"), _("Goal upwards"))
         )
         return {
-            "way": OneOf(_("Way to learn"), options),
-            "shown": Slider(_("Letters shown"), "n", 1, TAKES_AT_HAND),
+            "way": kit.OneOf(_("Way to learn"), options),
+            "shown": kit.Slider(_("Letters shown"), "n", 1, TAKES_AT_HAND),
             "goal_x": x,
             "goal_y": y,
         }
 
     @property
-    def bet(self) -> ChosenBet:
+    def bet(self) -> kit.ChosenBet:
         """Which way needs one letter, and which needs several."""
         question = _(
             "Five ways to learn have seen one {letter}. Now its goal moves to the ring. Which way "
@@ -107,24 +93,24 @@ class OtherWays(Lesson):
             "cost-mixture": _("cost can, mixture not yet"),
             "mixture-states": _("mixture can, states not yet"),
         }
-        return ChosenBet(question.format(letter=self.letter), options)
+        return kit.ChosenBet(question.format(letter=self.letter), options)
 
     @property
-    def tasks(self) -> Sequence[Task]:
+    def tasks(self) -> Sequence[kit.Task]:
         """What to try."""
         return (
-            Task(
+            kit.Task(
                 _(
                     "Go through the five ways. Which take the whole letter along, which only "
                     "its end?"
                 ),
                 lambda v: v["way"] in ("states", "cost"),
             ),
-            Task(
+            kit.Task(
                 _("Take spread. How many letters must it see until it reaches the ring?"),
                 lambda v: v["way"] == "spread" and v["shown"] >= SEVERAL,
             ),
-            Task(
+            kit.Task(
                 _("Show more letters to DMP*, then to cost. Which of them gets nearer?"),
                 lambda v: v["way"] == "cost" and v["shown"] >= SEVERAL,
             ),
@@ -149,7 +135,7 @@ class OtherWays(Lesson):
             _("Take cost, and show {n} letters.").format(n=self.needed),
         )
 
-    def _led(self, answer: Answer, **other: object) -> Led:
+    def _led(self, answer: kit.Answer, **other: object) -> Led:
         """Return what an answer writes, with the goal of the challenge or another one."""
         values = answer | other
         shift = (
@@ -158,19 +144,19 @@ class OtherWays(Lesson):
         )
         return Led(self.letter, self.hand, str(values["way"]), int(values["shown"]), shift)
 
-    def _judged(self, answer: Answer, **other: object) -> Led:
+    def _judged(self, answer: kit.Answer, **other: object) -> Led:
         """Return what an answer writes to the goal of the challenge."""
         return self._led({name: answer[name] for name in ("way", "shown")}, **other)
 
-    def conditions(self, answer: Answer) -> Sequence[Condition]:
+    def conditions(self, answer: kit.Answer) -> Sequence[kit.Condition]:
         """Return how near it is with its goal at home, and how much it stores."""
         led = self._judged(answer)
         return [
-            at_most(_("off what was meant"), led.error, self.limit, "mm"),
-            at_most(_("numbers stored"), led.tried.way.numbers_stored, NUMBERS_ALLOWED),
+            kit.at_most(_("off what was meant"), led.error, self.limit, "mm"),
+            kit.at_most(_("numbers stored"), led.tried.way.numbers_stored, NUMBERS_ALLOWED),
         ]
 
-    def mistakes(self, answer: Answer) -> Sequence[tuple[bool, str]]:
+    def mistakes(self, answer: kit.Answer) -> Sequence[tuple[bool, str]]:
         """Return what is wrong with the way, or with the number of letters."""
         led = self._judged(answer)
         is_near, is_small = (each.is_met for each in self.conditions(answer))
@@ -200,7 +186,7 @@ class OtherWays(Lesson):
         facts = {"letter": self.letter, "limit": self.limit, "most": NUMBERS_ALLOWED}
         return facts | led.facts | {"error": tell_number(led.error, self.limit)}
 
-    def praise(self, answer: Answer) -> str:
+    def praise(self, answer: kit.Answer) -> str:
         """Return what was found, and what it costs."""
         led = self._judged(answer)
         words = _(
@@ -215,7 +201,7 @@ class OtherWays(Lesson):
         }
         return words.format(**self._facts(led), **more)
 
-    def tell_bet(self, bet: KeptBet) -> str:
+    def tell_bet(self, bet: kit.KeptBet) -> str:
         """Return what each way wrote after one letter, and spread after several."""
         words = _(
             "DMP* took the whole {letter} along: {dmp} % kept its shape. With cost only the end "
@@ -229,7 +215,7 @@ class OtherWays(Lesson):
         miss = f"{one['spread'].miss:.0f}"
         return words.format(letter=self.letter, n=SEVERAL, miss=miss, **shares) + said
 
-    def draw(self, state: LessonState) -> Picture:
+    def draw(self, state: kit.LessonState) -> kit.Picture:
         """Draw takes, the line to the ring and the one to its home; all ways; and the error."""
         is_hidden = state.step == "bet" and not state.is_revealed
         led = self._led(state.values)
@@ -238,7 +224,9 @@ class OtherWays(Lesson):
         is_home = state.step == "challenge"
         lines = [led.tried.letter.position if is_home else led.line][: not is_hidden]
         ring = goal_ring(home, state.step != "try") | ({"at": home[None]} if is_home else {})
-        extras: list[Drawing] = [{"points": each.position, "kind": "hand"} for each in takes[1:]]
+        extras: list[kit.Drawing] = [
+            {"points": each.position, "kind": "hand"} for each in takes[1:]
+        ]
         note = _("{n} shown, dotted")
         if state.step == "try":
             extras.append({"points": led.tried.letter.position, "kind": "quiet"})
@@ -256,9 +244,11 @@ class OtherWays(Lesson):
         plots = {"ways": self._draw_ways(led, is_hidden)}
         if is_home:
             plots = {"error": self._draw_errors(state, led)}
-        return Picture(self._ask() if is_hidden else say_way(led, is_home), sheet, plots, strokes)
+        return kit.Picture(
+            self._ask() if is_hidden else say_way(led, is_home), sheet, plots, strokes
+        )
 
-    def _draw_ways(self, led: Led, is_hidden: bool) -> Drawing:
+    def _draw_ways(self, led: Led, is_hidden: bool) -> kit.Drawing:
         """Say how ways learn; once the bet is placed, draw what all write of so many letters."""
         if is_hidden:
             return list_ways() | {"caption": _("How each way learns")}
@@ -269,7 +259,7 @@ class OtherWays(Lesson):
             "note": note,
         }
 
-    def _draw_errors(self, state: LessonState, led: Led) -> Drawing:
+    def _draw_errors(self, state: kit.LessonState, led: Led) -> kit.Drawing:
         """Draw how far from what was meant each way was with each number that was tried."""
         tried = {(str(each["way"]), int(each["shown"])) for each in state.tried}
         letters = [self._judged({"way": way, "shown": n}) for way, n in tried]

@@ -7,21 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from dmp_teach.classroom import (
-    Answer,
-    Condition,
-    Drawing,
-    DrawnBet,
-    KeptBet,
-    Knobs,
-    Lesson,
-    LessonState,
-    Picture,
-    Slider,
-    Task,
-    at_most,
-    exactly,
-)
+from dmp_teach import classroom as kit
 from dmp_teach.errors import RecordingError
 from dmp_teach.lessons.drawing import tell_number
 from dmp_teach.lessons.pen_up_pictures import draw_over_time, draw_path, draw_strokes
@@ -36,7 +22,7 @@ MOST_OFF = 50
 TREMBLE_MM = 1000 * TREMBLE
 
 
-class PenUp(Lesson):
+class PenUp(kit.Lesson):
     """A lift is fast and high: what trembles or is knocked is low, what tilts is slow."""
 
     key = "06"
@@ -60,15 +46,15 @@ class PenUp(Lesson):
         return _("When does the pen leave the paper?")
 
     @property
-    def knobs(self) -> Knobs:
+    def knobs(self) -> kit.Knobs:
         """The two thresholds."""
         return {
-            "theta": Slider(_("Lift: faster than"), "θ", 5, 200, 5, "mm/s"),
-            "sigma": Slider(_("Lift: higher than"), "σ", 0.5, 25.0, 0.5, "mm", 1),
+            "theta": kit.Slider(_("Lift: faster than"), "θ", 5, 200, 5, "mm/s"),
+            "sigma": kit.Slider(_("Lift: higher than"), "σ", 0.5, 25.0, 0.5, "mm", 1),
         }
 
     @property
-    def bet(self) -> DrawnBet:
+    def bet(self) -> kit.DrawnBet:
         """The way in the air, as it is seen from above."""
         question = _(
             "Seen from above, the pen that wrote this {letter} never stops. But once it was in the "
@@ -77,21 +63,21 @@ class PenUp(Lesson):
         box = np.array(draw_path(self.recording)["box"]).reshape(2, 2)
         places = box[0] + [[0.97, 0.3], [0.97, 0.6]] * (box[1] - box[0])
         labels = [_("Where the pen left the paper"), _("Where the pen landed")]
-        return DrawnBet(question.format(letter=self.letter), "sheet", places, labels, axis="xy")
+        return kit.DrawnBet(question.format(letter=self.letter), "sheet", places, labels, axis="xy")
 
     @property
-    def tasks(self) -> Sequence[Task]:
+    def tasks(self) -> Sequence[kit.Task]:
         """What to try."""
         return (
-            Task(
+            kit.Task(
                 _("Pull both lines down to the bottom. What does the robot take for a lift?"),
                 lambda v: v["theta"] <= 5 and v["sigma"] <= 0.5,
             ),
-            Task(
+            kit.Task(
                 _("Leave θ low and raise σ alone. Can height tell the lift from the slow hill?"),
                 lambda v: v["theta"] <= 20 and v["sigma"] >= 10,
             ),
-            Task(
+            kit.Task(
                 _("Leave σ low and raise θ alone. Can speed tell the lift from the short peak?"),
                 lambda v: v["sigma"] <= 2 and v["theta"] >= 60,
             ),
@@ -114,15 +100,15 @@ class PenUp(Lesson):
             _("Try θ = {theta} and σ = {sigma}.").format(**_in_words(self.solution)),
         )
 
-    def conditions(self, answer: Answer) -> Sequence[Condition]:
+    def conditions(self, answer: kit.Answer) -> Sequence[kit.Condition]:
         """Return how many strokes are found, and how far off the ends are."""
         strokes = self.find(answer)
         return [
-            exactly(_("strokes"), len(strokes), 2),
-            at_most(_("ends off by"), self._milliseconds_off(strokes), MOST_OFF, "ms"),
+            kit.exactly(_("strokes"), len(strokes), 2),
+            kit.at_most(_("ends off by"), self._milliseconds_off(strokes), MOST_OFF, "ms"),
         ]
 
-    def mistakes(self, answer: Answer) -> Sequence[tuple[bool, str]]:
+    def mistakes(self, answer: kit.Answer) -> Sequence[tuple[bool, str]]:
         """Return whether the lift is missed, or something else is taken for one."""
         pen, strokes = self.pen, self.find(answer)
         gaps = _gaps(strokes)
@@ -140,7 +126,10 @@ class PenUp(Lesson):
             "tilt": bool(tilts),
             "ends": off > MOST_OFF,
         }
-        facts: Answer = _in_words(answer) | {"n": len(strokes), "ms": tell_number(off, MOST_OFF, 0)}
+        facts: kit.Answer = _in_words(answer) | {
+            "n": len(strokes),
+            "ms": tell_number(off, MOST_OFF, 0),
+        }
         for name, times in (("lift", pen.lift), ("knock", pen.knock), ("tilt", pen.tilt)):
             facts[f"{name}_mm"] = tell_number(1000 * pen.highest(times), answer["sigma"], 0)
             # A lift is looked for backwards in time, too: a fall counts as a rise.
@@ -183,7 +172,7 @@ class PenUp(Lesson):
             ),
         }
 
-    def praise(self, answer: Answer) -> str:
+    def praise(self, answer: kit.Answer) -> str:
         """Return what was found."""
         words = _(
             "Two strokes: up at {up:.2f} s, down at {down:.2f} s. Only a lift is faster than "
@@ -192,7 +181,7 @@ class PenUp(Lesson):
         up, down = _gaps(self.find(answer))[0]
         return words.format(up=up, down=down, **_in_words(answer))
 
-    def tell_bet(self, bet: KeptBet) -> str:
+    def tell_bet(self, bet: kit.KeptBet) -> str:
         """Return how far both places were from the true ones."""
         first, second = self.truth
         ends = np.array([first.position[-1], second.position[0]])
@@ -205,29 +194,29 @@ class PenUp(Lesson):
         up, down = self.pen.lift
         return words.format(left=left, landed=landed, up=up, down=down)
 
-    def draw(self, state: LessonState) -> Picture:
+    def draw(self, state: kit.LessonState) -> kit.Picture:
         """Draw the strokes on paper, and over time the height and its speed with their lines."""
         is_bet = state.step == "bet"
         if is_bet and not state.is_revealed:
             plots = draw_over_time(self.pen, None)
             says = self._say(None, is_bet=state.bet is not None)
-            return Picture(says, draw_path(self.recording), plots, self.truth)
+            return kit.Picture(says, draw_path(self.recording), plots, self.truth)
         strokes = self.truth if is_bet else self.find(state.values)
         plots = draw_over_time(self.pen, strokes)
         if not is_bet:
             for name, knob in (("height", "sigma"), ("rise", "theta")):
                 plots[name]["thresholds"] = [self._threshold(knob, state.values[knob])]
         says = self._say(strokes, is_truth=is_bet)
-        return Picture(says, draw_strokes(self.recording, strokes), plots, tuple(strokes))
+        return kit.Picture(says, draw_strokes(self.recording, strokes), plots, tuple(strokes))
 
-    def _threshold(self, name: str, value: float) -> Drawing:
+    def _threshold(self, name: str, value: float) -> kit.Drawing:
         """Return the line of a knob, to be dragged."""
         knob = self.knobs[name].described()
         ends = {each: knob[each] for each in ("low", "high", "step")}
         words = {"label": knob["term"], "text": f"{value:g} {knob['unit']}"}
         return {"name": name, "axis": "y", "value": value, **words, **ends}
 
-    def find(self, answer: Answer) -> Sequence[Trajectory]:
+    def find(self, answer: kit.Answer) -> Sequence[Trajectory]:
         """Return the strokes that the thresholds find; none where nothing is left."""
         try:
             plain = self.recording.with_strokes(None)
@@ -273,7 +262,7 @@ class PenUp(Lesson):
         return {"number": number, "unit": unit, "text": text, "strong": strong, "after": ""}
 
 
-def _in_words(answer: Answer) -> Answer:
+def _in_words(answer: kit.Answer) -> kit.Answer:
     """Return the thresholds as they are shown."""
     return {name: f"{value:.3g}" for name, value in answer.items()}
 

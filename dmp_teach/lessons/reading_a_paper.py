@@ -7,20 +7,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from dmp_teach.classroom import (
-    Answer,
-    ChosenBet,
-    Condition,
-    Drawing,
-    KeptBet,
-    Knobs,
-    Lesson,
-    LessonState,
-    OneOf,
-    Picture,
-    Task,
-    at_most,
-)
+from dmp_teach import classroom as kit
 from dmp_teach.lessons.drawing import draw_sheet, paths_of, tell_number
 from dmp_teach.lessons.paper_readings import (
     AS_CODED,
@@ -51,7 +38,7 @@ MOST_CHANGES = 3
 OFF_THE_SHEET = 50.0
 
 
-class ReadingAPaper(Lesson):
+class ReadingAPaper(kit.Lesson):
     """A paper that is built word for word does not work, and three of its words are to blame."""
 
     key = "11"
@@ -69,40 +56,40 @@ class ReadingAPaper(Lesson):
         return _("What if you build a paper word for word?")
 
     @property
-    def knobs(self) -> Knobs:
+    def knobs(self) -> kit.Knobs:
         """A switch for each place of the paper."""
         words, about = formulas(), notes()
         return {
-            name: OneOf(_upper(label), words[name], note=about[name])
+            name: kit.OneOf(_upper(label), words[name], note=about[name])
             for name, label in names().items()
         }
 
     @property
-    def bet(self) -> ChosenBet:
+    def bet(self) -> kit.ChosenBet:
         """The place that costs most."""
         question = _(
             "Built word for word from a paper, the robot writes this {letter}. Six places are "
             "unclear or wrong. Mend five: which one, left as printed, spoils the letter most?"
         )
         options = {name: label for name, label in names().items() if name in FAULTY}
-        return ChosenBet(question.format(letter=self.letter), options, notes())
+        return kit.ChosenBet(question.format(letter=self.letter), options, notes())
 
     @property
-    def tasks(self) -> Sequence[Task]:
+    def tasks(self) -> Sequence[kit.Task]:
         """What to try."""
         return (
-            Task(
+            kit.Task(
                 _("Mend one place that brings the letter back to the sheet. Which one does?"),
                 lambda v: v["push"] == MENDED,
             ),
-            Task(
+            kit.Task(
                 _(
                     "Take the authors’ program: all that is named program, and push and bump ends "
                     "mended."
                 ),
                 lambda v: v == AS_CODED,
             ),
-            Task(
+            kit.Task(
                 _("Mend all six. Then put one back that nobody would miss."),
                 lambda v: v["width"] == "printed" and list(v.values()).count(MENDED) == 5,
             ),
@@ -126,15 +113,15 @@ class ReadingAPaper(Lesson):
             _("Mend {found}, and leave the rest as printed.").format(found=found),
         )
 
-    def conditions(self, answer: Answer) -> Sequence[Condition]:
+    def conditions(self, answer: kit.Answer) -> Sequence[kit.Condition]:
         """Return the error, and the number of changes."""
         number = len(changed(answer))
         return [
-            at_most(self.letter, error_by(self.letter, answer), self.limit, "mm"),
-            at_most(_("changes"), number, MOST_CHANGES),
+            kit.at_most(self.letter, error_by(self.letter, answer), self.limit, "mm"),
+            kit.at_most(_("changes"), number, MOST_CHANGES),
         ]
 
-    def mistakes(self, answer: Answer) -> Sequence[tuple[bool, str]]:
+    def mistakes(self, answer: kit.Answer) -> Sequence[tuple[bool, str]]:
         """Return which change does nothing, and what still spoils the letter most."""
         error, number = error_by(self.letter, answer), len(changed(answer))
         facts = facts_of(self.letter, answer) | {"letter": self.letter, "number": number}
@@ -153,7 +140,7 @@ class ReadingAPaper(Lesson):
         is_wrong = error > self.limit or number > MOST_CHANGES
         return [(is_wrong, words.format(**facts).strip())]
 
-    def praise(self, answer: Answer) -> str:
+    def praise(self, answer: kit.Answer) -> str:
         """Return what was found."""
         left = [name for name in FAULTY if answer[name] != MENDED]
         words = _(
@@ -169,7 +156,7 @@ class ReadingAPaper(Lesson):
             rest=tell_way(error - error_by(self.letter, AS_FIXED)),
         )
 
-    def tell_bet(self, bet: KeptBet) -> str:
+    def tell_bet(self, bet: kit.KeptBet) -> str:
         """Return what the place of the bet costs, and which costs most."""
         worst = max(FAULTY, key=lambda name: error_left(self.letter, name))
         facts = {"said": names()[bet], "worst": names()[worst], "letter": self.letter}
@@ -187,7 +174,7 @@ class ReadingAPaper(Lesson):
             )
         return words.format(**facts)
 
-    def draw(self, state: LessonState) -> Picture:
+    def draw(self, state: kit.LessonState) -> kit.Picture:
         """Draw the letter, and beside it what each place costs, or what was tried."""
         letter = learn_by(self.letter, state.values)
         written, error = letter.write(), error_by(self.letter, state.values)
@@ -199,9 +186,9 @@ class ReadingAPaper(Lesson):
         else:
             plots = {"tried": self._draw_tried(state)}
         strokes = written if error < OFF_THE_SHEET else ()
-        return Picture(self._say(state.values), sheet, plots, strokes)
+        return kit.Picture(self._say(state.values), sheet, plots, strokes)
 
-    def _draw_costs(self, state: LessonState) -> Drawing:
+    def _draw_costs(self, state: kit.LessonState) -> kit.Drawing:
         """Draw a bar for each place: the error if it alone is left as printed."""
         ticks, bars = [], []
         for place, name in enumerate(reversed(FAULTY), start=1):
@@ -217,13 +204,13 @@ class ReadingAPaper(Lesson):
             "fills": bars if state.is_revealed else [],
         }
 
-    def _draw_tried(self, state: LessonState) -> Drawing:
+    def _draw_tried(self, state: kit.LessonState) -> kit.Drawing:
         """Draw each set of readings that was tried: its changes, and its error."""
         now = self._place(state.values)
         tried = {self._place(each) for each in state.tried if set(each) == set(PLACES)} - {now}
         dots = [{"at": list(place), "kind": "quiet"} for place in sorted(tried)]
         dots.append({"at": list(now), "kind": "robot", "label": _("now")})
-        drawing: Drawing = {
+        plot: kit.Drawing = {
             "caption": _("How far off"),
             "x": {"label": _("changes"), "low": -0.3, "high": 7.3, "ticks": _whole(len(PLACES))},
             "y": _way_axis(),
@@ -232,16 +219,16 @@ class ReadingAPaper(Lesson):
         if state.step == "challenge":
             line = np.array([[-0.3, self.limit], [MOST_CHANGES + 0.5, self.limit]])
             note = _("{mm:g} mm, at most {n} changes")
-            drawing["note"] = note.format(mm=self.limit, n=MOST_CHANGES)
-            drawing["lines"] = [{"points": line, "kind": "truth"}]
-            drawing["bands"] = [{"from": -0.3, "to": MOST_CHANGES + 0.5}]
-        return drawing
+            plot["note"] = note.format(mm=self.limit, n=MOST_CHANGES)
+            plot["lines"] = [{"points": line, "kind": "truth"}]
+            plot["bands"] = [{"from": -0.3, "to": MOST_CHANGES + 0.5}]
+        return plot
 
-    def _place(self, readings: Answer) -> tuple[float, float]:
+    def _place(self, readings: kit.Answer) -> tuple[float, float]:
         """Return where readings stand on the plot of what was tried."""
         return float(len(changed(readings))), error_by(self.letter, readings)
 
-    def _say(self, readings: Answer) -> dict[str, str]:
+    def _say(self, readings: kit.Answer) -> dict[str, str]:
         """Return the number and the sentence."""
         error = error_by(self.letter, readings)
         number, unit = tell_way(error).split(" ")
@@ -276,7 +263,7 @@ def _whole(most: int) -> list[list[object]]:
     return [[float(n), str(n)] for n in range(most + 1)]
 
 
-def _way_axis() -> Drawing:
+def _way_axis() -> kit.Drawing:
     """Return an axis of lengths from a hair to a field [mm]."""
     words = {0.1: "0.1 mm", 1.0: "1 mm", 10.0: "10 mm", 1000.0: "1 m", 100_000.0: "100 m"}
     ticks = [[value, word] for value, word in words.items()]

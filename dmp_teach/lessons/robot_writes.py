@@ -6,24 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from dmp_teach.classroom import (
-    Answer,
-    Condition,
-    Drawing,
-    DrawnBet,
-    KeptBet,
-    Knobs,
-    Lesson,
-    LessonState,
-    OneOf,
-    Picture,
-    Slider,
-    Task,
-    at_least,
-    at_most,
-    between,
-    holds,
-)
+from dmp_teach import classroom as kit
 from dmp_teach.errors import ReachError
 from dmp_teach.lessons.goals import CM
 from dmp_teach.lessons.page_plan import (
@@ -60,7 +43,7 @@ _LETTERS, _SIDES, _LEAST_ASIDE, _LEAST_SPEEDS = "aDeSM", (-1, 1), (20, 30, 40, 5
 _BET_POINTS = 9
 
 
-class RobotWrites(Lesson):
+class RobotWrites(kit.Lesson):
     """A page lies where all of it is in reach, and a spring in the pen gives way."""
 
     key = "08"
@@ -87,25 +70,25 @@ class RobotWrites(Lesson):
         return _("Where can the robot write?")
 
     @property
-    def knobs(self) -> Knobs:
+    def knobs(self) -> kit.Knobs:
         """What a pupil can set."""
         here = {"unit": "cm", "is_drawn_here": True}
         physics = {"off": _("off"), "ideal": _("perfect motors"), "real": _("real motors")}
         pens = {"sprung": _("with a spring"), "rigid": _("rigid")}
-        ahead = Slider(_("Page ahead"), "x", FIRST_AHEAD, LAST_AHEAD, MAP_STEP, **here)  # type: ignore[arg-type]
-        right = Slider(_("Page to the right"), "−y", -MOST_ASIDE, MOST_ASIDE, MAP_STEP, **here)  # type: ignore[arg-type]
+        ahead = kit.Slider(_("Page ahead"), "x", FIRST_AHEAD, LAST_AHEAD, MAP_STEP, **here)  # type: ignore[arg-type]
+        right = kit.Slider(_("Page to the right"), "−y", -MOST_ASIDE, MOST_ASIDE, MAP_STEP, **here)  # type: ignore[arg-type]
         return {
-            "where": OneOf(_("The page is on a"), kinds()),
-            "pen": OneOf(_("Pen"), pens),
+            "where": kit.OneOf(_("The page is on a"), kinds()),
+            "pen": kit.OneOf(_("Pen"), pens),
             "ahead": ahead,
             "right": right,
-            "press": Slider(_("Pen pressed in"), "Δz", 0, DEEPEST, 1, "mm"),
-            "speed": Slider(_("Speed of the pen"), "v", 10, FASTEST, 5, "cm/s"),
-            "physics": OneOf(_("Physics"), physics, is_view=True),
+            "press": kit.Slider(_("Pen pressed in"), "Δz", 0, DEEPEST, 1, "mm"),
+            "speed": kit.Slider(_("Speed of the pen"), "v", 10, FASTEST, 5, "cm/s"),
+            "physics": kit.OneOf(_("Physics"), physics, is_view=True),
         }
 
     @property
-    def bet(self) -> DrawnBet:
+    def bet(self) -> kit.DrawnBet:
         """The border of reach."""
         question = _(
             "This is the robot, seen from above, and its page on a table. The page is too far "
@@ -115,18 +98,18 @@ class RobotWrites(Lesson):
         angles = np.radians(np.linspace(170, 10, _BET_POINTS))
         places = 0.5 * np.column_stack([np.cos(angles), np.sin(angles)])
         labels = [_("Place {n} of the border").format(n=n + 1) for n in range(_BET_POINTS)]
-        return DrawnBet(question, "sheet", places, labels, axis="xy", step=MAP_STEP * CM)
+        return kit.DrawnBet(question, "sheet", places, labels, axis="xy", step=MAP_STEP * CM)
 
     @property
-    def tasks(self) -> Sequence[Task]:
+    def tasks(self) -> Sequence[kit.Task]:
         """What to try."""
         return (
-            Task(_("Let the robot write. It cannot: take its advice."), by_robot=True),
-            Task(
+            kit.Task(_("Let the robot write. It cannot: take its advice."), by_robot=True),
+            kit.Task(
                 _("Move the page to 100 cm ahead: table or board?"),
                 lambda v: v["where"] == "board" and v["ahead"] == 100,
             ),
-            Task(
+            kit.Task(
                 _("Physics with real motors: let the robot write. Which pen breaks?"),
                 lambda v: v["physics"] == "real" and v["pen"] == "rigid",
                 by_robot=True,
@@ -167,19 +150,19 @@ class RobotWrites(Lesson):
             last.format(**self._wanted, **solved),
         )
 
-    def conditions(self, answer: Answer) -> Sequence[Condition]:
+    def conditions(self, answer: kit.Answer) -> Sequence[kit.Condition]:
         """Return where the page is, whether it is reached, and what joints and pen do."""
         setup = WritingSetup(answer)
         side = _("left") if self.side < 0 else _("right")
         return [
-            at_least(side, self.side * setup.right, self.aside, "cm"),
-            between(_("force"), setup.force, LEAST_FORCE, MOST_FORCE, "N"),
-            holds(_("all corners in reach"), setup.is_reached),
-            *([at_most(_("joint"), setup.percent, MOST_BUSY, "%")] if setup.is_reached else []),
-            at_least(_("pen"), setup.speed, self.speed, "cm/s"),
+            kit.at_least(side, self.side * setup.right, self.aside, "cm"),
+            kit.between(_("force"), setup.force, LEAST_FORCE, MOST_FORCE, "N"),
+            kit.holds(_("all corners in reach"), setup.is_reached),
+            *([kit.at_most(_("joint"), setup.percent, MOST_BUSY, "%")] if setup.is_reached else []),
+            kit.at_least(_("pen"), setup.speed, self.speed, "cm/s"),
         ]
 
-    def mistakes(self, answer: Answer) -> Sequence[tuple[bool, str]]:
+    def mistakes(self, answer: kit.Answer) -> Sequence[tuple[bool, str]]:
         """Return what is wrong with the place, the pen or the speed."""
         setup, words = WritingSetup(answer), causes()
         is_rigid, force = setup.pen == "rigid", setup.force
@@ -200,7 +183,7 @@ class RobotWrites(Lesson):
         facts = setup.facts | self._wanted | {"cm": abs(setup.right), "is_side": is_side}
         return [(is_made, words[name].format(**facts)) for is_made, name in found]
 
-    def praise(self, answer: Answer) -> str:
+    def praise(self, answer: kit.Answer) -> str:
         """Return what was found."""
         words = _(
             "All of the page is in reach, the pen presses with {n} N, and the busiest joint needs "
@@ -208,7 +191,7 @@ class RobotWrites(Lesson):
         )
         return words.format(**WritingSetup(answer).facts)
 
-    def tell_bet(self, bet: KeptBet) -> str:
+    def tell_bet(self, bet: kit.KeptBet) -> str:
         """Return how far the drawn border is from the true one."""
         words = _(
             "You drew the border {said:.0f} cm ahead; it is {true:.0f} cm ahead. On average your "
@@ -219,13 +202,13 @@ class RobotWrites(Lesson):
         said, true, off = compare_borders(np.array(bet), border_of("table"))
         return words.format(said=said, true=true, off=off)
 
-    def values_on(self, page: Page, values: Answer) -> Answer:
+    def values_on(self, page: Page, values: kit.Answer) -> kit.Answer:
         """Return the place of the map that is nearest to a page that cures a fault."""
         x, y = page.X_world_page[:2, 3]
         right, ahead = nearest_at_ease(known_reach(str(values["where"])), -y, x)
         return values | {"right": right, "ahead": ahead}
 
-    def tell_refusal(self, values: Answer, error: ReachError) -> str:
+    def tell_refusal(self, values: kit.Answer, error: ReachError) -> str:
         """Return what is wrong with the page, and where the robot would write."""
         setup, there = WritingSetup(values), WritingSetup(self.values_on(error.cure, values))
         cause = causes()["own way" if setup.residual <= MOST_MISSING else "far"]
@@ -238,12 +221,12 @@ class RobotWrites(Lesson):
         """Return how hard the pen was pushed, and what became of it."""
         return tell_push(run.greatest_force, run.pen)
 
-    def draw(self, state: LessonState) -> Picture:
+    def draw(self, state: kit.LessonState) -> kit.Picture:
         """Draw the page over the map of reach, and what pen and joints do."""
         setup, is_bet = WritingSetup(state.values), state.step == "bet"
         is_hidden = is_bet and not state.is_revealed
         known = [] if is_hidden else draw_reached(setup.where)
-        sheet: Drawing = {
+        sheet: kit.Drawing = {
             "box": FLOOR,
             "title": _("The robot and its page, seen from above."),
             "caption": _("From above"),
@@ -258,7 +241,7 @@ class RobotWrites(Lesson):
         says = _ask(setup) if is_hidden else setup.say()
         physics = setup.physics(state.values["physics"])
         strokes = write_letter(self.letter, setup.speed)
-        return Picture(says, sheet, plots, strokes, setup.page, physics)
+        return kit.Picture(says, sheet, plots, strokes, setup.page, physics)
 
     @property
     def strokes(self) -> tuple[Trajectory, ...]:

@@ -6,21 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from dmp_teach.classroom import (
-    Affine,
-    Answer,
-    Condition,
-    Drawing,
-    DrawnBet,
-    KeptBet,
-    Knobs,
-    Lesson,
-    LessonState,
-    Picture,
-    Slider,
-    Task,
-    at_most,
-)
+from dmp_teach import classroom as kit
 from dmp_teach.lessons.drawing import tell_number
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Array, Trajectory
@@ -47,7 +33,7 @@ def share_left(t: Array, alpha: float, beta: float) -> Array:
     return paths.real
 
 
-class SpringToGoal(Lesson):
+class SpringToGoal(kit.Lesson):
     """A pull and a brake: the pen arrives wherever the goal is."""
 
     key = "01"
@@ -69,7 +55,7 @@ class SpringToGoal(Lesson):
         return _("Why does the pen always arrive?")
 
     @property
-    def knobs(self) -> Knobs:
+    def knobs(self) -> kit.Knobs:
         """What a pupil can turn; where the ring is does not matter to the answer."""
         return {
             "alpha": self._factor(_("How hard it brakes"), "α", 2.0, 60.0),
@@ -79,17 +65,17 @@ class SpringToGoal(Lesson):
         }
 
     @staticmethod
-    def _factor(label: str, term: str, low: float, high: float) -> Slider:
+    def _factor(label: str, term: str, low: float, high: float) -> kit.Slider:
         """Return a slider of a factor of the spring."""
-        return Slider(label, term, low, high, is_log=True, digits=None, unit="/s")
+        return kit.Slider(label, term, low, high, is_log=True, digits=None, unit="/s")
 
     @staticmethod
-    def _goal_slider(label: str, term: str) -> Slider:
+    def _goal_slider(label: str, term: str) -> kit.Slider:
         """Return a slider of the ring, which is drawn in the browser."""
-        return Slider(label, term, -8.0, 8.0, 0.1, "cm", 1, is_drawn_here=True, is_view=True)
+        return kit.Slider(label, term, -8.0, 8.0, 0.1, "cm", 1, is_drawn_here=True, is_view=True)
 
     @property
-    def bet(self) -> DrawnBet:
+    def bet(self) -> kit.DrawnBet:
         """How far the pen is from the ring as time goes by."""
         question = _(
             "A spring pulls the pen to the ring, its goal, and a brake slows it. The brake is "
@@ -98,24 +84,24 @@ class SpringToGoal(Lesson):
         )
         places = np.array([[t, 100 * (1 - t / DURATION)] for t in BET_TIMES])
         labels = [_("Way left after {t:g} s").format(t=t) for t in BET_TIMES]
-        return DrawnBet(
+        return kit.DrawnBet(
             question, "time", places, labels, step=5.0, unit="%", low=-100.0, high=100.0
         )
 
     @property
-    def tasks(self) -> Sequence[Task]:
+    def tasks(self) -> Sequence[kit.Task]:
         """What to try."""
         start = self.start
         return (
-            Task(
+            kit.Task(
                 _("Drag the ring. Does the pen arrive wherever it is?"),
                 lambda v: abs(v["goal_x"] - start["goal_x"]) > 2,
             ),
-            Task(
+            kit.Task(
                 _("Take the strongest brake and the weakest pull. Does it swing, or creep?"),
                 lambda v: v["alpha"] > 40 and v["beta"] < 0.8,
             ),
-            Task(
+            kit.Task(
                 _("Pull hard and brake little. How often does it go past the ring?"),
                 lambda v: v["beta"] > 20 and v["alpha"] < 6,
             ),
@@ -139,16 +125,16 @@ class SpringToGoal(Lesson):
             words.format(**self.solution),
         )
 
-    def conditions(self, answer: Answer) -> Sequence[Condition]:
+    def conditions(self, answer: kit.Answer) -> Sequence[kit.Condition]:
         """Return how far past the ring the pen goes, and how much of the way is left."""
         past, left = self._measure(answer)
         after = _("most left from {time} s on").format(time=self.time)
         return [
-            at_most(after, left, MOST_AWAY, "%"),
-            at_most(_("past the ring"), past, MOST_PAST, "%"),
+            kit.at_most(after, left, MOST_AWAY, "%"),
+            kit.at_most(_("past the ring"), past, MOST_PAST, "%"),
         ]
 
-    def mistakes(self, answer: Answer) -> Sequence[tuple[bool, str]]:
+    def mistakes(self, answer: kit.Answer) -> Sequence[tuple[bool, str]]:
         """Return whether it swings, creeps, or is weak in all."""
         past, left = self._measure(answer)
         facts = {"alpha": f"{answer['alpha']:.2g}", "beta": f"{answer['beta']:.2g}"}
@@ -173,7 +159,7 @@ class SpringToGoal(Lesson):
         ]
         return [(is_made, words.format(time=self.time, **facts)) for is_made, words in found]
 
-    def praise(self, answer: Answer) -> str:
+    def praise(self, answer: kit.Answer) -> str:
         """Return what was found."""
         past, left = self._measure(answer)
         words = _(
@@ -187,7 +173,7 @@ class SpringToGoal(Lesson):
         facts = {"past": tell_number(past, MOST_PAST), "left": tell_number(left, MOST_AWAY)}
         return words.format(time=self.time, **facts)
 
-    def tell_bet(self, bet: KeptBet) -> str:
+    def tell_bet(self, bet: kit.KeptBet) -> str:
         """Return where the bet was furthest off, and how far the pen went past the ring."""
         t = np.array(bet)[:, 0]
         truth = 100 * share_left(t, self.start["alpha"], self.start["beta"])
@@ -201,17 +187,17 @@ class SpringToGoal(Lesson):
         there, true = (tell_number(each[far], digits=0) for each in (said, truth))
         return words.format(past=past, t=t[far], said=there, true=true)
 
-    def draw(self, state: LessonState) -> Picture:
+    def draw(self, state: kit.LessonState) -> kit.Picture:
         """Draw the way to the ring, and how much of it is left over time."""
         values = state.values
         t = np.linspace(0, DURATION, 161)
         left = share_left(t, values["alpha"], values["beta"])
         is_seen = state.is_revealed or state.step != "bet"
         one = np.eye(2)[:, None] / 100
-        goal = Affine(np.zeros((1, 2)), {"goal_x": one[0], "goal_y": one[1]})
+        goal = kit.Affine(np.zeros((1, 2)), {"goal_x": one[0], "goal_y": one[1]})
         path = self._follow(left if is_seen else np.ones(2))
         beads = self._follow(left[:: round(BEAD_EVERY / t[1])]) if is_seen else path
-        sheet: Drawing = {
+        sheet: kit.Drawing = {
             "caption": _("On paper"),
             "note": _("a bead every 0.1 s"),
             "title": _("The way of the pen to the ring."),
@@ -221,7 +207,7 @@ class SpringToGoal(Lesson):
             "beads": beads,
             "rings": [self._ring(goal)],
         }
-        plot: Drawing = {
+        plot: kit.Drawing = {
             "caption": _("How much of the way is left"),
             "note": _("below the line: past the ring"),
             "x": {"label": _("time [s]"), "low": 0.0, "high": DURATION},
@@ -234,18 +220,18 @@ class SpringToGoal(Lesson):
             plot["lines"] = [zero, truth | {"label": _("the pen")}]
             plot["bands"] = [{"from": self.time, "to": DURATION, "label": ""}]
         end = START + (1 - left[:, None]) * (self._goal(values) - START)
-        return Picture(self._say(values, is_seen), sheet, {"time": plot}, (Trajectory(t, end),))
+        return kit.Picture(self._say(values, is_seen), sheet, {"time": plot}, (Trajectory(t, end),))
 
-    def _goal(self, values: Answer) -> Array:
+    def _goal(self, values: kit.Answer) -> Array:
         """Return the place of the ring [m]."""
         return np.array([values["goal_x"], values["goal_y"]]) / 100
 
-    def _follow(self, left: Array) -> Affine:
+    def _follow(self, left: Array) -> kit.Affine:
         """Return the way of the pen, which follows the ring in the browser."""
         gone = (1 - left[:, None]) * np.eye(2)[:, None] / 100
-        return Affine(left[:, None] * START, {"goal_x": gone[0], "goal_y": gone[1]})
+        return kit.Affine(left[:, None] * START, {"goal_x": gone[0], "goal_y": gone[1]})
 
-    def _ring(self, goal: Affine) -> dict[str, object]:
+    def _ring(self, goal: kit.Affine) -> dict[str, object]:
         """Return the ring that is dragged."""
         name = _("The goal. Arrow keys move it.")
         return {
@@ -257,7 +243,7 @@ class SpringToGoal(Lesson):
             "label": name,
         }
 
-    def _measure(self, answer: Answer) -> tuple[float, float]:
+    def _measure(self, answer: kit.Answer) -> tuple[float, float]:
         """Return how far the pen goes past the goal, and what is left at the time [% of the way].
 
         Left is the most of all later moments, so that a pen that swings by is not called there.
@@ -266,7 +252,7 @@ class SpringToGoal(Lesson):
         left = 100 * share_left(t, answer["alpha"], answer["beta"])
         return max(0.0, float(-left.min())), float(np.abs(left[t >= self.time - 1e-9]).max())
 
-    def _say(self, values: Answer, is_seen: bool) -> dict[str, str]:
+    def _say(self, values: kit.Answer, is_seen: bool) -> dict[str, str]:
         """Return the number and the sentence; before the bet is made neither."""
         if not is_seen:
             text, strong = _("The pen waits at its start. "), _("Bet first: pull the dots.")

@@ -3,40 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from functools import partial
 
 import numpy as np
 
-from dmp_teach.classroom import (
-    Affine,
-    Answer,
-    ChosenBet,
-    Condition,
-    Drawing,
-    KeptBet,
-    Knobs,
-    Lesson,
-    LessonState,
-    OneOf,
-    Picture,
-    Slider,
-    Task,
-    at_most,
-    exactly,
-)
+from dmp_teach import classroom as kit
 from dmp_teach.dmp import Settings
-from dmp_teach.lessons.drawing import (
-    GOAL_KNOBS,
-    draw_bumps,
-    draw_sheet,
-    error_axis,
-    error_of,
-    goal_ring,
-    learn_letter,
-    lesson_letter,
-    millimetres,
-    paths_of,
-    sheet_box,
-)
+from dmp_teach.lessons import drawing
 from dmp_teach.lessons.goals import CM
 from dmp_teach.letters import Letter
 from dmp_teach.texts import gettext as _
@@ -52,20 +25,20 @@ LINE_LIMITS = (0.2, 0.1, 0.15, 0.3)
 
 def learn_with(character: str, number: int, width: float = 1.0) -> Letter:
     """Learn a letter of our alphabet with so many kernels of one width [1/N]."""
-    return learn_letter(character, Settings.star(n_kernels=number, kernel_width=width))
+    return drawing.learn_letter(character, Settings.star(n_kernels=number, kernel_width=width))
 
 
 def most_kernels(character: str) -> int:
     """Return how many kernels a letter can have at most: one for each sample of a stroke."""
-    return min(map(len, lesson_letter(character).strokes()))
+    return min(map(len, drawing.lesson_letter(character).strokes()))
 
 
 def error_with(character: str, number: float, width: float = 1.0) -> float:
     """Return how far a letter with its goal at home is off the dots, on average [mm]."""
-    return 1000 * error_of(learn_with(character, int(number), float(width)))
+    return 1000 * drawing.error_of(learn_with(character, int(number), float(width)))
 
 
-class StartHere(Lesson):
+class StartHere(kit.Lesson):
     """Bumps until the line sits on the dots, then a goal that makes another letter."""
 
     key = "00"
@@ -75,7 +48,7 @@ class StartHere(Lesson):
         kind = NEW_LETTERS[0 if random is None else random.integers(len(NEW_LETTERS))]
         self.limit = LINE_LIMITS[0 if random is None else random.integers(len(LINE_LIMITS))]
         self.source, self.new, self.share = kind
-        self.stem, bowl = paths_of(lesson_letter(self.source).strokes())
+        self.stem, bowl = drawing.paths_of(drawing.lesson_letter(self.source).strokes())
         self.end = self.stem[-1] + self.share * (self.stem[0] - self.stem[-1])
         x, y = (round(float(each), 1) for each in (self.end - bowl[-1]) / CM)
         self.start = {"letter": "a", "n_kernels": FEW, "kernel_width": 1.0}
@@ -89,45 +62,45 @@ class StartHere(Lesson):
         return _("Can a robot learn your handwriting?")
 
     @property
-    def knobs(self) -> Knobs:
+    def knobs(self) -> kit.Knobs:
         """What a pupil can set."""
         letters = {each: each for each in ("a", "e", "S", self.source)}
-        goal = {"unit": "cm", "digits": 1, "is_drawn_here": True}
+        goal = partial(kit.Slider, step=0.1, unit="cm", digits=1, is_drawn_here=True)
         needed = self.solution["goal_y"]
         low, high = min(-GOAL_REACH, np.floor(needed)), max(GOAL_REACH, np.ceil(needed))
         return {
-            "letter": OneOf(_("Letter"), letters),
-            "n_kernels": Slider.of("n_kernels", LEAST_BUMPS, MOST_BUMPS, icons=("one", "many")),
-            "kernel_width": Slider.of(
+            "letter": kit.OneOf(_("Letter"), letters),
+            "n_kernels": kit.Slider.of("n_kernels", LEAST_BUMPS, MOST_BUMPS, icons=("one", "many")),
+            "kernel_width": kit.Slider.of(
                 "kernel_width", 0.25, 10.0, is_log=True, icons=("narrow", "one")
             ),
-            "goal_x": Slider(_("Goal, left and right"), "g", -GOAL_REACH, GOAL_REACH, 0.1, **goal),  # type: ignore[arg-type]
-            "goal_y": Slider(_("Goal, down and up"), "g", float(low), float(high), 0.1, **goal),  # type: ignore[arg-type]
+            "goal_x": goal(_("Goal, left and right"), "g", -GOAL_REACH, GOAL_REACH),
+            "goal_y": goal(_("Goal, down and up"), "g", float(low), float(high)),
         }
 
     @property
-    def bet(self) -> ChosenBet:
+    def bet(self) -> kit.ChosenBet:
         """How many bumps are needed."""
         question = _(
             "The dots are an a that a person wrote. The robot remembers it as {n} bumps, and its "
             "line is far off. How many bumps does it need until you see no difference?"
         )
         options = {str(n): _("about {n}").format(n=n) for n in (FEW, ENOUGH, MANY)}
-        return ChosenBet(question.format(n=FEW), options)
+        return kit.ChosenBet(question.format(n=FEW), options)
 
     @property
-    def tasks(self) -> Sequence[Task]:
+    def tasks(self) -> Sequence[kit.Task]:
         """What to try."""
         return (
-            Task(
+            kit.Task(
                 _("Move “How many bumps” until the line sits on the dots."),
                 lambda v: error_with(v["letter"], v["n_kernels"], v["kernel_width"]) < 0.5,
             ),
-            Task(
+            kit.Task(
                 _("Drag the ring to another place. Is it still the same letter?"),
                 lambda v: np.hypot(v["goal_x"], v["goal_y"]) > 1,
             ),
-            Task(_("Let the robot write what you see."), by_robot=True),
+            kit.Task(_("Let the robot write what you see."), by_robot=True),
         )
 
     @property
@@ -159,26 +132,26 @@ class StartHere(Lesson):
         way = {"n": ENOUGH, "y": abs(y), "way": _("up") if y > 0 else _("down")}
         return look.format(new=self.new), drag, last.format(**self._facts, **way)
 
-    def conditions(self, answer: Answer) -> Sequence[Condition]:
+    def conditions(self, answer: kit.Answer) -> Sequence[kit.Condition]:
         """Return the strokes, how near the line is, and where the bowl ends."""
-        strokes = exactly(_("strokes"), len(learn_with(answer["letter"], FEW).strokes), 2)
-        line = at_most(_("line before the ring moved"), self._error(answer), self.limit, "mm")
+        strokes = kit.exactly(_("strokes"), len(learn_with(answer["letter"], FEW).strokes), 2)
+        line = kit.at_most(_("line before the ring moved"), self._error(answer), self.limit, "mm")
         if answer["letter"] != self.source:
             return [strokes, line]
         away = float(np.linalg.norm(self._miss(answer)))
-        return [strokes, line, at_most(_("bowl to its place"), away, BOWL_LIMIT, "cm")]
+        return [strokes, line, kit.at_most(_("bowl to its place"), away, BOWL_LIMIT, "cm")]
 
-    def _error(self, answer: Answer) -> float:
+    def _error(self, answer: kit.Answer) -> float:
         """Return how far the line is off the dots, its goal at home [mm]."""
         return error_with(answer["letter"], answer["n_kernels"], answer["kernel_width"])
 
-    def _miss(self, answer: Answer) -> Array:
+    def _miss(self, answer: kit.Answer) -> Array:
         """Return how far right of its place, and above it, the bowl ends, shape (2,) [cm]."""
         values = answer["letter"], answer["n_kernels"], answer["kernel_width"]
         bowl = learn_with(*values).write(goal_shifts={1: _shift(answer)})[1]
         return (bowl.position[-1] - self.end) / CM
 
-    def mistakes(self, answer: Answer) -> Sequence[tuple[bool, str]]:
+    def mistakes(self, answer: kit.Answer) -> Sequence[tuple[bool, str]]:
         """Return what is wrong with the letter, the bumps or the goal."""
         if answer["letter"] != self.source:
             other = _("The {letter} has 1 stroke. A {new} has a stem and a bowl: choose {source}.")
@@ -207,7 +180,7 @@ class StartHere(Lesson):
             (is_away, below if above < 0 else over),
         ]
         facts = {"width": width, "asleep": 100 * (1 - width), "n": answer["n_kernels"]}
-        facts |= {"mm": millimetres(error / 1000), "x": abs(right), "y": abs(above)}
+        facts |= {"mm": drawing.millimetres(error / 1000), "x": abs(right), "y": abs(above)}
         return [(bool(is_made), words.format(**facts, **self._facts)) for is_made, words in found]
 
     @property
@@ -216,7 +189,7 @@ class StartHere(Lesson):
         letters = {"source": self.source, "new": self.new}
         return {**letters, "limit": self.limit, "away": BOWL_LIMIT, "place": self._place}
 
-    def praise(self, answer: Answer) -> str:
+    def praise(self, answer: kit.Answer) -> str:
         """Return what was found."""
         words = _(
             "A {new} made from the strokes of the person who wrote the {source}: its bowl ends "
@@ -224,10 +197,10 @@ class StartHere(Lesson):
         )
         return words.format(cm=np.linalg.norm(self._miss(answer)), **self._facts)
 
-    def tell_bet(self, bet: KeptBet) -> str:
+    def tell_bet(self, bet: kit.KeptBet) -> str:
         """Return the errors with few, with enough, and with the most bumps there can be."""
         most = most_kernels("a")
-        errors = [millimetres(error_with("a", n) / 1000) for n in (FEW, ENOUGH, most)]
+        errors = [drawing.millimetres(error_with("a", n) / 1000) for n in (FEW, ENOUGH, most)]
         words = _(
             "You said about {said}. With {few} bumps the a is {e[0]} mm off. With {enough} it is "
             "{e[1]} mm off, as thick as a hair. With {most}, the most that it can have, it is "
@@ -235,29 +208,31 @@ class StartHere(Lesson):
         )
         return words.format(said=bet, few=FEW, enough=ENOUGH, most=most, e=errors)
 
-    def draw(self, state: LessonState) -> Picture:
+    def draw(self, state: kit.LessonState) -> kit.Picture:
         """Draw the letter, how far off it is, and its bumps over time."""
         is_truth = state.step == "bet" and state.is_revealed
         values = state.values | ({"n_kernels": ENOUGH} if is_truth else {})
         letter = learn_with(values["letter"], int(values["n_kernels"]), values["kernel_width"])
         last = len(letter.strokes) - 1
         to_goal = letter.responses[last]
-        terms = dict(zip(GOAL_KNOBS, CM * to_goal.to_goal, strict=True))
-        lines = [*paths_of(letter.write())[:last], Affine(to_goal.base, terms)]
+        terms = dict(zip(drawing.GOAL_KNOBS, CM * to_goal.to_goal, strict=True))
+        lines = [*drawing.paths_of(letter.write())[:last], kit.Affine(to_goal.base, terms)]
         moves = [by * CM * GOAL_REACH * term for term in to_goal.to_goal for by in (-1, 1)]
-        sheet = draw_sheet(
+        sheet = drawing.draw_sheet(
             letter.strokes,
             lines,
-            box=sheet_box([*paths_of(letter.strokes), *(to_goal.base + move for move in moves)]),
-            rings=[goal_ring(letter.primitives[last].goal, state.step == "bet")],
+            box=drawing.sheet_box(
+                [*drawing.paths_of(letter.strokes), *(to_goal.base + move for move in moves)]
+            ),
+            rings=[drawing.goal_ring(letter.primitives[last].goal, state.step == "bet")],
             caption=_("On paper"),
             note=_("{n} bumps").format(n=values["n_kernels"]),
         )
-        plots = {"errors": self._draw_errors(state), "bumps": draw_bumps(letter)}
+        plots = {"errors": self._draw_errors(state), "bumps": drawing.draw_bumps(letter)}
         written = letter.write(goal_shifts={last: _shift(values)})
-        return Picture(self._say(values), sheet, plots, written)
+        return kit.Picture(self._say(values), sheet, plots, written)
 
-    def _draw_errors(self, state: LessonState) -> Drawing:
+    def _draw_errors(self, state: kit.LessonState) -> kit.Drawing:
         """Draw how far off this letter is, and the three of the bet once they may be seen."""
         letter, error = str(state.values["letter"]), self._error(state.values)
         most = most_kernels(letter)
@@ -270,15 +245,15 @@ class StartHere(Lesson):
         return {
             "caption": _("How far off"),
             "x": x,
-            "y": error_axis() | {"low": 0.01, "ticks": ticks},
+            "y": drawing.error_axis() | {"low": 0.01, "ticks": ticks},
             "dots": [*dots, {"at": [state.values["n_kernels"], error], "kind": "robot"}],
         }
 
-    def _say(self, values: Answer) -> dict[str, str]:
+    def _say(self, values: kit.Answer) -> dict[str, str]:
         """Return the number and the sentence."""
         far = float(np.hypot(values["goal_x"], values["goal_y"]))
         width, error = float(values["kernel_width"]), self._error(values)
-        number, unit = millimetres(error / 1000), _("mm off the dots")
+        number, unit = drawing.millimetres(error / 1000), _("mm off the dots")
         text = _("{n} bumps of width {width:.2g}. ").format(n=values["n_kernels"], width=width)
         if far > 0.05:
             number, unit = f"{far:.1f}", "cm"
@@ -295,6 +270,6 @@ class StartHere(Lesson):
         return {"number": number, "unit": unit, "text": text, "strong": strong, "after": ""}
 
 
-def _shift(values: Answer) -> Array:
+def _shift(values: kit.Answer) -> Array:
     """Return how far the goal has moved, shape (2,) [m]."""
     return CM * np.array([values["goal_x"], values["goal_y"]])

@@ -7,21 +7,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
-from dmp_teach.classroom import (
-    Affine,
-    Answer,
-    ChosenBet,
-    Condition,
-    Drawing,
-    KeptBet,
-    Knobs,
-    Lesson,
-    LessonState,
-    Picture,
-    Slider,
-    Task,
-    at_most,
-)
+from dmp_teach import classroom as kit
 from dmp_teach.lessons.bumps import BUMP_NUMBER, learn_bumps
 from dmp_teach.lessons.drawing import draw_sheet, millimetres, tell_number
 from dmp_teach.texts import gettext as _
@@ -36,10 +22,10 @@ MOST_CHANGE = 10.0
 # How far the spoilt weight leads the pen astray [mm], and what part of it may be left.
 ASTRAY, LEFT_ASTRAY = 15.0, 0.2
 
-Follow = Callable[[Array, Array], Array | Affine]
+Follow = Callable[[Array, Array], Array | kit.Affine]
 
 
-class TeachALetter(Lesson):
+class TeachALetter(kit.Lesson):
     """One weight is heard from its bump on, and the goal has the last word."""
 
     key = "02"
@@ -69,14 +55,14 @@ class TeachALetter(Lesson):
         return _("How does a robot remember a letter?")
 
     @property
-    def knobs(self) -> Knobs:
+    def knobs(self) -> kit.Knobs:
         """What a pupil can turn."""
         label, low, high = _("Change of its weight"), -MOST_CHANGE, MOST_CHANGE
-        change = Slider(label, "Δw", low, high, 0.5, "cm", 1, is_drawn_here=True)
-        return {"bump": Slider(_("Which bump"), "i", 1, BUMP_NUMBER), "change": change}
+        change = kit.Slider(label, "Δw", low, high, 0.5, "cm", 1, is_drawn_here=True)
+        return {"bump": kit.Slider(_("Which bump"), "i", 1, BUMP_NUMBER), "change": change}
 
     @property
-    def bet(self) -> ChosenBet:
+    def bet(self) -> kit.ChosenBet:
         """What of the letter will move."""
         question = _(
             "The robot remembers this {letter} as {n} bumps, one after the other. Bump {bump} is "
@@ -89,21 +75,21 @@ class TeachALetter(Lesson):
             "back": _("the rest, not the end"),
         }
         asked = question.format(letter=self.letter, n=BUMP_NUMBER, bump=BET_BUMP)
-        return ChosenBet(asked, options)
+        return kit.ChosenBet(asked, options)
 
     @property
-    def tasks(self) -> Sequence[Task]:
+    def tasks(self) -> Sequence[kit.Task]:
         """What to try."""
         return (
-            Task(
+            kit.Task(
                 _("Pull the weight down. What stays where it was? What moves?"),
                 lambda v: v["change"] <= -5,
             ),
-            Task(
+            kit.Task(
                 _("Take the last bump and pull as hard. Why does so little happen?"),
                 lambda v: v["bump"] == BUMP_NUMBER and abs(v["change"]) >= 5,
             ),
-            Task(
+            kit.Task(
                 _("Set the change to 0. Walk to the bump that pushes most, up or down."),
                 lambda v: v["change"] == 0 and v["bump"] == self.bumps.hardest,
             ),
@@ -133,11 +119,11 @@ class TeachALetter(Lesson):
             _("Try bump {bump} and a change of {change:g} cm.").format(**self.solution),
         )
 
-    def conditions(self, answer: Answer) -> Sequence[Condition]:
+    def conditions(self, answer: kit.Answer) -> Sequence[kit.Condition]:
         """Return the error of the letter."""
-        return [at_most(self.letter, self._error(**answer), self.limit, "mm")]
+        return [kit.at_most(self.letter, self._error(**answer), self.limit, "mm")]
 
-    def mistakes(self, answer: Answer) -> Sequence[tuple[bool, str]]:
+    def mistakes(self, answer: kit.Answer) -> Sequence[tuple[bool, str]]:
         """Return whether it is another bump, or another change of it."""
         bump, change = int(answer["bump"]), float(answer["change"])
         error, wanted = self._error(bump, change), self.solution["change"]
@@ -180,7 +166,7 @@ class TeachALetter(Lesson):
         ]
         return [(is_made, words.format(**facts)) for is_made, words in found]
 
-    def praise(self, answer: Answer) -> str:
+    def praise(self, answer: kit.Answer) -> str:
         """Return what was found."""
         words = _(
             "Bump {bump} was {by:g} cm off. One number is put right, and all that came after it is "
@@ -190,7 +176,7 @@ class TeachALetter(Lesson):
         error = tell_number(self._error(**answer), self.limit)
         return words.format(bump=answer["bump"], by=by, letter=self.letter, error=error)
 
-    def tell_bet(self, bet: KeptBet) -> str:
+    def tell_bet(self, bet: kit.KeptBet) -> str:
         """Return what moved, and when it was felt."""
         bumps, awake = self.bumps, self.bumps.awake(BET_BUMP)
         moved = BET_CHANGE * 10 * np.abs(bumps.responses[BET_BUMP - 1])
@@ -208,7 +194,7 @@ class TeachALetter(Lesson):
         }
         return truth.format(bump=BET_BUMP, most=moved.max(), felt=felt) + said[bet]
 
-    def draw(self, state: LessonState) -> Picture:
+    def draw(self, state: kit.LessonState) -> kit.Picture:
         """Draw the letter, its bumps, and the push that is their sum."""
         bumps, values = self.bumps, state.values
         bump, change = int(values["bump"]), float(values["change"])
@@ -217,10 +203,14 @@ class TeachALetter(Lesson):
         spoilt = [self.spoilt] if state.step == "challenge" else []
         base = bumps.write(*spoilt)
 
-        def follow(points: Array, up: Array) -> Array | Affine:
+        def follow(points: Array, up: Array) -> Array | kit.Affine:
             """Let points go up with the change by so much for 1 cm; that of the bet stays."""
             way = np.column_stack([np.zeros(len(up)), up])
-            return points + change * way if state.step == "bet" else Affine(points, {"change": way})
+            return (
+                points + change * way
+                if state.step == "bet"
+                else kit.Affine(points, {"change": way})
+            )
 
         response, awake = bumps.responses[bump - 1] / 100, bumps.awake(bump)
         lit = follow(base[awake], response[awake])
@@ -244,14 +234,14 @@ class TeachALetter(Lesson):
         changes = (*spoilt, (bump, change / 100))
         written = bumps.write(*changes)
         says = self._say(bump, change, 1000 * bumps.error(*changes))
-        return Picture(says, sheet, {"pushes": pushes}, (Trajectory(bumps.t, written),))
+        return kit.Picture(says, sheet, {"pushes": pushes}, (Trajectory(bumps.t, written),))
 
     def _draw_pushes(
         self, bump: int, weights: Array, follow: Follow, *, has_needed: bool
-    ) -> Drawing:
+    ) -> kit.Drawing:
         """Draw each bump as high as it pushes, and the sum of all."""
         bumps, t = self.bumps, self.bumps.t
-        fills: list[Drawing] = []
+        fills: list[kit.Drawing] = []
         for number, (share, weight) in enumerate(zip(bumps.shares, weights, strict=True), start=1):
             awake = bumps.awake(number)
             points = np.column_stack([t, 100 * weight * share])[awake]
@@ -259,8 +249,8 @@ class TeachALetter(Lesson):
             fills.append({"points": follow(points, share[awake]) if is_lit else points})
             fills[-1]["lit"] = is_lit
         push = follow(np.column_stack([t, 100 * weights @ bumps.shares]), bumps.shares[bump - 1])
-        lines: list[Drawing] = [{"points": push, "kind": "robot", "label": _("sum f")}]
-        needed: Drawing = {"points": np.column_stack([t, 100 * bumps.needed]), "kind": "child"}
+        lines: list[kit.Drawing] = [{"points": push, "kind": "robot", "label": _("sum f")}]
+        needed: kit.Drawing = {"points": np.column_stack([t, 100 * bumps.needed]), "kind": "child"}
         lines += [{**needed, "label": _("need")}] if has_needed else []
         most = 5 * math.ceil((100 * np.abs(bumps.weights @ bumps.shares).max() + 4) / 5)
         begin, end = t[bumps.awake(bump)][[0, -1]]

@@ -8,25 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from dmp_teach.classroom import (
-    HABITS,
-    Answer,
-    Condition,
-    DrawnBet,
-    KeptBet,
-    Knobs,
-    LessonState,
-    OneOf,
-    Picture,
-    PupilTraits,
-    RobotPupil,
-    Slider,
-    Task,
-    TeachingLesson,
-    at_most,
-    forecast,
-    known_pupils,
-)
+from dmp_teach import classroom as kit
 from dmp_teach.ink import recording_of
 from dmp_teach.lessons.drawing import paths_of, tell_number
 from dmp_teach.lessons.teaching_pictures import (
@@ -44,14 +26,14 @@ from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Array
 
 # Whom the bet is on, and who is taught first.
-FIRST_PUPIL: Answer = {"pupil": "Mia", "pace": 60, "forgetting": 50}
+FIRST_PUPIL: kit.Answer = {"pupil": "Mia", "pace": 60, "forgetting": 50}
 MIXED_LETTERS = "bdpq"
 # What part of the first distance the line may be away from the dots.
 RECORD_LIMIT = 0.05
 STEP = 5
 
 
-class TeachTheRobot(TeachingLesson):
+class TeachTheRobot(kit.TeachingLesson):
     """A pupil is known by how its letter comes nearer, and by what it forgets."""
 
     key = "09"
@@ -63,28 +45,28 @@ class TeachTheRobot(TeachingLesson):
             self.letter = str(random.choice(list(MIXED_LETTERS)))
             self.seed = int(random.integers(1000))
             pace, forgetting = (STEP * int(random.integers(6, 15)) for _half in range(2))
-            others = [name for name in known_pupils() if name != FIRST_PUPIL["pupil"]]
+            others = [name for name in kit.known_pupils() if name != FIRST_PUPIL["pupil"]]
             found = str(random.choice(others)), pace, forgetting
         self.start = dict(FIRST_PUPIL)
         self.solution = dict(zip(FIRST_PUPIL, found, strict=True))
         self.record = self._forecast(self.solution)
         self.limit = math.ceil(10 * RECORD_LIMIT * self.record[0]) / 10
 
-    def traits_of(self, values: Answer) -> PupilTraits:
+    def traits_of(self, values: kit.Answer) -> kit.PupilTraits:
         """Return the pupil that is set, which forgets when all pupils of this lesson do."""
         traits = self.pupil_named(values["pupil"])
         shares = {name: round(values[name]) / 100 for name in ("pace", "forgetting")}
         return replace(traits, **shares, seed=self.seed)
 
-    def _forecast(self, values: Answer) -> Array:
+    def _forecast(self, values: kit.Answer) -> Array:
         """Return how far off the pupil that is set is as it comes to each turn [mm]."""
-        found = forecast(self.traits_of(values), self.letter, TURNS)
+        found = kit.forecast(self.traits_of(values), self.letter, TURNS)
         return np.array([1000 * far for _memory, far in found])
 
-    def _first(self, values: Answer) -> RobotPupil:
+    def _first(self, values: kit.Answer) -> kit.RobotPupil:
         """Return the pupil that is set, before it has learned anything."""
         if values["pupil"] == self.echo.name:
-            return RobotPupil.load(self.echo, self.letter)
+            return kit.RobotPupil.load(self.echo, self.letter)
         return meet_pupil(values["pupil"], self.letter)
 
     @property
@@ -99,19 +81,21 @@ class TeachTheRobot(TeachingLesson):
         return _("Can you teach a robot that forgets?")
 
     @property
-    def knobs(self) -> Knobs:
+    def knobs(self) -> kit.Knobs:
         """What a teacher can set: who the pupil is, its pace, its forgetting."""
-        names = {name: name for name in known_pupils()}
+        names = {name: name for name in kit.known_pupils()}
         names[self.echo.name] = self.echo.name if self.has_guest else _("like you")
-        pupils = OneOf(_("Pupil"), names)
+        pupils = kit.OneOf(_("Pupil"), names)
         return {
             "pupil": pupils,
-            "pace": Slider(_("Learns in one turn"), _("pace"), *HABITS["pace"], STEP, "%"),
-            "forgetting": Slider(_("Forgets on a bad day"), "", *HABITS["forgetting"], STEP, "%"),
+            "pace": kit.Slider(_("Learns in one turn"), _("pace"), *kit.HABITS["pace"], STEP, "%"),
+            "forgetting": kit.Slider(
+                _("Forgets on a bad day"), "", *kit.HABITS["forgetting"], STEP, "%"
+            ),
         }
 
     @property
-    def bet(self) -> DrawnBet:
+    def bet(self) -> kit.DrawnBet:
         """How far off the letter is, as often as it was shown."""
         words = _(
             "This is how {pupil} the robot writes {letter}. It is shown the letter six times. The "
@@ -122,10 +106,12 @@ class TeachTheRobot(TeachingLesson):
         handles = np.array([[turn, 0.7 * truth[0]] for turn in range(1, TURNS + 1)])
         labels = [_("how far off, after turn {n}").format(n=n) for n in range(1, TURNS + 1)]
         asked = words.format(letter=self.letter, **FIRST_PUPIL)
-        return DrawnBet(asked, "far", handles, labels, step=0.5, unit="mm", low=0.0, high=MOST_FAR)
+        return kit.DrawnBet(
+            asked, "far", handles, labels, step=0.5, unit="mm", low=0.0, high=MOST_FAR
+        )
 
     @property
-    def tasks(self) -> Sequence[Task]:
+    def tasks(self) -> Sequence[kit.Task]:
         """What to try: show, answer, and show again."""
         session = None if self.session and self.session.is_doubted else self.session
         turns = session.turns if session else ()
@@ -135,12 +121,12 @@ class TeachTheRobot(TeachingLesson):
                 "Writing needs a notebook: open the lesson there to show the robot a {letter}."
             )
         return (
-            Task(show.format(letter=self.letter), lambda _v: bool(turns)),
-            Task(
+            kit.Task(show.format(letter=self.letter), lambda _v: bool(turns)),
+            kit.Task(
                 _("It asks you something. Answer: then it will forget less."),
                 lambda _v: any(each.answer is not None for each in turns),
             ),
-            Task(
+            kit.Task(
                 _("Show it again and again. One day it has forgotten: teach it once more."),
                 lambda _v: session is not None and session.is_taught_again,
             ),
@@ -173,16 +159,16 @@ class TeachTheRobot(TeachingLesson):
             ),
         )
 
-    def _apart(self, answer: Answer) -> Array:
+    def _apart(self, answer: kit.Answer) -> Array:
         """Return how much farther off than the record the pupil that is set is, shape (7,) [mm]."""
         return self._forecast(answer) - self.record
 
-    def conditions(self, answer: Answer) -> Sequence[Condition]:
+    def conditions(self, answer: kit.Answer) -> Sequence[kit.Condition]:
         """Return how far the line is from the dots."""
         apart = float(np.sqrt(np.mean(self._apart(answer) ** 2)))
-        return [at_most(_("your line to the dots"), apart, self.limit, "mm")]
+        return [kit.at_most(_("your line to the dots"), apart, self.limit, "mm")]
 
-    def mistakes(self, answer: Answer) -> Sequence[tuple[bool, str]]:
+    def mistakes(self, answer: kit.Answer) -> Sequence[tuple[bool, str]]:
         """Return whether it is another pupil, another pace, or another forgetting."""
         apart, mine = self._apart(answer), self._forecast(answer)
         missed = not all(each.is_met for each in self.conditions(answer))
@@ -226,7 +212,7 @@ class TeachTheRobot(TeachingLesson):
         ]
         return [(bool(is_made), words.format(**facts, **told)) for is_made, words in found]
 
-    def praise(self, answer: Answer) -> str:
+    def praise(self, answer: kit.Answer) -> str:
         """Return what was found."""
         words = _(
             "It was {pupil}. Each time {pace} % of the difference went. After turn {turn} it lost "
@@ -239,7 +225,7 @@ class TeachTheRobot(TeachingLesson):
         near = _("You said {pace:g} % and {forgetting:g} %, which is near enough.")
         return f"{told} {near.format(**answer)}"
 
-    def tell_bet(self, bet: KeptBet) -> str:
+    def tell_bet(self, bet: kit.KeptBet) -> str:
         """Return how far the drawn line is from the truth, and where it rose."""
         truth, lapse = self._forecast(FIRST_PUPIL), self._lapse
         off = float(np.mean(np.abs(np.array(bet)[:, 1] - truth[1:])))
@@ -252,7 +238,7 @@ class TeachTheRobot(TeachingLesson):
         facts = {"one": tell_number(truth[1]), "then": tell_number(truth[lapse])}
         return words.format(turn=lapse, off=tell_number(off), **facts, **FIRST_PUPIL)
 
-    def draw(self, state: LessonState) -> Picture:
+    def draw(self, state: kit.LessonState) -> kit.Picture:
         """Draw its letter beside the shown one, and how far off it is turn by turn."""
         if state.step == "try":
             return self._draw_session(state.values)
@@ -266,9 +252,9 @@ class TeachTheRobot(TeachingLesson):
         line = self._forecast(values)
         note = _("dots: the record; line: yours")
         plot = draw_distances([distance_line(line, "robot")], dots, note, hides_bet=True)
-        return Picture(say_of_pupil(line[0], mine), sheet, {"far": plot}, mine.written.write())
+        return kit.Picture(say_of_pupil(line[0], mine), sheet, {"far": plot}, mine.written.write())
 
-    def _draw_bet(self, is_revealed: bool) -> Picture:
+    def _draw_bet(self, is_revealed: bool) -> kit.Picture:
         """Draw the first pupil's letter, and how far off it then was once that may be seen."""
         pupil, truth = self._first(FIRST_PUPIL), self._forecast(FIRST_PUPIL)
         book = paths_of(recording_of(self.letter).strokes())
@@ -277,9 +263,11 @@ class TeachTheRobot(TeachingLesson):
         lines = [distance_line(truth, "robot")] if is_revealed else []
         dots = [distance_dot(0, truth[0], "robot")]
         plot = draw_distances(lines, dots, _("as it comes to each turn"))
-        return Picture(say_of_pupil(truth[0], pupil), sheet, {"far": plot}, pupil.written.write())
+        return kit.Picture(
+            say_of_pupil(truth[0], pupil), sheet, {"far": plot}, pupil.written.write()
+        )
 
-    def _draw_session(self, values: Answer) -> Picture:
+    def _draw_session(self, values: kit.Answer) -> kit.Picture:
         """Draw the pupil as it is now, what is on the sheet, and how far off it was each turn."""
         session = self.session_with(values)
         pupil, now = session.met[-1], 1000 * np.array(session.far)
@@ -293,4 +281,4 @@ class TeachTheRobot(TeachingLesson):
         sheet = draw_pupil(pupil, paths_of(ink), caption, note)
         told = _("solid: as you taught it; dotted: by the book")
         plot = draw_distances(lines, dots, told, values["pupil"] != FIRST_PUPIL["pupil"])
-        return Picture(say_of_session(session), sheet, {"far": plot}, pupil.written.write())
+        return kit.Picture(say_of_session(session), sheet, {"far": plot}, pupil.written.write())
