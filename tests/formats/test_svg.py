@@ -127,6 +127,10 @@ SAME = {
         '<defs><clipPath id="c"><rect width="100" height="80"/></clipPath></defs>'
     ),
     "on no paper": svg(f"<style>svg{{background:none}}</style>{L}"),
+    "on paper of a light and a dark look": svg(
+        '<rect width="100%" height="80" stroke="none" style="fill:light-dark(#fff, var(--a))"/>'
+        + L.replace("<path", '<path style="stroke:light-dark(rgb(0, 0, 0), rgb(255, 255, 255))"')
+    ),
     "on squared paper": svg('<rect width="100%" height="80" stroke="none" fill="url(#p)"/>' + L),
     "on a blackboard": svg(
         '<rect width="100" height="80" fill="#021" stroke="none"/>'
@@ -166,6 +170,17 @@ def test_pieces_that_continue_each_other_are_one_stroke(tmp_path, pieces):
     )
     (stroke,) = read(tmp_path, svg(body)).strokes()
     assert np.ptp(stroke.position[:, 0]) == pytest.approx(0.09, abs=1e-4)
+
+
+@pytest.mark.parametrize("turned", ["ccc", "aca", "cac"])
+def test_pieces_may_go_either_way_in_a_longer_row(tmp_path, turned):
+    ends = {"a": "{0} 40H{1}", "c": "{1} 40H{0}"}
+    pieces = [ends[turned[k % 3]].format(10 + 7 * k, 17 + 7 * k) for k in range(11)]
+    (stroke,) = read(tmp_path, svg(f'<path d="M{" M".join(pieces)}"/>')).strokes()
+    assert np.ptp(stroke.position[:, 0]) == pytest.approx(0.077, abs=1e-4)
+    # Of a few, each is a stroke of a hand: an o of two bows from its top.
+    bows = '<path d="M50 20A20 20 0 0 0 50 60M50 20A20 20 0 0 1 50 60"/>'
+    assert len(read(tmp_path, svg(bows)).strokes()) == 2
 
 
 def test_arcs_are_one_round_and_what_lies_side_by_side_stays_apart(tmp_path):

@@ -28,6 +28,7 @@ ATTRIBUTES = {"display", "opacity", "transform", "clip-path", "overflow", *INHER
 PROPERTIES = {*ATTRIBUTES, *NOT_FOLLOWED_IN_STYLES, "background", "background-color"}
 SELECTOR = re.compile(r"\*|:root|[A-Za-z][\w-]*|#[\w-]+|(?:[A-Za-z][\w-]*)?\.[\w-]+")
 NESTED = re.compile(r"\{[^{}]*\{")
+LIGHT_OF_TWO = re.compile(r"light-dark\(\s*([^(),]+(?:\([^()]*\))?)\s*,.*", re.DOTALL)
 COMMENT = re.compile(r"/\*.*?(?:\*/|\Z)", re.DOTALL)
 STYLE_CURE = "give its elements these styles themselves, or delete what is hidden."
 Properties = dict[str, str]
@@ -164,6 +165,7 @@ def _declarations(text: str) -> Properties:
 
 def colour(text: str) -> Array:
     """Return red, green, blue and opacity, shape (4,): grey for a pattern, black if unknown."""
+    text = LIGHT_OF_TWO.sub(r"\1", text)
     name, *values = re.split(r"[\s,/()]+", text.strip(") "))
     if name == "url":
         return np.full(4, 0.5)

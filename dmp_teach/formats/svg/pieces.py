@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import pairwise
+from itertools import islice, pairwise
 
 import numpy as np
 import scipy
@@ -16,6 +16,7 @@ PIECE = 0.2  # a line so short may be the piece of one that goes back [share of 
 FORWARD = np.array([1.0, 0.6])  # lines are compared as if they went there
 MEETING = 1e-3  # how near the end of a piece the next one begins [share of the drawing]
 SMOOTH = 0.5  # cosine of the largest turn where a pen goes on
+FEWEST_TURNED = 4  # pieces that meet, before any of them is turned
 NARROW = 0.2  # how wide a closed line may be that is an outline [share of its size]
 
 
@@ -47,7 +48,8 @@ def joined(strokes: Sequence[Array]) -> tuple[list[Array], int]:
     """Return strokes (K, 2) with pieces that continue each other in one.
 
     A hand that draws on a tablet may leave a path for each piece of a stroke: where most of a row
-    of pieces that meet end to end go on without a bend, all of them are one stroke.
+    of pieces that meet end to end go on without a bend, all of them are one stroke. Of a longer row
+    each piece may go either way, as in drawings of machines.
 
     Returns:
         The strokes, and how many begin where the one before ends, with a bend.
@@ -55,19 +57,47 @@ def joined(strokes: Sequence[Array]) -> tuple[list[Array], int]:
     slack = MEETING * np.ptp(np.concatenate(strokes), axis=0).max()
     rows = [[strokes[0]]]
     for before, way in pairwise(strokes):
-        is_dot = not min(path_length(way), path_length(before)) > 0
-        if is_dot or np.abs(way[0] - before[-1]).max() > slack:
+        if not _meet(before, way, slack):
             rows.append([])
         rows[-1].append(way)
-    whole, bends = [], 0
-    for row in rows:
-        turns = [-_heading(after) @ _heading(before[::-1]) for before, after in pairwise(row)]
-        if turns and np.median(turns) > SMOOTH:
-            whole.append(np.concatenate(row))
+    whole = [way for row in rows for way in ([np.concatenate(row)] if _goes_on(row) else row)]
+    return _joined_either_way(whole, slack), sum(len(row) - 1 for row in rows if not _goes_on(row))
+
+
+def _joined_either_way(strokes: Sequence[Array], slack: float) -> list[Array]:
+    """Return strokes (K, 2) with those in one that do where each may be turned round."""
+    rows = [[strokes[0]]]
+    for way in strokes[1:]:
+        last = rows[-1][-1]
+        pairs = [
+            (before, after)
+            for before in ([last] if len(rows[-1]) > 1 else [last, last[::-1]])
+            for after in (way, way[::-1])
+            if _meet(before, after, slack)
+        ]
+        if pairs:
+            rows[-1][-1:] = pairs[0]
         else:
-            whole += row
-            bends += len(turns)
-    return whole, bends
+            rows.append([way])
+    whole: list[Array] = []
+    kept = iter(strokes)
+    for row in rows:
+        own = list(islice(kept, len(row)))
+        is_one = len(row) >= FEWEST_TURNED and _goes_on(row)
+        whole += [np.concatenate(row)] if is_one else own
+    return whole
+
+
+def _meet(before: Array, after: Array, slack: float) -> bool:
+    """Tell whether a way (K, 2) begins where another ends, and neither is a dot."""
+    is_dot = not min(path_length(after), path_length(before)) > 0
+    return not is_dot and bool(np.abs(after[0] - before[-1]).max() <= slack)
+
+
+def _goes_on(row: Sequence[Array]) -> bool:
+    """Tell whether ways (K, 2) that meet go on without a bend, most of them."""
+    turns = [-_heading(after) @ _heading(before[::-1]) for before, after in pairwise(row)]
+    return bool(turns) and bool(np.median(turns) > SMOOTH)
 
 
 def _heading(way: Array) -> Array:
