@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import inspect
+import warnings
 from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from functools import wraps
 from numbers import Integral, Real
@@ -51,6 +52,21 @@ def checked(function: _Function) -> _Function:
         raise SettingError(f"{name} is {shown(value)}, but must be {words}.")
 
     return cast(_Function, call)
+
+
+def warn_caller(words: str, category: type[Warning] = UserWarning, calls: int = 1) -> None:
+    """Warn at the line that called a function, whatever of the way there is `checked`.
+
+    Args:
+        words: The warning.
+        category: Its kind.
+        calls: How many calls up from the function that warns; 1 is the line that called it.
+    """
+    frame, level = inspect.currentframe(), 1
+    while calls >= 0 and frame and frame.f_back:
+        frame, level = frame.f_back, level + 1
+        calls -= frame.f_globals is not globals()
+    warnings.warn(words, category, stacklevel=level)
 
 
 def check_whole(name: str, value: object, least: int, most: int) -> None:

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-import warnings
-
 import numpy as np
 
+from dmp_teach.arguments import warn_caller
 from dmp_teach.dmp.kernels import KERNELS, Cells, Overlap
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import SettingWarning
@@ -31,5 +30,5 @@ def note_gaps(kernels: Cells | Overlap, settings: Settings, duration: float) -> 
         f"{times}{more} from its start. "
         f"{KERNELS[settings.kernel].cure_for_gaps(settings.kernel_width)}"
     )
-    warnings.warn(note, SettingWarning, stacklevel=3)
+    warn_caller(note, SettingWarning, calls=2)
     return (note,)

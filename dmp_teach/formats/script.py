@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import os
 import sys
-import warnings
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -13,6 +12,7 @@ from xml.etree.ElementTree import Element, tostring
 
 import numpy as np
 
+from dmp_teach.arguments import warn_caller
 from dmp_teach.errors import RecordingError
 from dmp_teach.files import contents
 from dmp_teach.formats.read import read_recordings
@@ -91,7 +91,7 @@ def _read_letters(path: str | os.PathLike[str]) -> Iterator[Recording]:
             except RecordingError as error:
                 if named:
                     raise
-                warnings.warn(f"Left out, as no letter: {error}", stacklevel=3)
+                warn_caller(f"Left out, as no letter: {error}", calls=2)
                 continue
             for each in letters:
                 yield replace(each, character=each.character or named)

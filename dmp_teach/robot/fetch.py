@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import replace
@@ -10,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import ArrayLike
 
-from dmp_teach.arguments import checked
+from dmp_teach.arguments import checked, warn_caller
 from dmp_teach.errors import ReachError, ReachWarning
 from dmp_teach.robot.arm import JOINTS, Solver, get_solver
 from dmp_teach.robot.clearance import describe_collision, describe_thin_margin, find_nearest
@@ -101,7 +100,7 @@ class Fetch:
         except Unreachable as error:
             raise _refusal(solver, page, placed, error) from None
         if warning:
-            warnings.warn(warning, ReachWarning, stacklevel=2)
+            warn_caller(warning, ReachWarning)
         return motion
 
 
