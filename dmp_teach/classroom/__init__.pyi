@@ -13,6 +13,7 @@ from .lesson.check import at_most as at_most
 from .lesson.check import between as between
 from .lesson.check import exactly as exactly
 from .lesson.check import holds as holds
+from .lesson.check import tell_number as tell_number
 from .lesson.content import Affine as Affine
 from .lesson.content import Drawing as Drawing
 from .lesson.content import Pick as Pick

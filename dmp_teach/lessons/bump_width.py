@@ -139,7 +139,7 @@ class BumpWidth(kit.Lesson):
         is_far, has_ends = error > self.limit, kernel != "bell"
         facts: kit.Answer = {"width": _width_words(width), "letter": worst, "limit": self.limit}
         facts["mm"] = drawing.millimetres(error / 1000, self.limit)
-        facts["share"] = drawing.tell_number(100 * (1 - width), 0.0, 0)
+        facts["share"] = kit.tell_number(100 * (1 - width), 0.0, 0)
         together = _(
             "All together each bump is told what the others do, and at width {width} {letter} is "
             "{mm} mm off. The challenge is for bumps that learn one at a time."
@@ -265,4 +265,4 @@ class BumpWidth(kit.Lesson):
 
 def _width_words(width: float) -> str:
     """Return a width as it is shown; one that leaves gaps does not look like 1."""
-    return drawing.tell_number(width, 1.0, 2) if width < 1 else f"{width:.2g}"
+    return kit.tell_number(width, 1.0, 2) if width < 1 else f"{width:.2g}"

@@ -9,7 +9,7 @@ from functools import lru_cache
 
 import numpy as np
 
-from dmp_teach.classroom import Affine, Drawing
+from dmp_teach.classroom import Affine, Drawing, tell_number
 from dmp_teach.dmp import DMP, Settings
 from dmp_teach.errors import SettingWarning
 from dmp_teach.ink import DEFAULT_ALPHABET, Recording, recording_of
@@ -20,15 +20,6 @@ from dmp_teach.trajectory import Array, Trajectory, resample_in_time
 # So many points draw one bump.
 BUMP_POINTS = 24
 GOAL_KNOBS = "goal_x", "goal_y"
-
-
-def tell_number(value: float, limit: float = math.inf, digits: int = 1) -> str:
-    """Return a number as it is shown, with more digits where it would else look like its limit."""
-    for more in range(digits, digits + 6):
-        rounded = round(value, more) + 0.0
-        if np.sign(rounded - limit) == np.sign(value - limit):
-            break
-    return f"{rounded:.{more}f}".replace("-", "−")
 
 
 def millimetres(metres: float, limit: float = math.inf) -> str:

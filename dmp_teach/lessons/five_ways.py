@@ -8,8 +8,8 @@ from functools import lru_cache
 
 import numpy as np
 
-from dmp_teach.classroom import Affine, Drawing
-from dmp_teach.lessons.drawing import lesson_letter, sheet_box, tell_number
+from dmp_teach.classroom import Affine, Drawing, tell_number
+from dmp_teach.lessons.drawing import lesson_letter, sheet_box
 from dmp_teach.lessons.goals import CM
 from dmp_teach.studies import (
     WAYS,

@@ -8,10 +8,9 @@ from functools import cached_property, lru_cache
 
 import numpy as np
 
-from dmp_teach.classroom import Affine, Answer, Drawing
+from dmp_teach.classroom import Affine, Answer, Drawing, tell_number
 from dmp_teach.dmp import DMP, Settings, Stepper
 from dmp_teach.ink import DEFAULT_ALPHABET, recording_of
-from dmp_teach.lessons.drawing import tell_number
 from dmp_teach.studies import share_of_same_way
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Array, Trajectory, arc_lengths, interpolate_points

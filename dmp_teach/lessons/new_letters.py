@@ -7,7 +7,6 @@ from collections.abc import Sequence
 import numpy as np
 
 from dmp_teach import classroom as kit
-from dmp_teach.lessons.drawing import tell_number
 from dmp_teach.lessons.new_letters_pictures import draw_blind, draw_letter, draw_speed, draw_whose
 from dmp_teach.lessons.two_hands import BOWL, NewLetter, find_goals
 from dmp_teach.texts import gettext as _
@@ -160,14 +159,14 @@ class NewLetters(kit.Lesson):
         up = made.meeting[1]
         x, y = (0, 0) if made.third == "none" else 1000 * made.third_miss
         facts = {
-            "mm": tell_number(made.gap, MOST_GAP),
+            "mm": kit.tell_number(made.gap, MOST_GAP),
             "where": _where(*made.meeting[0]),
-            "up": tell_number(100 * up, HIGHEST if up > 0.5 else LOWEST, 0),
+            "up": kit.tell_number(100 * up, HIGHEST if up > 0.5 else LOWEST, 0),
             "letter": self.letter,
             "strokes": 2 if self.third == "none" else 3,
             "took": self.thirds[made.third],
             "wanted": self.thirds[self.third],
-            "lean": tell_number(made.lean, self.lean + (1 if made.lean > self.lean else -1)),
+            "lean": kit.tell_number(made.lean, self.lean + (1 if made.lean > self.lean else -1)),
             "asked": self.lean,
             "share": answer["share"],
             "x": f"{abs(x):.0f}",
@@ -218,7 +217,7 @@ class NewLetters(kit.Lesson):
             "Nobody showed this {letter}: {share} % of it is by hand 2, and its bowl ends {mm} mm "
             "from the stem, {up:.0f} % up."
         )
-        mm, up = tell_number(made.gap, MOST_GAP), 100 * made.meeting[1]
+        mm, up = kit.tell_number(made.gap, MOST_GAP), 100 * made.meeting[1]
         return words.format(letter=self.letter, share=answer["share"], mm=mm, up=up)
 
     @property
@@ -279,5 +278,5 @@ def _say(made: NewLetter) -> dict[str, str]:
     else:
         strong = _("By DMP* it looks like hand {n}’s, by similarity like hand {m}’s.")
         strong = strong.format(n=near["DMP*"], m=near["similarity"])
-    number = tell_number(made.gap, MOST_GAP)
+    number = kit.tell_number(made.gap, MOST_GAP)
     return {"number": number, "unit": "mm", "text": text, "strong": strong, "after": ""}

@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from dmp_teach import classroom as kit
-from dmp_teach.lessons.drawing import draw_sheet, goal_ring, tell_number
+from dmp_teach.lessons.drawing import draw_sheet, goal_ring
 from dmp_teach.lessons.five_ways import (
     LED_LETTERS,
     TAKES_AT_HAND,
@@ -184,7 +184,7 @@ class OtherWays(kit.Lesson):
     def _facts(self, led: Led) -> dict[str, object]:
         """Return what sentences name."""
         facts = {"letter": self.letter, "limit": self.limit, "most": NUMBERS_ALLOWED}
-        return facts | led.facts | {"error": tell_number(led.error, self.limit)}
+        return facts | led.facts | {"error": kit.tell_number(led.error, self.limit)}
 
     def praise(self, answer: kit.Answer) -> str:
         """Return what was found, and what it costs."""
@@ -197,7 +197,7 @@ class OtherWays(kit.Lesson):
         star = self._judged(answer, way="dmp")
         more = {
             **{"others": star.tried.way.numbers_stored, "kept": f"{star.share:.0f}"},
-            "off": tell_number(star.error, self.limit),
+            "off": kit.tell_number(star.error, self.limit),
         }
         return words.format(**self._facts(led), **more)
 

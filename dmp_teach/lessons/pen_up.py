@@ -9,7 +9,6 @@ import numpy as np
 
 from dmp_teach import classroom as kit
 from dmp_teach.errors import RecordingError
-from dmp_teach.lessons.drawing import tell_number
 from dmp_teach.lessons.pen_up_pictures import draw_over_time, draw_path, draw_strokes
 from dmp_teach.lessons.unsteady_pen import TREMBLE, Times, disturb
 from dmp_teach.texts import gettext as _
@@ -128,13 +127,13 @@ class PenUp(kit.Lesson):
         }
         facts: kit.Answer = _in_words(answer) | {
             "n": len(strokes),
-            "ms": tell_number(off, MOST_OFF, 0),
+            "ms": kit.tell_number(off, MOST_OFF, 0),
         }
         for name, times in (("lift", pen.lift), ("knock", pen.knock), ("tilt", pen.tilt)):
-            facts[f"{name}_mm"] = tell_number(1000 * pen.highest(times), answer["sigma"], 0)
+            facts[f"{name}_mm"] = kit.tell_number(1000 * pen.highest(times), answer["sigma"], 0)
             # A lift is looked for backwards in time, too: a fall counts as a rise.
             rate = 1000 * pen.fastest(times, falls=name == "tilt")
-            facts[f"{name}_rate"] = tell_number(rate, answer["theta"], 0)
+            facts[f"{name}_rate"] = kit.tell_number(rate, answer["theta"], 0)
         words = self._causes()
         return [(is_made, words[name].format(**facts)) for name, is_made in made.items()]
 

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from dmp_teach import classroom as kit
-from dmp_teach.lessons.drawing import draw_sheet, paths_of, tell_number
+from dmp_teach.lessons.drawing import draw_sheet, paths_of
 from dmp_teach.lessons.paper_readings import (
     AS_CODED,
     AS_FIXED,
@@ -249,8 +249,8 @@ class ReadingAPaper(kit.Lesson):
 def tell_way(mm: float, limit: float = math.inf) -> str:
     """Return a length [mm] as it is read: "0.23 mm", "12 mm", "47 m"."""
     if mm >= 1000:
-        return f"{tell_number(mm / 1000, digits=1 if mm < 9950 else 0)} m"
-    return f"{tell_number(mm, limit, 2 if mm < 0.995 else 1 if mm < 9.95 else 0)} mm"
+        return f"{kit.tell_number(mm / 1000, digits=1 if mm < 9950 else 0)} m"
+    return f"{kit.tell_number(mm, limit, 2 if mm < 0.995 else 1 if mm < 9.95 else 0)} mm"
 
 
 def _upper(words: str) -> str:

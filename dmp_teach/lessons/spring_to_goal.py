@@ -7,7 +7,6 @@ from collections.abc import Sequence
 import numpy as np
 
 from dmp_teach import classroom as kit
-from dmp_teach.lessons.drawing import tell_number
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Array, Trajectory
 
@@ -138,7 +137,10 @@ class SpringToGoal(kit.Lesson):
         """Return whether it swings, creeps, or is weak in all."""
         past, left = self._measure(answer)
         facts = {"alpha": f"{answer['alpha']:.2g}", "beta": f"{answer['beta']:.2g}"}
-        facts |= {"past": tell_number(past, MOST_PAST, 0), "left": tell_number(left, MOST_AWAY, 0)}
+        facts |= {
+            "past": kit.tell_number(past, MOST_PAST, 0),
+            "left": kit.tell_number(left, MOST_AWAY, 0),
+        }
         swings = _(
             "With a brake of {alpha} and a pull of {beta} the pen swings: it goes past the ring by "
             "{past} % of the way."
@@ -170,7 +172,7 @@ class SpringToGoal(kit.Lesson):
             words = _(
                 "It does not swing, and from {time} s on at most {left} % of the way is left."
             )
-        facts = {"past": tell_number(past, MOST_PAST), "left": tell_number(left, MOST_AWAY)}
+        facts = {"past": kit.tell_number(past, MOST_PAST), "left": kit.tell_number(left, MOST_AWAY)}
         return words.format(time=self.time, **facts)
 
     def tell_bet(self, bet: kit.KeptBet) -> str:
@@ -184,7 +186,7 @@ class SpringToGoal(kit.Lesson):
             "{t:g} s you said {said} %, and {true} % is left."
         )
         past, _left = self._measure(self.start)
-        there, true = (tell_number(each[far], digits=0) for each in (said, truth))
+        there, true = (kit.tell_number(each[far], digits=0) for each in (said, truth))
         return words.format(past=past, t=t[far], said=there, true=true)
 
     def draw(self, state: kit.LessonState) -> kit.Picture:
@@ -266,5 +268,5 @@ class SpringToGoal(kit.Lesson):
             strong = _("It is there in time.")
             if left > MOST_AWAY:
                 strong = _("It creeps to the ring.")
-        number = {"number": tell_number(past, MOST_PAST, 0), "unit": _("% past the ring")}
+        number = {"number": kit.tell_number(past, MOST_PAST, 0), "unit": _("% past the ring")}
         return {**number, "text": text, "strong": strong, "after": ""}

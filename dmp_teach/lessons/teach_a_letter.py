@@ -9,7 +9,7 @@ import numpy as np
 
 from dmp_teach import classroom as kit
 from dmp_teach.lessons.bumps import BUMP_NUMBER, learn_bumps
-from dmp_teach.lessons.drawing import draw_sheet, millimetres, tell_number
+from dmp_teach.lessons.drawing import draw_sheet, millimetres
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Array, Trajectory
 
@@ -129,7 +129,7 @@ class TeachALetter(kit.Lesson):
         error, wanted = self._error(bump, change), self.solution["change"]
         between = abs(self.bumps.wakes(bump) - self.bumps.wakes(self.spoilt[0]))
         facts = {"bump": bump, "change": f"{change:+.3g}".replace("-", "−"), "letter": self.letter}
-        facts |= {"error": tell_number(error, self.limit), "limit": self.limit}
+        facts |= {"error": kit.tell_number(error, self.limit), "limit": self.limit}
         facts["s"] = f"{between:.1f}"
         nothing = _(
             "The change of bump {bump} is 0 cm, so nothing is put right yet: {letter} is {error} "
@@ -173,7 +173,7 @@ class TeachALetter(kit.Lesson):
             "right again: {letter} is {error} mm off."
         )
         by = abs(self.solution["change"])
-        error = tell_number(self._error(**answer), self.limit)
+        error = kit.tell_number(self._error(**answer), self.limit)
         return words.format(bump=answer["bump"], by=by, letter=self.letter, error=error)
 
     def tell_bet(self, bet: kit.KeptBet) -> str:

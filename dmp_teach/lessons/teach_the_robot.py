@@ -10,7 +10,7 @@ import numpy as np
 
 from dmp_teach import classroom as kit
 from dmp_teach.ink import recording_of
-from dmp_teach.lessons.drawing import paths_of, tell_number
+from dmp_teach.lessons.drawing import paths_of
 from dmp_teach.lessons.teaching_pictures import (
     MOST_FAR,
     TURNS,
@@ -174,9 +174,12 @@ class TeachTheRobot(kit.TeachingLesson):
         missed = not all(each.is_met for each in self.conditions(answer))
         lapse = self._lapse
         facts = {"letter": self.letter, **answer, "turn": lapse}
-        facts |= {"first": tell_number(mine[0]), "was": tell_number(self.record[0])}
-        facts |= {"one": tell_number(mine[1]), "one_was": tell_number(self.record[1])}
-        facts |= {"then": tell_number(mine[lapse]), "then_was": tell_number(self.record[lapse])}
+        facts |= {"first": kit.tell_number(mine[0]), "was": kit.tell_number(self.record[0])}
+        facts |= {"one": kit.tell_number(mine[1]), "one_was": kit.tell_number(self.record[1])}
+        facts |= {
+            "then": kit.tell_number(mine[lapse]),
+            "then_was": kit.tell_number(self.record[lapse]),
+        }
         other = answer["pupil"] != self.solution["pupil"]
         told = {"mine": "", "theirs": ""}
         if other:
@@ -235,8 +238,8 @@ class TeachTheRobot(kit.TeachingLesson):
             "{then} mm off, mirrored again. Each forgetting after that takes half as much. Your "
             "line is {off} mm away, on average."
         )
-        facts = {"one": tell_number(truth[1]), "then": tell_number(truth[lapse])}
-        return words.format(turn=lapse, off=tell_number(off), **facts, **FIRST_PUPIL)
+        facts = {"one": kit.tell_number(truth[1]), "then": kit.tell_number(truth[lapse])}
+        return words.format(turn=lapse, off=kit.tell_number(off), **facts, **FIRST_PUPIL)
 
     def draw(self, state: kit.LessonState) -> kit.Picture:
         """Draw its letter beside the shown one, and how far off it is turn by turn."""

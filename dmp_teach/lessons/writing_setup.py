@@ -6,9 +6,9 @@ from functools import cached_property, lru_cache
 
 import numpy as np
 
-from dmp_teach.classroom import Answer
+from dmp_teach.classroom import Answer, tell_number
 from dmp_teach.dmp import Settings
-from dmp_teach.lessons.drawing import learn_letter, tell_number
+from dmp_teach.lessons.drawing import learn_letter
 from dmp_teach.lessons.goals import CM
 from dmp_teach.lessons.page_plan import place_on_map
 from dmp_teach.lessons.pen_pressing import (

@@ -3,7 +3,7 @@
 import pytest
 
 import dmp_teach as teach
-from dmp_teach.lessons.drawing import tell_number
+from dmp_teach.classroom import tell_number
 from dmp_teach.lessons.how_many_bumps import error_with_number
 
 GAPS = "leaves gaps: for"

@@ -55,19 +55,12 @@ class Condition(Value):
     @property
     def shown(self) -> str:
         """The number with its unit, with so many digits that it does not hide the verdict."""
-        # A sum with 0.0 has no minus before a zero.
-        value = self.number + 0.0
-        limits = [limit for limit in (self.low, self.high) if math.isfinite(limit)]
+        value = self.number
         is_count = not self.unit and value % 1 == 0
         digits = 0 if is_count or abs(value) >= 10 else 1
         # As the sentence below the pictures says it.
         digits += self.unit == "mm" and abs(value) < 0.995
-        words = f"{value:.{digits}f}"
-        for more in range(digits + 1, 7):
-            if all(_side(float(words), limit) == _side(value, limit) for limit in limits):
-                break
-            words = f"{value:.{more}f}"
-        return f"{words.replace('-', '−')} {self.unit}".strip()
+        return f"{tell_number(value, self.high, digits, self.low)} {self.unit}".strip()
 
     @property
     def rule(self) -> str:
@@ -109,9 +102,16 @@ class Fact(Condition):
         return f"{self.name[:1].upper()}{self.name[1:]}: {self.shown}."
 
 
-def _side(value: float, limit: float) -> int:
-    """Return whether a value is above a limit, 1, on it, 0, or below it, -1."""
-    return (value > limit) - (value < limit)
+def tell_number(
+    value: float, high: float = math.inf, digits: int = 1, low: float = -math.inf
+) -> str:
+    """Return a number as it is shown, with more digits where it would else look like a limit."""
+    for more in range(digits, digits + 6):
+        # A sum with 0.0 has no minus before a zero.
+        rounded = round(value, more) + 0.0
+        if all((rounded > x, rounded < x) == (value > x, value < x) for x in (low, high)):
+            break
+    return f"{rounded:.{more}f}".replace("-", "−")
 
 
 # Any: as what is called.
