@@ -445,7 +445,17 @@ def test_one_number_that_cannot_be_is_left_out_and_noted_by_its_row(tmp_path, ce
 def test_where_no_other_marker_moves_one_of_a_body_is_the_pen(tmp_path):
     path = d_file(tmp_path / "D_w07.csv")
     clean = read_recording(path)
-    path.write_text(path.read_text().replace("Unlabeled:5000", "RigidBody 2:Marker1"))
+    text = path.read_text().replace("Unlabeled:5000", "RigidBody 2:Marker1")
+    path.write_text(text.replace("Marker,", "Rigid Body Marker,"))
+    assert np.array_equal(read_recording(path).position, clean.position)
+
+
+def test_two_names_of_one_marker_may_overlap(tmp_path):
+    t, page = writer_of_d().sampled()
+    clean = read_recording(motive(tmp_path / "a.csv", t, lab(page)))
+    early, late = lab(page), lab(page)
+    early[260:], late[:250] = np.nan, np.nan
+    path = motive(tmp_path / "b.csv", t, early, ghosts=[("Unlabeled:6000", late)])
     assert np.array_equal(read_recording(path).position, clean.position)
 
 

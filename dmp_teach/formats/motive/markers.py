@@ -24,6 +24,7 @@ FEWEST_MOVES = 3  # a marker that was pushed moves once or twice
 RIVAL_SHARE = 0.5  # a marker that moves so often beside the one that moves most may be the pen
 LATEST_RETURN = 0.5  # a marker that comes back later may be anything [s]
 REJOIN_RADIUS = 0.01  # a marker comes back this near to where it was lost ... [m]
+SAME_PLACE = 0.002  # two names of one marker may be seen at once, so near [m]
 HAND_SPEED = 1.0  # ... or as far as a hand moves meanwhile [m/s]
 MOST_PIECES = 200  # of a pen under changing names
 LONGEST_LEAP = 0.1  # a marker that leaps farther than a hand moves is another thing [m]
@@ -196,16 +197,19 @@ def _unbroken(track: Track, t: Array) -> list[Track]:
 def _nearest_part(pen: Track, other: Track, t: Array) -> tuple[float, np.ndarray]:
     """Return the part of a marker that fits best where the pen is lost.
 
-    A marker that is ever seen beside the pen is another thing.
+    A marker that is ever seen beside the pen, and not where it is, is another thing.
 
     Returns:
         How far it begins or ends from where the pen is lost, 1 being as far as can be; and the
         part, as places in the track.
     """
     place = np.searchsorted(pen.seen, other.seen)
-    if np.isin(other.seen, pen.seen).any():
-        return np.inf, place[:0]
-    parts = np.split(np.arange(len(place)), np.flatnonzero(np.diff(place)) + 1)
+    beside = np.isin(other.seen, pen.seen)
+    away_from_pen = other.points[beside] - pen.points[np.isin(pen.seen, other.seen)]
+    alone = np.flatnonzero(~beside)
+    if not len(alone) or np.abs(away_from_pen).max(initial=0.0) > SAME_PLACE:
+        return np.inf, alone[:0]
+    parts = np.split(alone, np.flatnonzero(np.diff(place[alone])) + 1)
     away = [_distance(pen, other, part, int(place[part[0]]), t) for part in parts]
     best = int(np.argmin(away))
     return away[best], parts[best]

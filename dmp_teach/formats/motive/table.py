@@ -31,6 +31,7 @@ MOST_FAULTS = 0.02  # of the rows may have no time
 LENGTH_UNITS = {"m": 1.0, "meter": 1.0, "metre": 1.0}
 LENGTH_UNITS |= {"cm": 0.01, "centimeter": 0.01, "centimetre": 0.01}
 LENGTH_UNITS |= {"mm": 0.001, "millimeter": 0.001, "millimetre": 0.001}
+KINDS_OF_COLUMNS = {"marker": {"marker", "rigid body marker"}, "rigid body": {"rigid body"}}
 UTF16_MARKS = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
 Rows = list[list[str]]
 AxisColumns = dict[str, int]  # of "X", "Y" and "Z", from 0
@@ -164,10 +165,11 @@ def _scale(top: Rows) -> float:
     return 1.0
 
 
-def _columns_of(wanted: str, top: Rows, axes: list[str]) -> dict[MarkerKey, AxisColumns]:
+def _columns_of(what: str, top: Rows, axes: list[str]) -> dict[MarkerKey, AxisColumns]:
     """Return the columns X, Y, Z of the Position of every thing of a type; twins are counted."""
+    wanted = KINDS_OF_COLUMNS[what]
     kinds = next(
-        (k for k, row in enumerate(top) if wanted in (cell.strip().lower() for cell in row)), None
+        (k for k, row in enumerate(top) if wanted & {cell.strip().lower() for cell in row}), None
     )
     if kinds is None or kinds + 1 >= len(top):
         return {}
@@ -179,7 +181,7 @@ def _columns_of(wanted: str, top: Rows, axes: list[str]) -> dict[MarkerKey, Axis
     twins: dict[tuple[str, str], int] = {}
     for j, cells in enumerate(zip(top[kinds], top[kinds + 1], quantities, axes, strict=False)):
         kind, label, quantity, axis = (cell.strip() for cell in cells)
-        if kind.lower() != wanted or not label:
+        if kind.lower() not in wanted or not label:
             continue
         found.setdefault((label, 0), {})
         if quantity.lower() == "position" and axis.upper() in list("XYZ"):
