@@ -24,7 +24,7 @@ def gaussian_kernel(N: int, sigma: float = 4.0, width: float = 1.0) -> KernelFun
 
     Args:
         N: How many kernels there are.
-        sigma: Their roundness: h_i = (N / sigma)^2.
+        sigma: Their roundness: h_i = (N / sigma)^2, in equation 4 half of it.
         width: Where they end: theta_i = width / (2 N).
     """
 

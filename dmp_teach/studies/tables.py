@@ -45,7 +45,8 @@ class Tabled(Value):
 
     def __repr__(self) -> str:
         columns = shortened(", ".join(self.columns))
-        return f"{type(self).__name__}({len(self.rows())} rows: {columns})"
+        n = len(self.rows())
+        return f"{type(self).__name__}({n} row{'s' * (n != 1)}: {columns})"
 
     def _repr_html_(self) -> str:
         """Return the rows as a table in a notebook."""

@@ -289,7 +289,7 @@ def test_dmp_plus_is_more_accurate_and_with_all_else_the_same_the_form_changes_n
     found = on_accuracy.state_of_the_art(made())
     assert found.verdict == DEPENDS
     assert "Not for: DMP+" in found.depends_on
-    assert "; 100 %" in on_accuracy.accuracy_and_efficiency(made()).figure
+    assert " %, 100 %, " in on_accuracy.accuracy_and_efficiency(made()).figure
 
 
 def test_a_linear_decay_saves_kernels_where_they_stand_at_equal_phases():

@@ -16,8 +16,8 @@ from dmp_teach.trajectory import Array
 class Gaussian(Kernel):
     """psi_i = exp(-h_i/2 (s - c_i)^2), h_i = 1 / (sigma * spacing at c_i)^2.
 
-    The paper's equation 4, and where it has ends the truncated one of equation 6; of width 1/N, of
-    equation 10.
+    The paper's equation 4, whose h_i is half as large; with ends the truncated one of equation 6,
+    of width 1/N that of equation 10.
 
     Args:
         sigma: The roundness, in spacings between kernels, 1/N; infinite for boxes.

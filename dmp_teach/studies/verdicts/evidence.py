@@ -250,9 +250,16 @@ class Evidence(Value):
 
     @_once
     def time_ratio(self, reading: Reading) -> float:
-        """Return the time that DMP* takes, as a share of what Ijspeert's form takes."""
+        """Return the time that DMP* takes, as a share of the same with full Gaussians."""
         paths = [each.path for each in self.open_strokes]
-        return single.time_ratio(paths, reading.star, Settings.original())
+        full = replace(
+            reading.star,
+            kernel_width=np.inf,
+            kernel_sigma=0.65,
+            kernel_spread=None,
+            kernel_sides="both",
+        )
+        return single.time_ratio(paths, reading.star, full)
 
     @_once
     def shapes(self, reading: Reading) -> random_ink.RandomInkErrors:

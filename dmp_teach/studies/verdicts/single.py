@@ -47,13 +47,13 @@ def find_error(piece: tuple[Trajectory, Variant, float, float]) -> float:
     return error / float(np.ptp(path.position, axis=0).max())
 
 
-def time_ratio(paths: Sequence[Trajectory], settings: Settings, original: Settings) -> float:
-    """Return how long a form takes to learn and draw, as a share of what the original form takes.
+def time_ratio(paths: Sequence[Trajectory], settings: Settings, other: Settings) -> float:
+    """Return how long one way takes to learn and draw, as a share of what another takes.
 
     The median over six strokes, the quickest of five tries each, N = Num/10 for both. Measured once
     in a process, then kept.
     """
-    variants, paths = (Variant(settings), Variant(original)), paths[:TIMED_STROKES]
+    variants, paths = (Variant(settings), Variant(other)), paths[:TIMED_STROKES]
     key = (variants, *(path.position.tobytes() for path in paths))
     if key not in _TIMES:
         ratios = [_quickest(path, variants[0]) / _quickest(path, variants[1]) for path in paths]
