@@ -25,7 +25,8 @@ GOAL_OFFSETS = (0.05, 0.02, 0.01, 0.005, 0.002, 0.001, 0.0005)
 class GoalsNearStart(Tabled):
     """Strokes whose goal was brought near their start in one coordinate, and then moved.
 
-    The last axis of the arrays (L, C, 3) is as shown, drawn by the original form, and by DMP*.
+    The last axes of the arrays (L, C, 2, 2) are the goal near the start and moved, and what draws:
+    the original form and DMP*.
 
     Args:
         ways: How near, shape (L,) [m].
@@ -44,14 +45,14 @@ class GoalsNearStart(Tabled):
     @property
     def growth(self) -> Array:
         """The median growth of the acceleration by the original form and DMP*, shape (L, 2)."""
-        return np.median(self.acceleration[:, :, 1:] / self.acceleration[:, :, :1], axis=1)
+        return np.median(self.acceleration[:, :, 1] / self.acceleration[:, :, 0], axis=1)
 
     @property
     def broken(self) -> Array:
-        """The share of those within all limits as shown that break one, both forms, (L, 2)."""
+        """The share of those within all limits before that break one, both forms, (L, 2)."""
         demand = np.maximum(self.speed, self.effort)
-        kept = demand[:, :, :1] <= 1
-        return ((demand[:, :, 1:] > 1) & kept).sum(axis=1) / np.maximum(kept.sum(axis=1), 1)
+        kept = demand[:, :, 0] <= 1
+        return ((demand[:, :, 1] > 1) & kept).sum(axis=1) / np.maximum(kept.sum(axis=1), 1)
 
     @property
     def columns(self) -> Columns:
@@ -105,28 +106,28 @@ def close_up(path: Trajectory, axis: int, way: float) -> Trajectory:
 
 
 def _demands(piece: tuple[Trajectory, tuple, float, Settings, Settings]) -> Array:
-    """Return acceleration, speed and effort of one stroke, shape (L, 2 or fewer, 3, 3)."""
+    """Return acceleration, speed and effort of one stroke, shape (L, 2 or fewer, 2, 2, 3)."""
     path, ways, shift, *forms = piece
     columns = []
     for axis in range(2):
         bent = [close_up(path, axis, way) for way in ways]
         try:
-            columns.append([_demands_of_three(each, axis, shift, forms) for each in bent])
+            columns.append([_demands_of_both(each, axis, shift, forms) for each in bent])
         except SettingError:
             # The other coordinate ends where it began: the original form refuses it.
             continue
     return np.array(columns).swapaxes(0, 1) if columns else np.empty(0)
 
 
-def _demands_of_three(
+def _demands_of_both(
     path: Trajectory, axis: int, shift: float, forms: Sequence[Settings]
-) -> list[list[float]]:
-    """Return the demands of the stroke as shown, by the original form and by DMP*."""
-    old, star = (DMP.imitate(path, settings) for settings in forms)
-    moved = shift * np.eye(2)[axis]
-    rollouts = (
-        star.rollout(),
-        old.rollout(goal=old.goal + moved),
-        star.rollout(goal=star.goal + moved),
-    )
-    return [[greatest_acceleration(each), *arm_at_table().demand(each)] for each in rollouts]
+) -> list[list[list[float]]]:
+    """Return the demands to the goal and to the moved one, of both forms."""
+    learned, moved = [DMP.imitate(path, form) for form in forms], shift * np.eye(2)[axis]
+    return [
+        [[greatest_acceleration(each), *arm_at_table().demand(each)] for each in drawn]
+        for drawn in (
+            [form.rollout() for form in learned],
+            [form.rollout(goal=form.goal + moved) for form in learned],
+        )
+    ]

@@ -79,9 +79,9 @@ def goal_on_start(evidence: Evidence, reading: Reading) -> Found:
 def huge_accelerations(evidence: Evidence, reading: Reading) -> Found:
     """Judge whether near x_0 a small change of g breaks the robot's limits, and not with DMP*.
 
-    Of the strokes that the Fetch's joints can follow as shown, at least half can no longer once the
-    goal, 5 or 0.5 mm from the start, moves by 10 mm; with DMP* all still can. A case for each
-    distance.
+    Of the strokes that the Fetch's joints can follow as a form draws them, at least half can no
+    longer once the goal, 5 or 0.5 mm from the start, moves by 10 mm; with DMP* all still can. A
+    case for each distance.
     """
     near = evidence.closeness(reading)
     cases, words = {}, []

@@ -144,8 +144,8 @@ def any_ink(evidence: Evidence, reading: Reading) -> Found:
 @claim_by_reading(
     "any scale",
     "Trajectories of arbitrary scale are learned.",
-    "The median error as a share of the size: as written, ten times as large, a tenth as large, "
-    "and written three times as fast",
+    "The median error as a share of the size: as written, ten times as large and a tenth as large "
+    "(the same by construction), and written three times as fast",
 )
 def any_scale(evidence: Evidence, reading: Reading) -> Found:
     """Judge whether strokes of other sizes and paces are learned within 2 % of their size.
