@@ -7,20 +7,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from dmp_teach import classroom as kit
+from dmp_teach.lessons import goals
 from dmp_teach.lessons.drawing import draw_sheet, goal_ring, millimetres
-from dmp_teach.lessons.goals import (
-    ACROSS,
-    ASIDE,
-    AWAY,
-    CM,
-    LEAST_SHARE,
-    MOST_MISS,
-    UP,
-    UPWARDS,
-    MovedLetter,
-    mean_distance,
-    tell_rule,
-)
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Trajectory
 
@@ -45,12 +33,12 @@ class MoveGoal(kit.Lesson):
             self.up = (1, -1)[random.integers(2)]
         self.start = {"goal_x": 0.0, "goal_y": 0.0, "moves_at": 0.0, "rule": "original"}
         self.start["letter"] = self.letter
-        led = MovedLetter(self.letter, self.start)
-        offset = float(led.offsets[0][0] / CM)
+        led = goals.MovedLetter(self.letter, self.start)
+        offset = float(led.offsets[0][0] / goals.CM)
         self.side = -1 if offset > 0 else 1
         self.latest = int(9 * led.times[-1]) / 10
         # Across the start, where the letter is mirrored and not made wider.
-        self.start["goal_x"] = self.side * min(ACROSS, round(2 * abs(offset), 1))
+        self.start["goal_x"] = self.side * min(goals.ACROSS, round(2 * abs(offset), 1))
         self.solution = self.start | {"rule": "star"}
         self.solution |= {"goal_x": 10.5 * self.side, "goal_y": 4.5 * self.up}
 
@@ -64,9 +52,11 @@ class MoveGoal(kit.Lesson):
         """What a pupil can set."""
         rules = {"original": _("first rule"), "printed": _("DMP* as printed")}
         rules |= {"star": "DMP*", "similarity": _("similarity")}
-        low, high = sorted([self.side * ACROSS, -self.side * AWAY])
+        low, high = sorted([self.side * goals.ACROSS, -self.side * goals.AWAY])
         x = kit.Slider(_("Goal to the right"), "g", low, high, 0.1, "cm", 1, is_drawn_here=True)
-        y = kit.Slider(_("Goal upwards"), "g", -UP, UP, 0.1, "cm", 1, is_drawn_here=True)
+        y = kit.Slider(
+            _("Goal upwards"), "g", -goals.UP, goals.UP, 0.1, "cm", 1, is_drawn_here=True
+        )
         letters = {each: each for each in (self.letter, STEEP)}
         return {
             "goal_x": x,
@@ -84,7 +74,7 @@ class MoveGoal(kit.Lesson):
             "moved to the other side of the start. Draw the line that the robot will write, from "
             "the start to the ring."
         )
-        led = MovedLetter(self.letter, self.start)
+        led = goals.MovedLetter(self.letter, self.start)
         u = np.linspace(0.12, 0.74, BET_POINTS)[:, None]
         places = led.primitive.start + u * led.offsets[1]
         labels = [_("Place {n} of the line").format(n=n + 1) for n in range(BET_POINTS)]
@@ -120,7 +110,9 @@ class MoveGoal(kit.Lesson):
             "{least:g} % of the line must go the way that the person’s went, and the pen must stop "
             "at its goal."
         )
-        return words.format(x=ASIDE, y=UPWARDS, least=LEAST_SHARE, **self._wanted())
+        return words.format(
+            x=goals.ASIDE, y=goals.UPWARDS, least=goals.LEAST_SHARE, **self._wanted()
+        )
 
     @property
     def hints(self) -> tuple[str, str, str]:
@@ -138,18 +130,18 @@ class MoveGoal(kit.Lesson):
 
     def conditions(self, answer: kit.Answer) -> Sequence[kit.Condition]:
         """Return how far the goal moved, how much kept its way, and where the pen stops."""
-        led, wanted = MovedLetter(self.letter, answer), self._wanted()
+        led, wanted = goals.MovedLetter(self.letter, answer), self._wanted()
         x, y = map(float, led.shift * (self.side, self.up))
         return [
-            kit.at_least(wanted["aside"], x, ASIDE, "cm"),
-            kit.at_least(wanted["up"], y, UPWARDS, "cm"),
-            kit.at_least(_("the same way"), led.share, LEAST_SHARE, "%"),
-            kit.at_most(_("from the goal"), led.miss, MOST_MISS, "mm"),
+            kit.at_least(wanted["aside"], x, goals.ASIDE, "cm"),
+            kit.at_least(wanted["up"], y, goals.UPWARDS, "cm"),
+            kit.at_least(_("the same way"), led.share, goals.LEAST_SHARE, "%"),
+            kit.at_most(_("from the goal"), led.miss, goals.MOST_MISS, "mm"),
         ]
 
     def mistakes(self, answer: kit.Answer) -> Sequence[tuple[bool, str]]:
         """Return what is wrong with the rule, the moment or the place."""
-        led = MovedLetter(self.letter, answer)
+        led = goals.MovedLetter(self.letter, answer)
         aside, up, same, from_goal = (each.is_met for each in self.conditions(answer))
         is_multiplied_or_turned = answer["rule"] in ("original", "similarity")
         same_way = _(" {share} % of the line goes the same way.")
@@ -166,7 +158,7 @@ class MoveGoal(kit.Lesson):
         short = _("The goal has moved {x} cm {x_way}; it is to move {x_least:g} cm {aside}.")
         low = _("The goal has moved {y} cm {y_way}; it is to move {y_least:g} cm {up}.")
         found = [
-            (not same and is_multiplied_or_turned, "".join(tell_rule(led)) + same_way),
+            (not same and is_multiplied_or_turned, "".join(goals.tell_rule(led)) + same_way),
             (not same and answer["moves_at"] > 0, jumps + same_way),
             (not from_goal and answer["rule"] == "printed", lags),
             (not from_goal, hasty),
@@ -174,7 +166,7 @@ class MoveGoal(kit.Lesson):
             (not aside, short),
             (not up, low),
         ]
-        facts = led.facts | {"x_least": ASIDE, "y_least": UPWARDS} | self._wanted()
+        facts = led.facts | {"x_least": goals.ASIDE, "y_least": goals.UPWARDS} | self._wanted()
         facts["x_way"], facts["y_way"] = _ways(*led.shift)
         return [(is_made, words.format(**facts)) for is_made, words in found]
 
@@ -189,13 +181,13 @@ class MoveGoal(kit.Lesson):
             "{share} % of the {letter} goes the same way, {cm:.1f} cm from its old goal. The "
             "first rule would have multiplied it by {fx} sideways."
         )
-        return words.format(**MovedLetter(self.letter, answer).facts)
+        return words.format(**goals.MovedLetter(self.letter, answer).facts)
 
     def tell_bet(self, bet: kit.KeptBet) -> str:
         """Return how far the drawn line is from the robot's, and whose it is like."""
-        led = MovedLetter(self.letter, self.start)
-        slid = MovedLetter(self.letter, self.start | {"rule": "star"})
-        off, off_slid = (mean_distance(np.array(bet), each.path) for each in (led, slid))
+        led = goals.MovedLetter(self.letter, self.start)
+        slid = goals.MovedLetter(self.letter, self.start | {"rule": "star"})
+        off, off_slid = (goals.mean_distance(np.array(bet), each.path) for each in (led, slid))
         words = _(
             "On average your line is {off} mm from the robot’s. The first rule multiplies the "
             "{letter} by {fx} sideways: it is mirrored."
@@ -209,7 +201,7 @@ class MoveGoal(kit.Lesson):
 
     def draw(self, state: kit.LessonState) -> kit.Picture:
         """Draw the letter, and one coordinate of it over time by two rules."""
-        led = MovedLetter(str(state.values["letter"]), state.values)
+        led = goals.MovedLetter(str(state.values["letter"]), state.values)
         is_hidden = state.step == "bet" and not state.is_revealed
         sheet = draw_sheet(
             led.strokes,
@@ -225,13 +217,13 @@ class MoveGoal(kit.Lesson):
         return kit.Picture(says, sheet, plots, strokes)
 
     def _draw_plots(
-        self, led: MovedLetter, is_hidden: bool, has_knob: bool
+        self, led: goals.MovedLetter, is_hidden: bool, has_knob: bool
     ) -> dict[str, kit.Drawing]:
         """Draw left and right over time, and the velocity, by this rule and by another one."""
         names = {"original": _("first"), "similarity": _("similarity")}
         rule = str(led.values["rule"])
         other = "star" if rule == "original" else "original"
-        beside = MovedLetter(led.character, led.values | {"rule": other})
+        beside = goals.MovedLetter(led.character, led.values | {"rule": other})
         x = {"label": "", "low": 0.0, "high": float(led.times[-1])}
         plots: dict[str, kit.Drawing] = {}
         for order, name in enumerate(("position", "velocity")):
@@ -250,16 +242,16 @@ class MoveGoal(kit.Lesson):
             plots["position"]["thresholds"] = [knob]
         return plots
 
-    def _ask(self, led: MovedLetter) -> dict[str, str]:
+    def _ask(self, led: goals.MovedLetter) -> dict[str, str]:
         """Return what is said before the truth is seen."""
         text = _("is how far the goal has moved, to the other side of the start. ")
         says = {"number": f"{abs(led.shift[0]):.1f}", "unit": "cm", "text": text}
         return says | {"strong": _("What will the robot write?"), "after": ""}
 
 
-def _say(led: MovedLetter) -> dict[str, str]:
+def _say(led: goals.MovedLetter) -> dict[str, str]:
     """Return the number and the sentence."""
-    strong, after = tell_rule(led)
+    strong, after = goals.tell_rule(led)
     text = ""
     if led.values["moves_at"]:
         after += _(" The pen runs after its goal at {hurry:.0f} cm/s.")

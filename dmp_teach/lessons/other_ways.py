@@ -8,22 +8,8 @@ from dataclasses import replace
 import numpy as np
 
 from dmp_teach import classroom as kit
+from dmp_teach.lessons import five_ways
 from dmp_teach.lessons.drawing import draw_sheet, goal_ring
-from dmp_teach.lessons.five_ways import (
-    LED_LETTERS,
-    TAKES_AT_HAND,
-    Led,
-    box_around,
-    draw_errors,
-    draw_side_by_side,
-    find_hand,
-    list_ways,
-    meant_by,
-    say_way,
-    takes_of,
-    way_names,
-    ways_here,
-)
 from dmp_teach.texts import gettext as _
 
 REACH = 7.0
@@ -39,10 +25,10 @@ class OtherWays(kit.Lesson):
 
     def vary(self, random: np.random.Generator | None) -> None:
         """Choose the letter, whose hand, and how near is near enough."""
-        self.letter = "S" if random is None else str(random.choice(list(LED_LETTERS)))
+        self.letter = "S" if random is None else str(random.choice(list(five_ways.LED_LETTERS)))
         random = random or np.random.default_rng(2)
-        self.hand, self.needed, self.limit = find_hand(self.letter, random)
-        self.shift = LED_LETTERS[self.letter]
+        self.hand, self.needed, self.limit = five_ways.find_hand(self.letter, random)
+        self.shift = five_ways.LED_LETTERS[self.letter]
         goal = {"goal_x": self.shift[0], "goal_y": self.shift[1]}
         self.start = {"way": "dmp", "shown": 1, **goal}
         self.solution = {"way": "cost", "shown": self.needed, **goal}
@@ -55,8 +41,8 @@ class OtherWays(kit.Lesson):
     @property
     def knobs(self) -> kit.Knobs:
         """What a pupil can set; where the goal is, is no part of the answer."""
-        names = way_names()
-        options = {key: names[key] for key in ways_here()}
+        names = five_ways.way_names()
+        options = {key: names[key] for key in five_ways.ways_here()}
         x, y = (
             kit.Slider(
                 label,
@@ -74,7 +60,7 @@ class OtherWays(kit.Lesson):
         )
         return {
             "way": kit.OneOf(_("Way to learn"), options),
-            "shown": kit.Slider(_("Letters shown"), "n", 1, TAKES_AT_HAND),
+            "shown": kit.Slider(_("Letters shown"), "n", 1, five_ways.TAKES_AT_HAND),
             "goal_x": x,
             "goal_y": y,
         }
@@ -135,16 +121,18 @@ class OtherWays(kit.Lesson):
             _("Take cost, and show {n} letters.").format(n=self.needed),
         )
 
-    def _led(self, answer: kit.Answer, **other: object) -> Led:
+    def _led(self, answer: kit.Answer, **other: object) -> five_ways.Led:
         """Return what an answer writes, with the goal of the challenge or another one."""
         values = answer | other
         shift = (
             float(values.get("goal_x", self.shift[0])),
             float(values.get("goal_y", self.shift[1])),
         )
-        return Led(self.letter, self.hand, str(values["way"]), int(values["shown"]), shift)
+        return five_ways.Led(
+            self.letter, self.hand, str(values["way"]), int(values["shown"]), shift
+        )
 
-    def _judged(self, answer: kit.Answer, **other: object) -> Led:
+    def _judged(self, answer: kit.Answer, **other: object) -> five_ways.Led:
         """Return what an answer writes to the goal of the challenge."""
         return self._led({name: answer[name] for name in ("way", "shown")}, **other)
 
@@ -181,7 +169,7 @@ class OtherWays(kit.Lesson):
         ]
         return [(is_made, words.format(**facts)) for is_made, words in found]
 
-    def _facts(self, led: Led) -> dict[str, object]:
+    def _facts(self, led: five_ways.Led) -> dict[str, object]:
         """Return what sentences name."""
         facts = {"letter": self.letter, "limit": self.limit, "most": NUMBERS_ALLOWED}
         return facts | led.facts | {"error": kit.tell_number(led.error, self.limit)}
@@ -219,8 +207,8 @@ class OtherWays(kit.Lesson):
         """Draw takes, the line to the ring and the one to its home; all ways; and the error."""
         is_hidden = state.step == "bet" and not state.is_revealed
         led = self._led(state.values)
-        takes = takes_of(self.letter, self.hand)[: led.shown]
-        home = meant_by(self.letter)[-1]
+        takes = five_ways.takes_of(self.letter, self.hand)[: led.shown]
+        home = five_ways.meant_by(self.letter)[-1]
         is_home = state.step == "challenge"
         lines = [led.tried.letter.position if is_home else led.line][: not is_hidden]
         ring = goal_ring(home, state.step != "try") | ({"at": home[None]} if is_home else {})
@@ -234,7 +222,7 @@ class OtherWays(kit.Lesson):
         sheet = draw_sheet(
             takes[:1],
             lines,
-            box=box_around(self._judged(self.start), REACH),
+            box=five_ways.box_around(self._judged(self.start), REACH),
             rings=[ring],
             caption=_("On paper"),
             note=note.format(n=led.shown),
@@ -245,25 +233,25 @@ class OtherWays(kit.Lesson):
         if is_home:
             plots = {"error": self._draw_errors(state, led)}
         return kit.Picture(
-            self._ask() if is_hidden else say_way(led, is_home), sheet, plots, strokes
+            self._ask() if is_hidden else five_ways.say_way(led, is_home), sheet, plots, strokes
         )
 
-    def _draw_ways(self, led: Led, is_hidden: bool) -> kit.Drawing:
+    def _draw_ways(self, led: five_ways.Led, is_hidden: bool) -> kit.Drawing:
         """Say how ways learn; once the bet is placed, draw what all write of so many letters."""
         if is_hidden:
-            return list_ways() | {"caption": _("How each way learns")}
-        letters = {key: replace(led, key=key) for key in ways_here()}
+            return five_ways.list_ways() | {"caption": _("How each way learns")}
+        letters = {key: replace(led, key=key) for key in five_ways.ways_here()}
         note = (_("{n} shown") if led.shown > 1 else _("one shown")).format(n=led.shown)
-        return draw_side_by_side(letters, led) | {
+        return five_ways.draw_side_by_side(letters, led) | {
             "caption": _("Each way, to the ring"),
             "note": note,
         }
 
-    def _draw_errors(self, state: kit.LessonState, led: Led) -> kit.Drawing:
+    def _draw_errors(self, state: kit.LessonState, led: five_ways.Led) -> kit.Drawing:
         """Draw how far from what was meant each way was with each number that was tried."""
         tried = {(str(each["way"]), int(each["shown"])) for each in state.tried}
         letters = [self._judged({"way": way, "shown": n}) for way, n in tried]
-        return draw_errors([*letters, led], self.limit)
+        return five_ways.draw_errors([*letters, led], self.limit)
 
     def _ask(self) -> dict[str, str]:
         """Return what is said before the truth is seen."""

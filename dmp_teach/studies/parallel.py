@@ -8,9 +8,9 @@ from __future__ import annotations
 
 import threading
 import warnings
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable
 from concurrent.futures import Executor
-from contextlib import contextmanager
+from functools import partial
 from typing import Any, TextIO
 
 from tqdm.auto import tqdm
@@ -18,6 +18,8 @@ from tqdm.auto import tqdm
 from dmp_teach.errors import SettingError, SettingWarning, kind_of
 
 Progress = Callable[[int, int], object]
+# Without warnings about settings.
+_quiet = partial(warnings.catch_warnings, action="ignore", category=SettingWarning)
 
 
 def run(
@@ -65,14 +67,6 @@ def _do(work: Callable, piece: Any) -> Any:
         return work(piece)
     with _quiet():
         return work(piece)
-
-
-@contextmanager
-def _quiet() -> Iterator[None]:
-    """Silence warnings about settings."""
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", SettingWarning)
-        yield
 
 
 def progress_bar(

@@ -7,40 +7,17 @@ from collections.abc import Callable, Sequence
 import numpy as np
 from matplotlib.figure import Figure
 
+from dmp_teach import studies
 from dmp_teach.errors import SettingError
 from dmp_teach.ink import Recording, recording_of
 from dmp_teach.letters import Letter
 from dmp_teach.robot import Fetch, Page
-from dmp_teach.studies import (
-    GoalPaths,
-    RecordingsLike,
-    Written,
-    draw_goal_change,
-    list_letters,
-    list_letters_on_page,
-    list_recordings,
-    make_p_from_d,
-    redraw_at_widths,
-    redraw_letters,
-    sweep_kernel_number,
-    sweep_kernel_width,
-    trace_goal_change,
-)
-from dmp_teach.views.figures import (
-    draw_d_to_p,
-    draw_error_over_number,
-    draw_error_over_width,
-    draw_four_widths,
-    draw_goal_change_over_time,
-    draw_goal_paths,
-    draw_kernel_types,
-    draw_pipeline,
-    draw_redrawn_letters,
-    draw_writing,
-)
+from dmp_teach.views import figures
 
 
-def figure(number: int, recordings: RecordingsLike = None, *, labels: str | None = None) -> Figure:
+def figure(
+    number: int, recordings: studies.RecordingsLike = None, *, labels: str | None = None
+) -> Figure:
     """Draw one of the paper's figures again, by its own number.
 
     1 the robot writing an a, in frames; 2 the kinds of kernel; 3 the pipeline, ours; 4 error
@@ -65,14 +42,14 @@ def figure(number: int, recordings: RecordingsLike = None, *, labels: str | None
         raise SettingError(
             f"number is {number!r}, but the paper's figures are 1 to {len(FIGURES)}."
         )
-    given = list_recordings(recordings, labels)
-    list_letters_on_page(given)
+    given = studies.list_recordings(recordings, labels)
+    studies.list_letters_on_page(given)
     return FIGURES[number](given)
 
 
 def _robot(given: Sequence) -> Figure:
     letter = Letter.learn(_letter(given).strokes)
-    return draw_writing(Fetch().write(letter.write(), Page.table()))
+    return figures.draw_writing(Fetch().write(letter.write(), Page.table()))
 
 
 def _pipeline(given: Sequence) -> Figure:
@@ -80,42 +57,46 @@ def _pipeline(given: Sequence) -> Figure:
     of_a = [each for each in captured if each.character == "a"]
     recording = next(iter(of_a or captured), recording_of("a"))
     letter = Letter.learn(recording)
-    return draw_pipeline(recording, letter, Fetch().write(letter.write(), Page.table()))
+    return figures.draw_pipeline(recording, letter, Fetch().write(letter.write(), Page.table()))
 
 
 def _moved_goal(given: Sequence) -> Figure:
     letter = _letter(given)
     name = f"{letter.character}, x"
-    return draw_goal_change_over_time(trace_goal_change(letter.strokes[0], name=name))
+    return figures.draw_goal_change_over_time(
+        studies.trace_goal_change(letter.strokes[0], name=name)
+    )
 
 
 def _mirrored_letter(given: Sequence) -> Figure:
     """Draw the goal to the side on which the original form mirrors the letter, where one is."""
     letter = _letter(given)
     shifts = 0.1 * np.array([[1, 0], [-1, 0], [0, 1], [0, -1]])
-    paths = [draw_goal_change(letter.strokes[0], tuple(s), letter.character) for s in shifts]
+    paths = [
+        studies.draw_goal_change(letter.strokes[0], tuple(s), letter.character) for s in shifts
+    ]
 
-    def mirrors(path: GoalPaths) -> bool:
+    def mirrors(path: studies.GoalPaths) -> bool:
         return bool(path.factor.min() < 0)
 
-    return draw_goal_paths(next(filter(mirrors, paths), paths[0]))
+    return figures.draw_goal_paths(next(filter(mirrors, paths), paths[0]))
 
 
-def _letter(given: Sequence) -> Written:
+def _letter(given: Sequence) -> studies.Written:
     """Return the first a, or the first letter where there is none."""
-    letters = list_letters(given)
+    letters = studies.list_letters(given)
     return next((each for each in letters if each.character == "a"), letters[0])
 
 
 FIGURES: dict[int, Callable[[Sequence], Figure]] = {
     1: _robot,
-    2: lambda _: draw_kernel_types(),
+    2: lambda _: figures.draw_kernel_types(),
     3: _pipeline,
-    4: lambda given: draw_error_over_width(sweep_kernel_width(given)),
-    5: lambda given: draw_four_widths(redraw_at_widths(given)),
-    6: lambda given: draw_error_over_number(sweep_kernel_number(given)),
+    4: lambda given: figures.draw_error_over_width(studies.sweep_kernel_width(given)),
+    5: lambda given: figures.draw_four_widths(studies.redraw_at_widths(given)),
+    6: lambda given: figures.draw_error_over_number(studies.sweep_kernel_number(given)),
     7: _moved_goal,
     8: _mirrored_letter,
-    9: lambda given: draw_redrawn_letters(redraw_letters(given)),
-    10: lambda given: draw_d_to_p(make_p_from_d(given)),
+    9: lambda given: figures.draw_redrawn_letters(studies.redraw_letters(given)),
+    10: lambda given: figures.draw_d_to_p(studies.make_p_from_d(given)),
 }
