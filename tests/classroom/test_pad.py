@@ -264,8 +264,23 @@ def test_what_is_done_to_a_try_that_was_brought_back_makes_another_try(panel, fo
     assert panel.save().name == "a_w01.json"
     assert [recording.writer for recording in panel.recordings] == ["w01"]
     send(panel, good())
-    assert [len(recording.strokes()) for recording in panel.recordings] == [1, 2]
+    assert [len(recording.strokes()) for recording in panel.recordings] == [1, 1]
     assert [each["number"] for each in panel.tries] == [1, 2]
+
+
+@pytest.mark.parametrize("character", ["a", "D"])
+def test_a_letter_written_after_a_right_one_is_the_next_try(panel, character):
+    for _ in range(2):
+        write(panel, character)
+    assert len(panel.recordings) == len(panel.tries) == 2
+    assert {each["word"] for each in panel.tries} == {"the same"}
+
+
+def test_a_letter_that_stands_upright_on_a_turned_sheet_is_called_turned(panel):
+    rows = good()
+    rows[:, 1:3] @= np.array([[np.cos(0.6), np.sin(0.6)], [-np.sin(0.6), np.cos(0.6)]])
+    send(panel, rows)
+    assert "turned to the left, by 3" in panel.message["text"]
 
 
 def test_another_letter_begins_on_an_empty_sheet_of_its_own_size(panel):
@@ -560,7 +575,7 @@ def test_bad_input_gets_a_sentence_and_the_sheet_stays(panel, content, words):
     assert panel.ink == before
     assert panel.answered == 7
     write(panel)
-    assert len(panel.counts) == 2
+    assert len(panel.recordings) == 2
 
 
 def test_a_stroke_that_comes_twice_or_too_late_is_left_out(panel):

@@ -80,9 +80,13 @@ class Attempt:
         """The other letter that it looks like, "" for none at all; None where it may be right."""
         found = self.score
         is_known = self.character in characters()
-        if found is None or not is_known or found.matching.mirrored or found.matching.turn:
+        if found is None or not is_known or found.matching.mirrored:
             return None
-        return read_letter(self.recording, self.character)
+        # What is turned is read upright: so somebody may write on the turned sheet of a left hand.
+        cos, sin = np.cos(np.radians(found.turn)), np.sin(np.radians(found.turn))
+        back = np.array([[cos, -sin], [sin, cos]])
+        upright = [replace(stroke, position=stroke.position @ back) for stroke in self.ink]
+        return read_letter(upright, self.character)
 
     @property
     def is_dot(self) -> bool:
@@ -133,6 +137,13 @@ class Attempt:
             return not self.missing_strokes
         found = self.score
         return found is not None and not found.matching.missing and self.looks_like is None
+
+    @property
+    def is_right(self) -> bool:
+        """Whether all strokes of the model are there and no others, and it can be read."""
+        if self.is_free or not self.is_whole or self.score is None or self.looks_like is not None:
+            return False
+        return not self.score.matching.missing and not self.score.matching.extra
 
     def is_at(self, model: Recording | None) -> bool:
         """Whether it was this letter, in this script, that was to be written."""

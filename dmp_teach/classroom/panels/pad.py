@@ -121,9 +121,10 @@ class Pad(Results, PadTraits, RobotPanel):
         stroke = pad_stroke(points, pressed)
         now = self._attempts.now
         before = now.strokes if now else ()
-        if now is not None and not before:
-            # A recording from a file is an attempt of its own.
+        if now is not None and (not before or (now.is_right and not self._pen_lift.missed)):
+            # A recording from a file is an attempt of its own, and so is a letter with all strokes.
             self.start_again()
+            before = ()
         if len(before) >= MAX_STROKES:
             raise RecordingError(f"One letter has at most {MAX_STROKES} strokes: start again.")
         strokes = self._pen_lift.take(before, stroke)
