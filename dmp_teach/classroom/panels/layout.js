@@ -52,7 +52,7 @@ export function rulerLength(/** @type {View} */ { k }) {
 }
 
 /** Where its words end. */
-const rulerEnd = (/** @type {View} */ view) => 24 + rulerLength(view) * 0.01 * view.k + 44;
+const rulerEnd = (/** @type {View} */ view) => 16 + Math.max(rulerLength(view) * 0.01 * view.k, 52);
 
 /**
  * One label for starts that lie on each other: "start 1, 2".
