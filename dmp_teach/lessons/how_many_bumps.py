@@ -137,12 +137,12 @@ class HowManyBumps(kit.Lesson):
         """Return whether there are too few or too many."""
         number = int(answer["n_kernels"])
         error, unused = self._measure(answer)
-        each = 1000 * self.duration / number
-        facts = {"n": number, "letter": self.letter, "limit": self.limit, "each": f"{each:.0f}"}
+        each = self.duration / number
+        facts = {"n": number, "letter": self.letter, "limit": self.limit, "each": f"{each:.2f}"}
         facts |= {"error": drawing.millimetres(error / 1000, self.limit)}
         few = _(
-            "{n} bumps: each one holds the same push for {each} thousandths of a second, so bends "
-            "are cut short. {letter} is {error} mm off; the limit is {limit}."
+            "{n} bumps: each one holds the same push for {each} s, so bends are cut short. "
+            "{letter} is {error} mm off; the limit is {limit}."
         )
         many = _(
             "{n} bumps bring {letter} to {error} mm, and {limit} would be near enough. Fewer will "

@@ -45,7 +45,7 @@ def draw_over_time(pen: UnsteadyPen, strokes: Sequence[Trajectory] | None) -> di
     t = pen.recording.t
     scenes = {
         "height": (_("How high the marker is [mm]"), pen.height, -2.0, 25.0),
-        "rise": (_("How fast it rises, dz/dt [mm/s]"), pen.rise, -120.0, 200.0),
+        "rise": (_("How fast it rises, dz/dt [mm/s]"), pen.rise, -200.0, 200.0),
     }
     seconds = [[n, _("{n} s").format(n=n)] for n in range(int(t[-1]) + 1)]
     plots: dict[str, Drawing] = {}

@@ -116,7 +116,9 @@ class TeachALetter(kit.Lesson):
                 "the dots? Light the bump that is awake there, or the one before."
             ),
             turned.format(first=bump - 1, last=bump + 1),
-            _("Try bump {bump} and a change of {change:g} cm.").format(**self.solution),
+            _("Try bump {bump} and a change of {change} cm.").format(
+                bump=self.solution["bump"], change=f"{self.solution['change']:g}".replace("-", "−")
+            ),
         )
 
     def conditions(self, answer: kit.Answer) -> Sequence[kit.Condition]:

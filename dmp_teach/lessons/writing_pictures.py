@@ -32,7 +32,7 @@ def draw_force(setup: WritingSetup) -> Drawing:
     dot: Drawing = {"at": [setup.press, setup.force], "kind": "robot"}
     return {
         "caption": _("How hard the pen presses"),
-        "note": _("{n} N if still; an apple: 1 N").format(n=setup.facts["n"]),
+        "note": _("{n} N at rest; an apple weighs 1 N").format(n=setup.facts["n"]),
         "x": x,
         "y": {"label": "", "low": 0.0, "high": _MOST_FORCE, "ticks": _ticks(range(4), "N")},
         "lines": lines,

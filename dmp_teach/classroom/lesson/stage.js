@@ -196,7 +196,7 @@ export class Stage {
 }
 
 const spokenPlace = (/** @type {number[]} */ [x, y]) =>
-  `${(100 * x).toFixed(1)}, ${(100 * y).toFixed(1)} cm`;
+  `${(100 * x).toFixed(1)}, ${(100 * y).toFixed(1)} cm`.replaceAll("-", "−");
 
 /** The name of a picture, and a word about it. */
 function captionOf() {
