@@ -12,6 +12,9 @@ from collections.abc import Iterable
 from typing import Any, ClassVar
 
 import anywidget
+import traitlets
+
+from dmp_teach.texts import javascript_texts
 
 _OF_EVERY_WIDGET = frozenset(anywidget.AnyWidget.class_trait_names(sync=True))
 
@@ -25,10 +28,17 @@ class UnsavedWidget(anywidget.AnyWidget):
 
     _open: ClassVar[tuple[str, ...]] = ()
 
+    texts = traitlets.Dict(read_only=True).tag(sync=True)
+
     # Any: values of traits.
     def __init__(self, **traits: Any) -> None:
         super().__init__(**traits)
         self.on_msg(self._tell_all)
+
+    @traitlets.default("texts")
+    def _find_texts(self) -> dict[str, object]:
+        """Return the script's texts in the language that is spoken now."""
+        return javascript_texts()
 
     def open(self) -> None:
         """Open the way to the browser, and send it the traits."""

@@ -18,7 +18,6 @@ from dmp_teach.classroom.panels.kept import kept
 from dmp_teach.errors import SettingError
 from dmp_teach.files import join_modules, join_styles
 from dmp_teach.texts import gettext as _
-from dmp_teach.texts import javascript_texts
 from dmp_teach.views import STYLE_TOKENS, UnsavedWidget
 
 _HERE = Path(__file__).parent
@@ -68,7 +67,6 @@ class Challenge(UnsavedWidget):
     progress: traitlets.Dict[str, Any] = traitlets.Dict().tag(sync=True)
     card: traitlets.Dict[str, Any] = traitlets.Dict().tag(sync=True)
     answered = traitlets.Int(0).tag(sync=True)
-    texts = traitlets.Dict(read_only=True).tag(sync=True)
 
     def __init__(
         self,
@@ -136,11 +134,6 @@ class Challenge(UnsavedWidget):
                 "hints": list(self.hints[: now["hints"]]),
                 "offersHint": is_stuck and now["hints"] < len(self.hints),
             }
-
-    @traitlets.default("texts")
-    def _find_texts(self) -> dict[str, object]:
-        """Return the script's texts in the language that is spoken now."""
-        return javascript_texts()
 
     def _ipython_display_(self) -> None:
         """Show the card, and its text where it cannot live."""

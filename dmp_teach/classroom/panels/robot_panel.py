@@ -21,7 +21,6 @@ from dmp_teach.formats import known_formats, read_recording
 from dmp_teach.ink import Recording, characters
 from dmp_teach.robot import Motion, Page, Run, check_page
 from dmp_teach.texts import gettext as _
-from dmp_teach.texts import javascript_texts
 from dmp_teach.trajectory import Trajectory
 from dmp_teach.views import SceneView, UnsavedWidget
 
@@ -73,9 +72,7 @@ class RobotPanel(UnsavedWidget):
 
     The other traits are set here: `robot` (the strokes, packed), `work` (idle, working or cannot),
     `older` (whether the robot has written another letter than is seen), `scene` (its view, once it
-    has written) and `still` (its picture until then),
-    `files` (the formats that `load` reads), and `texts` (the script's, in the language that is
-    spoken).
+    has written) and `still` (its picture until then), and `files` (the formats that `load` reads).
     """
 
     choices: traitlets.List[list[str]] = traitlets.List().tag(sync=True)
@@ -92,7 +89,6 @@ class RobotPanel(UnsavedWidget):
     scene = anywidget.WidgetTrait().tag(sync=True)
     still = traitlets.Unicode(_STILL).tag(sync=True)
     files = traitlets.Dict(read_only=True).tag(sync=True)
-    texts = traitlets.Dict(read_only=True).tag(sync=True)
 
     # Any: values of traits.
     def __init__(self, page: Page | None = None, **traits: Any):
@@ -120,11 +116,6 @@ class RobotPanel(UnsavedWidget):
             "names": _("{names} or {last}").format(names=", ".join(names[:-1]), last=names[-1]),
             "limit": MAX_FILE_BYTES,
         }
-
-    @traitlets.default("texts")
-    def _find_texts(self) -> dict[str, object]:
-        """Return the scripts' texts in the language that is spoken now."""
-        return javascript_texts()
 
     def draw_still(self) -> Still:
         """Return what an exported notebook shows of the panel: nothing that a pupil has written."""

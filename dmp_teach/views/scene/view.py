@@ -10,7 +10,6 @@ import traitlets
 from dmp_teach.errors import ViewError, kind_of
 from dmp_teach.files import join_modules, join_styles, write_whole
 from dmp_teach.robot import Motion, Run
-from dmp_teach.texts import javascript_texts
 from dmp_teach.views.page_file import render_page
 from dmp_teach.views.scene.cameras import CAMERA_NAMES
 from dmp_teach.views.scene.commands import pack_robot, pack_viewer, record_stage
@@ -62,7 +61,6 @@ class SceneView(UnsavedWidget):
     speed = traitlets.Float(1.0).tag(sync=True)
     camera = traitlets.Enum(CAMERA_NAMES, default_value="over the shoulder").tag(sync=True)
     compact = traitlets.Bool(False).tag(sync=True)
-    texts = traitlets.Dict(read_only=True).tag(sync=True)
 
     # Any: the values of the other traits.
     def __init__(self, motion: Motion | Run | None = None, **traits: Any) -> None:
@@ -70,11 +68,6 @@ class SceneView(UnsavedWidget):
         shown = _find_traits(motion)
         super().__init__(viewer=pack_viewer(), robot=pack_robot(), motion_id="0", **shown, **traits)
         self._motion = motion
-
-    @traitlets.default("texts")
-    def _find_texts(self) -> dict[str, object]:
-        """Return the script's texts in the language that is spoken now."""
-        return javascript_texts()
 
     @property
     def motion(self) -> Motion | Run | None:
