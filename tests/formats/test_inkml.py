@@ -253,6 +253,7 @@ def test_values_without_a_channel_and_traces_without_a_label_are_left_out_and_to
     more = "".join(trace(s, "{x:.4f} {y:.4f} {t:.3f} {f:.0f} 7 8") for s in d_strokes())
     for text, what in {
         inkml(more): "values of points for which there is no channel",
+        inkml(BODY + "<trace>1 2 3 4, one 3 5 4</trace>"): "trace 2 has 'one 3 5 4' where",
         inkml(labelled_body("D", BODY) + BODY): "2 traces that are in no letter with a label",
     }.items():
         recording = read(tmp_path, text)

@@ -4,8 +4,8 @@ Channels are taken as the file declares them (`channels`), points as it abbrevia
 Each trace that was written with the pen down is a stroke, and points where the tip switch S is off
 leave a gap. Groups and views of traces (`groups`) with a label of their own (an annotation `truth`,
 `label` or the like) are letters of their own; a file without any is one letter. Times are those of
-channel T, or the device's sample rate, or else a hand's. Mappings, parts of traces and traces that
-continue others are refused.
+channel T, or the device's sample rate, or else a hand's. A trace that continues another one is one
+stroke with it. Mappings and parts of traces are refused.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ def read_inkml(data: bytes, _name: str, _: CaptureOptions) -> tuple[Recording, .
     letters = [
         _letter(root, group, [stroke for trace in traces for stroke in strokes.get(trace, ())])
         for group, traces in groups
-        if not faults.keys() & set(traces)
+        if group is root or not faults.keys() & set(traces)
     ]
     left_out += faults.values()
     tops = [each for each in root if local_tag(each) in ("trace", "traceGroup")]
@@ -70,16 +70,17 @@ def _read_traces(
     """Return the strokes of the traces that are shown, why others have none, and if in metres."""
     strokes: dict[Element, list[FlatStroke]] = {}
     faults: dict[Element, str] = {}
+    texts: dict[Element, str] = {}
     points, in_metres = 0, True
     for trace, context in _traces_with_contexts(root):
         if trace not in shown or not _has_ink(trace):
             continue
-        text = "".join(trace.itertext())
+        texts[trace] = text = "".join(trace.itertext())
         try:
             if trace.get("continuation") in ("middle", "end"):
-                raise RecordingError(
-                    "continues another one (continuation), which is not followed here; join them."
-                )
+                prior = contexts.named(trace.get("priorRef", ""))
+                texts[trace] = text = f"{texts[prior]}, {text}" if prior in strokes else text
+                strokes.pop(prior, None)
             form = contexts.format_of(context)
             needed = max(form.channels["X"].column, form.channels["Y"].column) + 1
             # Of some programs a point has more values than its format has channels.
