@@ -140,6 +140,11 @@ def test_claims_are_about_ink_on_a_page():
         claims([letter(50, 1.0, dimensions=3)])
 
 
+def test_ink_that_is_given_twice_proves_nothing_twice():
+    again = replace(FEW[0], writer="writer-9")
+    assert len(Evidence([*FEW, again]).letters) == len(FEW)
+
+
 def test_readings_that_are_none_are_refused():
     for readings in ((), "ours", [Settings.star()]):
         with pytest.raises(SettingError, match=r"readings is .*, but must be readings"):

@@ -107,8 +107,11 @@ class Evidence(Value):
 
     @cached_property
     def letters(self) -> tuple[Written, ...]:
-        """Every letter, cut into strokes once."""
-        return list_letters_on_page(self.read)
+        """Every letter, cut into strokes once; the same ink given twice is one letter."""
+        found: dict[tuple[bytes, ...], Written] = {}
+        for each in list_letters_on_page(self.read):
+            found.setdefault(tuple(s.position.tobytes() for s in each.strokes), each)
+        return tuple(found.values())
 
     @cached_property
     def open_letters(self) -> tuple[Written, ...]:
