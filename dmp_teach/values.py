@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from dmp_teach.errors import shown
 
 LONGEST_LINE = 240
+ARRAY_TYPES = ("Array", "Array | None")
 
 
 # Any: arrays of every kind are locked.
@@ -27,13 +28,17 @@ def locked(values: ArrayLike, dtype: Any = float) -> NDArray[Any]:
 class Value:
     """The base of frozen dataclasses (`eq=False, repr=False`) that may hold arrays.
 
-    Arrays and mappings in its fields are copied and locked. Two values are equal if all that is in
-    their fields is. Copies and pickles hold the fields alone, nothing that was computed of them.
+    Arrays and mappings in its fields are copied and locked; lists of numbers become arrays. Two
+    values are equal if all that is in their fields is. Copies and pickles hold the fields alone,
+    nothing that was computed of them.
     """
 
     def __post_init__(self) -> None:
-        """Lock what the fields hold."""
+        """Lock what the fields hold; where an array is wanted, a list is made one."""
         held = self.__dict__
+        for each in fields(self):  # type: ignore[arg-type]
+            if each.type in ARRAY_TYPES and isinstance(held[each.name], list | tuple):
+                held[each.name] = locked(held[each.name])
         for name in _names(self):
             if isinstance(held[name], np.ndarray | tuple | dict):
                 held[name] = _frozen(held[name])

@@ -36,6 +36,7 @@ def values():
     found = [STROKE, INK, FEW, learned, shelf, *shelf["l"], motion, traits, told, told.items[0]]
     found += [redrawn, redrawn.items[0], made, made.items[0], tried, tried.items[0], claim]
     found += [studies.Claims((claim,)), studies.measure_hand(ALIKE), studies.Evidence(STROKE)]
+    found += [studies.Written("l", "w01", (STROKE,))]
     found += [studies.Exponent.around(0.3, 0.01, 5.0), studies.WIDTH_VARIANTS["box, LWR"]]
     found += [studies.sweep_kernel_width(STROKE, widths=[1.0, 2.0])]
     found += [studies.change_goals_1d(STROKE), studies.draw_goal_change(STROKE)]

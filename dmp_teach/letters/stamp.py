@@ -49,7 +49,8 @@ def letter_to_bytes(letter: Letter) -> bytes:
 
     Raises:
         LetterError: It is none, was not learned as `Settings.star()` learns, takes longer than
-            100 s, is farther than 1.3 m from the origin of its page, or cannot be stored so finely.
+            100 s, has a stroke of more than 255 kernels, is farther than 1.3 m from the origin of
+            its page, or cannot be stored so finely.
     """
     if not isinstance(letter, Letter):
         raise LetterError(f"A stamp holds a Letter, but got {kind_of(letter)}; Letter.learn it.")
@@ -192,7 +193,10 @@ def _fixed(value: float, name: str, width: int, unit: float) -> str:
     """Return a number as `width` bits, in its unit."""
     number = round(value / unit) + (name in SIGNED) * 2 ** (width - 1)
     if not 0 <= number < 2**width:
-        raise LetterError(f"The {name} of a stroke is {value:g}: too much for a stamp.")
+        raise LetterError(
+            f"The {name} of a stroke is {value:g}: too much for a stamp. Write the letter "
+            "smaller and quicker, or learn it with fewer kernels."
+        )
     return f"{number:0{width}b}"
 
 

@@ -77,7 +77,7 @@ def test_a_large_letter_of_few_kernels_is_true_or_refused(kernels):
 
 def test_a_slow_letter_has_a_stamp():
     (stroke,) = recording_of("a").strokes()
-    letter = Letter.learn([Trajectory(7 * stroke.t, stroke.position + 1.0)])
+    letter = Letter.learn([Trajectory(5 * stroke.t, stroke.position + 1.0)])
     assert distance(letter, read_stamp(stamp_text(letter))) <= 5e-5
 
 
