@@ -175,7 +175,8 @@ class MovedLetter:
         room = CM * np.array([[side * (ACROSS + 3.0), UP], [-side * AWAY, -UP]])
         ends = self.primitive.goal + room
         points = np.vstack([self.strokes[0].position, ends])
-        return [*(points.min(axis=0) - CM), *(points.max(axis=0) + CM)]
+        # Its top slides up by 2 cm at most.
+        return [*(points.min(axis=0) - CM), *(points.max(axis=0) + 2 * CM)]
 
     def sideways(self, order: int) -> Affine:
         """Return how far right of its start it is [cm], order 0, or how fast, 1, over time."""
