@@ -164,7 +164,11 @@ def test_a_pen_that_leaves_the_sheet_is_told_so(panel, ask):
     middle, below = sheet["x"] + sheet["width"] / 2, sheet["y"] + sheet["height"] + 30
     by_mouse(
         page,
-        [(middle, below - 120), (middle, below - 80), (middle, below), (middle + 40, below - 90)],
+        [
+            (middle, below - 120),
+            *((middle + 8 * k, below) for k in range(6)),
+            (middle + 40, below - 90),
+        ],
     )
     page.mouse.up()
     strokes(page, 1)
