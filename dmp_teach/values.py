@@ -37,11 +37,11 @@ class Value:
         """Lock what the fields hold; where an array is wanted, a list is made one."""
         held = self.__dict__
         for each in fields(self):  # type: ignore[arg-type]
-            if each.type in ARRAY_TYPES and isinstance(held[each.name], list | tuple):
-                held[each.name] = locked(held[each.name])
-        for name in _names(self):
-            if isinstance(held[name], np.ndarray | tuple | dict):
-                held[name] = _frozen(held[name])
+            value = held[each.name]
+            if each.type in ARRAY_TYPES and isinstance(value, list | tuple):
+                value = held[each.name] = locked(value)
+            if each.compare and isinstance(value, np.ndarray | tuple | dict):
+                held[each.name] = _frozen(value)
 
     def __eq__(self, other: object) -> bool:
         if type(self) is not type(other):
