@@ -9,7 +9,7 @@ from functools import wraps
 from numbers import Integral, Real
 from os import PathLike
 from types import UnionType
-from typing import Any, TypeVar, Union, cast, get_args, get_origin, get_type_hints
+from typing import Any, TypeGuard, TypeVar, Union, cast, get_args, get_origin, get_type_hints
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -69,10 +69,14 @@ def warn_caller(words: str, category: type[Warning] = UserWarning, calls: int = 
     warnings.warn(words, category, stacklevel=level)
 
 
+def is_whole(value: object) -> TypeGuard[int]:
+    """Tell whether a value is a whole number, of NumPy or not; True and False are none."""
+    return isinstance(value, Integral) and not isinstance(value, bool)
+
+
 def check_whole(name: str, value: object, least: int, most: int) -> None:
     """Raise a SettingError unless a value is a whole number from `least` to `most`."""
-    is_whole = isinstance(value, Integral) and not isinstance(value, bool)
-    if not (is_whole and least <= int(value) <= most):  # type: ignore[call-overload]
+    if not (is_whole(value) and least <= int(value) <= most):
         raise SettingError(
             f"{name} is {shown(value)}, but must be a whole number from {least} to {most}."
         )

@@ -4,7 +4,6 @@ from .reading import contents as contents
 from .strict_json import checked_object as checked_object
 from .strict_json import is_number as is_number
 from .strict_json import is_pseudonym as is_pseudonym
-from .strict_json import is_whole as is_whole
 from .strict_json import loaded as loaded
 from .strict_json import must as must
 from .writing import ASSETS as ASSETS

@@ -6,7 +6,6 @@ import json
 import math
 import re
 from collections.abc import Collection
-from numbers import Integral
 from typing import Any
 
 from dmp_teach.errors import RecordingError, shown
@@ -73,11 +72,6 @@ def is_number(value: object) -> bool:
     if isinstance(value, bool) or not isinstance(value, int | float):
         return False
     return abs(value) < 1e300 and math.isfinite(value)
-
-
-def is_whole(value: object) -> bool:
-    """Tell whether a value is a whole number, of numpy or not; True and False are none."""
-    return isinstance(value, Integral) and not isinstance(value, bool)
 
 
 def is_pseudonym(writer: str) -> bool:

@@ -9,13 +9,13 @@ from zlib import crc32
 
 import numpy as np
 
+from dmp_teach.arguments import is_whole
 from dmp_teach.classroom.lesson.bets import Bet, KeptBet, LessonState
 from dmp_teach.classroom.lesson.check import Answer, Condition, Verdict, judge
 from dmp_teach.classroom.lesson.knobs import Knobs, check_answer
 from dmp_teach.classroom.panels.messages import Message
 from dmp_teach.classroom.panels.planning import Physics
 from dmp_teach.errors import ReachError, SettingError, shown
-from dmp_teach.files import is_whole
 from dmp_teach.ink import check_pseudonym
 from dmp_teach.robot import Page, Run
 from dmp_teach.trajectory import Array, Trajectory

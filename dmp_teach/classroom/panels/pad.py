@@ -9,22 +9,16 @@ from typing import Any
 import traitlets
 from numpy.typing import ArrayLike
 
-from dmp_teach.classroom.panels import pad_messages, sheets
+from dmp_teach.arguments import is_whole
+from dmp_teach.classroom.panels import pad_messages, pad_view, sheets
 from dmp_teach.classroom.panels.attempts import Attempt, Attempts, Results
 from dmp_teach.classroom.panels.kept import forget, kept
-from dmp_teach.classroom.panels.pad_view import (
-    PadTraits,
-    describe_empty_pad,
-    describe_lift,
-    describe_pad,
-    unpack_stroke,
-)
 from dmp_teach.classroom.panels.pen_lift import PenLift
 from dmp_teach.classroom.panels.robot_panel import RobotPanel, list_letter_choices, pack_points
 from dmp_teach.classroom.panels.saved_attempts import SavedAttempts, list_files
 from dmp_teach.classroom.panels.still import Still
 from dmp_teach.errors import RecordingError
-from dmp_teach.files import is_whole, join_modules, join_styles, must
+from dmp_teach.files import join_modules, join_styles, must
 from dmp_teach.ink import Recording, characters, check_pseudonym, pad_stroke, recording_of
 from dmp_teach.robot import Page
 from dmp_teach.scoring import MATTERS
@@ -66,7 +60,7 @@ def pad(
     return Pad(character, page, writer, hand, strict)
 
 
-class Pad(Results, PadTraits, RobotPanel):
+class Pad(Results, pad_view.PadTraits, RobotPanel):
     """The writing pad."""
 
     _esm = join_modules(_HERE / "pad.js")
@@ -103,7 +97,7 @@ class Pad(Results, PadTraits, RobotPanel):
 
     def draw_still(self) -> Still:
         """Return an empty sheet with the robot's own letter: what a pupil wrote is kept nowhere."""
-        return describe_empty_pad(self._model, self.character)
+        return pad_view.describe_empty_pad(self._model, self.character)
 
     def add_stroke(self, points: ArrayLike, pressed: bool = False, outside: int = 0) -> None:
         """Put a stroke on the sheet.
@@ -234,7 +228,7 @@ class Pad(Results, PadTraits, RobotPanel):
         }
         try:
             if kind == "stroke":
-                self.add_stroke(*unpack_stroke(message, buffers, self.answered))
+                self.add_stroke(*pad_view.unpack_stroke(message, buffers, self.answered))
             elif kind in actions:
                 actions[kind]()
             else:
@@ -248,7 +242,7 @@ class Pad(Results, PadTraits, RobotPanel):
     def _put(self, attempt: Attempt) -> None:
         """Put an attempt on the sheet: the verdict is out before it is scored and learned."""
         self._attempts.now = attempt
-        self._show(describe_lift(attempt, self.character, self._is_done, self._pen_lift))
+        self._show(pad_view.describe_lift(attempt, self.character, self._is_done, self._pen_lift))
         self._redraw()
 
     def _finish(self) -> None:
@@ -288,7 +282,9 @@ class Pad(Results, PadTraits, RobotPanel):
             self._size = None
             self._show_strokes(strokes)
             self.robot_counts = [len(stroke) for stroke in strokes]
-            self._show(describe_pad(self._attempts, self._model, self._is_done, self._pen_lift))
+            self._show(
+                pad_view.describe_pad(self._attempts, self._model, self._is_done, self._pen_lift)
+            )
             self.drawing += 1
 
     def _show(self, traits: dict[str, object]) -> None:

@@ -12,7 +12,7 @@ from typing import Any, Self
 
 import numpy as np
 
-from dmp_teach.arguments import checked
+from dmp_teach.arguments import checked, is_whole
 from dmp_teach.classroom.teaching.faults import SHAPE_FAULTS, WAY_FAULTS
 from dmp_teach.errors import RecordingError
 from dmp_teach.files import (
@@ -20,7 +20,6 @@ from dmp_teach.files import (
     checked_object,
     contents,
     is_number,
-    is_whole,
     loaded,
     must,
     write_whole,

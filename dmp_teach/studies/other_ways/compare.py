@@ -10,10 +10,9 @@ from time import perf_counter
 import numpy as np
 from numpy.typing import ArrayLike
 
-from dmp_teach.arguments import checked
+from dmp_teach.arguments import checked, is_whole
 from dmp_teach.dmp import check_point
 from dmp_teach.errors import SettingError, TeachError, kind_of, shown
-from dmp_teach.files import is_whole
 from dmp_teach.ink import recording_of
 from dmp_teach.robot import Fetch, Page
 from dmp_teach.studies.inputs import RecordingsLike, list_letters
