@@ -8,7 +8,6 @@ import uuid
 import numpy as np
 import pytest
 import umsgpack
-import zmq
 
 from dmp_teach.errors import PathError, SettingError, ViewError, kind_of
 from dmp_teach.robot.model.kinematics import Model
@@ -39,7 +38,6 @@ def test_no_socket_is_opened(monkeypatch, tmp_path):
 
     for name in ("bind", "listen", "connect"):
         monkeypatch.setattr(socket.socket, name, refuse)
-    monkeypatch.setattr(zmq.Context, "socket", refuse)
     record_robot()
     view(sway(seconds=0.5)).html(tmp_path / "a.html")
 
