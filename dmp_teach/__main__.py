@@ -1,8 +1,9 @@
 """The launcher: `python3 -m dmp_teach lab` opens the notebooks, `... test` runs every test.
 
-The first start makes an environment in `.venv` from `environment.txt`; later starts install
-nothing. Standard library only, in the syntax of Python 3.6: started with an old Python, it finds
-a newer one beside it, or prints one sentence that says what to type.
+In a clone the first start makes an environment in `.venv` from `environment.txt`; later starts
+install nothing; an installed copy runs where it is installed. Standard library only, in the syntax
+of Python 3.6: started with an old Python, it finds a newer one beside it, or prints one sentence
+that says what to type.
 """
 
 import argparse
@@ -16,6 +17,7 @@ from pathlib import Path
 
 from dmp_teach.errors import SetupError
 from dmp_teach.launcher.lab import (
+    PINS,
     ROOT,
     WINDOWS,
     WORK,
@@ -27,7 +29,6 @@ from dmp_teach.launcher.lab import (
 )
 
 VENV = ROOT / ".venv"
-PINS = ROOT / "environment.txt"
 # In order of preference: pybullet has no wheels for newer than 3.11.
 VERSIONS = ("3.11", "3.12", "3.13")
 
@@ -104,14 +105,14 @@ def stop(number, frame):
 
 
 def prepare():
-    """Return the environment's Python; make or update the environment where the pins ask for it."""
+    """Return the environment's Python; make or update the environment where the pins ask for it.
+
+    An installed copy runs where pip has put it, with what it depends on.
+    """
+    if not PINS.exists():
+        return sys.executable
     python = VENV / ("Scripts/python.exe" if WINDOWS else "bin/python")
     stamp = VENV / "dmp_teach.stamp"
-    if not PINS.exists():
-        raise SetupError(
-            "This copy of dmp_teach is installed, and the commands work in a clone. "
-            "Type them there, or open your own notebooks with  jupyter lab  here."
-        )
     pins = hashlib.sha256(PINS.read_bytes()).hexdigest()
     done = stamp.read_text() if stamp.exists() and python.exists() else None
     if done == pins:
@@ -277,6 +278,8 @@ def check_commands(arguments):
 
 def run_tests(python, arguments):
     """Run each command of the tests and return the first exit code that is not 0, or 0."""
+    if not PINS.exists():
+        raise SetupError("The tests are in a clone of dmp_teach, not in an installed copy.")
     codes = []
     for command in check_commands(arguments):
         process = subprocess.Popen([python, "-m", *command], cwd=str(ROOT), env=clean_environment())

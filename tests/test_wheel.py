@@ -1,5 +1,6 @@
 """An installed copy works without the clone: the wheel holds all that it reads."""
 
+import os
 import subprocess
 import sys
 import sysconfig
@@ -20,12 +21,16 @@ from dmp_teach.classroom import RESTING_SCRIPT
 
 assert sys.prefix in teach.__file__, teach.__file__
 assert not any((pathlib.Path(place) / "environment.txt").exists() for place in sys.path)
+assert (pathlib.Path(teach.__file__).parent / "environment.txt").exists()
 letter = teach.Letter.learn(teach.recording_of("a"))
 strokes = letter.write(goal_shifts={0: (0.03, 0.00)})
 teach.write_recording(strokes, "a.json")
 assert teach.read_recordings("a.json")[0].strokes()[0].duration == strokes[0].duration
 assert teach.recording_of("a", "slanted").character == "a"
 assert "export" in RESTING_SCRIPT
+assert len(teach.claims([teach.recording_of("l")])) > 15
+teach.lesson("03").panel().html("lesson.html")
+teach.view(teach.Fetch().write(strokes, teach.Page.table())).html("view.html")
 print(letter)
 """
 
@@ -51,8 +56,9 @@ def installed(wheel, tmp_path_factory):
     )
     ask = [str(python), "-c", "import sysconfig; print(sysconfig.get_path('purelib'))"]
     packages = Path(subprocess.check_output(ask, text=True).strip())
-    # A .pth in a folder that a .pth names is not followed, so the clone stays out.
+    # A .pth in a folder that a .pth names is not followed: the clone stays out, but PlaCo comes in.
     places = {sysconfig.get_path("purelib"), sysconfig.get_path("platlib")}
+    places.update(place for place in sys.path if "cmeel" in place)
     (packages / "dependencies.pth").write_text("\n".join(places), encoding="utf-8")
     return str(python)
 
@@ -78,17 +84,32 @@ print(*(found.name for found in jedi.Script(code).complete()))
     assert {"learn", "write", "save"} <= set(run(installed, code, tmp_path).split())
 
 
-def test_the_launcher_of_an_installed_copy_says_that_it_wants_a_clone(installed, tmp_path):
-    answer = subprocess.run(
-        [installed, "-I", "-m", "dmp_teach", "lab"],
+def test_lab_copies_the_lessons_of_an_installed_copy_and_overwrites_nothing(installed, tmp_path):
+    work, share = tmp_path / "lessons", str(Path(sys.prefix) / "share" / "jupyter")
+    work.mkdir()
+    (work / "03_bump_width.ipynb").write_text("mine")
+    lab = subprocess.Popen(
+        [installed, "-I", "-m", "dmp_teach", "lab", "--no-browser", "--work", str(work)],
         cwd=tmp_path,
-        capture_output=True,
+        # Here Jupyter's own files are not in the environment that the wheel is installed in.
+        env={**os.environ, "JUPYTERLAB_DIR": f"{share}/lab", "JUPYTER_PATH": share},
+        stdout=subprocess.PIPE,
         text=True,
-        check=False,
     )
-    assert answer.returncode == 1
-    assert "clone" in answer.stderr
-    assert "Traceback" not in answer.stderr
+    try:
+        assert lab.stdout.readline() == (
+            "There is a newer version of 03_bump_width.ipynb. Yours stays; "
+            "lab --fresh begins anew.\n"
+        )
+        assert lab.stdout.readline() == "Starting JupyterLab ...\n"
+        assert lab.stdout.readline().startswith("JupyterLab is at http://127.0.0.1:")
+    finally:
+        lab.terminate()
+        assert lab.communicate(timeout=30)[0] == "Ending JupyterLab ...\n"
+    given = {path.name for path in (ROOT / "notebooks").glob("*.ipynb")}
+    assert {path.name for path in work.glob("*.ipynb")} == given
+    assert (work / "03_bump_width.ipynb").read_text() == "mine"
+    assert [path.name for path in tmp_path.iterdir()] == ["lessons"]
 
 
 def test_every_file_that_is_read_is_in_the_wheel(wheel):

@@ -19,12 +19,15 @@ from pathlib import Path
 from dmp_teach.errors import SetupError
 from dmp_teach.launcher.work import copy_lessons
 
-ROOT = Path(__file__).resolve().parent.parent.parent
-# Jupyter's settings, tabs and log: ours, so that a user's own are neither read nor changed.
-STATE = ROOT / ".jupyter"
-NOTEBOOKS = ROOT / "notebooks"
+PACKAGE = Path(__file__).resolve().parent.parent
+ROOT = PACKAGE.parent
+# In a clone, which has them; an installed copy holds the lessons itself.
+PINS = ROOT / "environment.txt"
+NOTEBOOKS = (ROOT if PINS.exists() else PACKAGE) / "notebooks"
 # Copies of the notebooks: beside ours, where a teacher finds them, and unseen by git.
-WORK = ROOT / "work"
+WORK = (ROOT if PINS.exists() else Path.cwd()) / "work"
+# Jupyter's settings, tabs and log, so that a user's own are neither read nor changed.
+STATE = ".jupyter"
 FIRST_NOTEBOOK = "00_start_here.ipynb"
 EXTENSIONS = Path(__file__).resolve().parent / "labextensions"
 WINDOWS = os.name == "nt"
@@ -70,10 +73,10 @@ def lab(python, port=None, browser=True, *, work=WORK, fresh=(), full=False):
     port = free_port(port)
     token = secrets.token_urlsafe(24)
     start = ("/lab/tree/" if full else "/doc/tree/") + FIRST_NOTEBOOK
+    state = work / STATE
     prepare_work(work, fresh)
-    STATE.mkdir(exist_ok=True)
     say("Starting JupyterLab ...")
-    with open(str(STATE / "lab.log"), "w+b") as log:
+    with open(str(state / "lab.log"), "w+b") as log:
         process = subprocess.Popen(
             [
                 *lab_command(python, work, port),
@@ -81,14 +84,14 @@ def lab(python, port=None, browser=True, *, work=WORK, fresh=(), full=False):
                 "--ServerApp.open_browser={}".format(browser),
             ],
             cwd=str(work),
-            env=lab_environment(STATE, token),
+            env=lab_environment(state, token),
             stdin=subprocess.DEVNULL,
             stdout=log,
             stderr=subprocess.STDOUT,
             **apart(),
         )
         try:
-            return watch(process, port, start, token)
+            return watch(process, state / "lab.log", port, start, token)
         except KeyboardInterrupt:
             say("Ending JupyterLab ...")
             return 0
@@ -102,6 +105,7 @@ def prepare_work(work, fresh=()):
     """Copy the lessons, and name those that stay as somebody has changed them."""
     try:
         behind = copy_lessons(NOTEBOOKS, work, fresh)
+        (work / STATE).mkdir(exist_ok=True)
     except OSError as error:
         raise SetupError("The lessons cannot be copied to {}: {}.".format(work, error)) from error
     if behind:
@@ -185,10 +189,10 @@ def settle(state, name, content):
     file.write_text(json.dumps(dict(content, **own)))
 
 
-def watch(process, port, start, token):
+def watch(process, log, port, start, token):
     """Print where JupyterLab is and its errors, until it ends by itself."""
     said = False
-    with open(str(STATE / "lab.log"), errors="replace") as errors:
+    with open(str(log), errors="replace") as errors:
         while process.poll() is None:
             if not said and is_up(port):
                 address = "http://127.0.0.1:{}{}?token={}".format(port, start, token)
@@ -198,7 +202,7 @@ def watch(process, port, start, token):
             time.sleep(0.2)
         show_errors(errors)
     if not said:
-        raise SetupError("JupyterLab did not start. What it said is in .jupyter/lab.log.")
+        raise SetupError("JupyterLab did not start. What it said is in {}.".format(log))
     return process.returncode
 
 

@@ -203,8 +203,8 @@ class Server:
     def __init__(self, home, *options):
         arguments = ["lab", "--no-browser", "--work", str(home / "work"), *options]
         words = (
-            "import sys, pathlib, dmp_teach.__main__ as launcher, dmp_teach.launcher.lab as lab; "
-            f"lab.STATE = pathlib.Path({str(home)!r}); launcher.prepare = lambda: sys.executable; "
+            "import sys, dmp_teach.__main__ as launcher\n"
+            "launcher.prepare = lambda: sys.executable\n"
             f"sys.exit(launcher.main({arguments!r}))"
         )
         self.process = subprocess.Popen(
@@ -268,19 +268,17 @@ def test_the_lab_says_where_it_is_and_ends_with_all_its_children(tmp_path, how):
 
 
 def test_a_server_that_cannot_start_is_explained(tmp_path, monkeypatch, capsys):
-    monkeypatch.setattr(lab, "STATE", tmp_path)
     monkeypatch.setattr(
         lab, "lab_command", lambda *a: [sys.executable, "-c", "print('[C no such thing]'); exit(1)"]
     )
-    with pytest.raises(SetupError, match=r"did not start. What it said is in .jupyter/lab.log"):
-        lab.lab(sys.executable, browser=False)
+    with pytest.raises(SetupError, match=r"did not start. What it said is in .*lab\.log"):
+        lab.lab(sys.executable, browser=False, work=tmp_path)
     assert "[C no such thing]" in capsys.readouterr().err
 
 
 def test_full_shows_all_of_jupyterlab_and_a_folder_that_cannot_be_made_is_explained(
     tmp_path, monkeypatch, capsys
 ):
-    monkeypatch.setattr(lab, "STATE", tmp_path)
     words = "import sys; print('[C ' + ' '.join(sys.argv)); exit(1)"
     monkeypatch.setattr(lab, "lab_command", lambda *a: [sys.executable, "-c", words])
     for options, start in (((), "/doc/tree/"), (("--full",), "/lab/tree/")):
