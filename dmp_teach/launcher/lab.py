@@ -19,11 +19,10 @@ from pathlib import Path
 from dmp_teach.errors import SetupError
 from dmp_teach.launcher.work import copy_lessons
 
-PACKAGE = Path(__file__).resolve().parent.parent
-ROOT = PACKAGE.parent
+ROOT = Path(__file__).resolve().parent.parent.parent
 # In a clone, which has them; an installed copy holds the lessons itself.
 PINS = ROOT / "environment.txt"
-NOTEBOOKS = (ROOT if PINS.exists() else PACKAGE) / "notebooks"
+NOTEBOOKS = (ROOT if PINS.exists() else ROOT / "dmp_teach") / "notebooks"
 # Copies of the notebooks: beside ours, where a teacher finds them, and unseen by git.
 WORK = (ROOT if PINS.exists() else Path.cwd()) / "work"
 # Jupyter's settings, tabs and log, so that a user's own are neither read nor changed.
