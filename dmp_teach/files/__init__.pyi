@@ -6,5 +6,6 @@ from .strict_json import is_number as is_number
 from .strict_json import is_pseudonym as is_pseudonym
 from .strict_json import loaded as loaded
 from .strict_json import must as must
+from .strict_json import parse_json as parse_json
 from .writing import ASSETS as ASSETS
 from .writing import write_whole as write_whole

@@ -14,7 +14,29 @@ from dmp_teach.errors import RecordingError, shown
 PSEUDONYM = re.compile(r"(?i:[a-z]|writer|pupil)[-_]?[0-9]{1,5}")
 
 
+_STRING = re.compile(r'"(?:[^"\\]|\\.)*"', re.DOTALL)
+_BRACKET = re.compile(r"[][{}]")
+_DEEPEST = 100
+
+
 # Any: JSON, in which every field is checked before it is used.
+def parse_json(data: bytes) -> Any:
+    """Return what JSON holds: numbers that are numbers, names that occur once, not too deep.
+
+    Raises:
+        ValueError: It is no such JSON.
+    """
+    text = data.decode("utf-8-sig")
+    # A browser has little stack: deep JSON would end Python there.
+    depth = 0
+    for bracket in _BRACKET.findall(_STRING.sub("", text)):
+        depth += 1 if bracket in "[{" else -1
+        if depth > _DEEPEST:
+            raise ValueError(f"more than {_DEEPEST} brackets within each other")
+    return json.loads(text, parse_constant=_no_constant, object_pairs_hook=_once)
+
+
+# Any: as above.
 def loaded(
     data: bytes, kind: str, versions: Collection[int], fields: Collection[str]
 ) -> dict[str, Any]:
@@ -30,10 +52,8 @@ def loaded(
         RecordingError: Not JSON, another format, an unknown version, or fields too many or too few.
     """
     try:
-        content = json.loads(
-            data.decode("utf-8-sig"), parse_constant=_no_constant, object_pairs_hook=_once
-        )
-    except (ValueError, RecursionError) as error:
+        content = parse_json(data)
+    except ValueError as error:
         raise RecordingError(f"this is not plain JSON: {error}.") from None
     return checked_object(content, kind, versions, fields)
 

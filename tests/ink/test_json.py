@@ -244,7 +244,9 @@ NOT_JSON = {
     "an integer of 5000 digits": (b'{"format": ' + b"1" * 5000 + b"}", "is not plain JSON"),
     "half": (b'{"format": "dmp', "is not plain JSON"),
     "bytes": (b"\x80\x04\x95", "is not plain JSON"),
-    "deep": (b"[" * 100_000, "is not plain JSON"),
+    "deep": (b"[" * 100_000, "is not plain JSON: more than 100 brackets"),
+    "deep behind strings": (b'["\\"]]",' * 101, "more than 100 brackets"),
+    "brackets in a string": (json.dumps("[" * 101).encode(), "'format' must be"),
     "nan": (json.dumps(GOOD | {"baseline": float("nan")}).encode(), "NaN is not a number"),
     "infinity": (
         json.dumps(GOOD | {"baseline": float("inf")}).encode(),

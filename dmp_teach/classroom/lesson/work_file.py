@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.files import contents, loaded, write_whole
+from dmp_teach.files import contents, loaded, parse_json, write_whole
 
 # Any, here and below: what a lesson keeps, which checks it when it takes it up.
 Work = dict[str, Any]
@@ -74,8 +74,8 @@ def _files_in(folder: Path, pupil: str, variant: str) -> Iterator[Path]:
         if not re.fullmatch(r"(-Copy\d+)?(-checkpoint)?", name) or not path.is_file():
             continue
         try:
-            content = json.loads(path.read_bytes())
-        except (ValueError, RecursionError):
+            content = parse_json(path.read_bytes())
+        except ValueError:
             yield path
         else:
             if isinstance(content, dict) and content.get("format") == _KIND:
