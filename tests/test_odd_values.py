@@ -12,8 +12,6 @@ from dmp_teach.errors import TeachError
 from tests.public import ALIKE, INK, PLACES, STROKE, values
 from tests.test_public import functions
 
-pytest.importorskip("placo", reason="PlaCo is not on this platform")
-
 
 class Stop(BaseException):
     """Raised by a report of progress: the arguments were accepted, and the work has begun."""

@@ -13,8 +13,6 @@ import pytest
 import dmp_teach as teach
 from tests.public import ALIKE, FEW, T, public_classes, values
 
-pytest.importorskip("placo", reason="PlaCo is not on this platform")
-
 
 def arrays(value, place=""):
     """Every array in the fields of a value, and in theirs."""

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 
 from dmp_teach.arguments import checked, warn_caller
 from dmp_teach.errors import ReachError, ReachWarning
-from dmp_teach.robot.arm import JOINTS, Solver, get_solver
+from dmp_teach.robot.arm import JOINTS, Solver
 from dmp_teach.robot.clearance import describe_collision, describe_thin_margin, find_nearest
 from dmp_teach.robot.layout import lay_out
 from dmp_teach.robot.motion import Motion, describe_overloads
@@ -20,6 +20,7 @@ from dmp_teach.robot.pen_path import PenPlan, connect_strokes
 from dmp_teach.robot.reach.check import Unreachable, check_reach
 from dmp_teach.robot.reach.posture import PEN_TILT_TOLERANCE, TIP_TOLERANCE, find_posture
 from dmp_teach.robot.reach.suggest import list_other_pages, suggest_page
+from dmp_teach.robot.solvers import get_solver
 from dmp_teach.robot.time_scaling import TimeScaling
 from dmp_teach.trajectory import Array, Trajectory, all_points
 
@@ -42,8 +43,8 @@ def _silent(step: str, fraction: float) -> None:
 class Fetch:
     """The robot, ready to write.
 
-    Raises:
-        MissingPartError: PlaCo is not on this platform.
+    PlaCo solves its arm, or a solver of ours in NumPy where there is no PlaCo, or where the
+    environment has `DMP_TEACH_SOLVER=NumPy`.
     """
 
     joint_names = JOINTS
@@ -125,6 +126,7 @@ def _plan(
         pen_down=plan.pen_down,
         page=page,
         strokes=strokes,
+        solver=solver.name,
     )
     near = () if closest is None else (describe_thin_margin(closest),)
     notes = (*slowed, *describe_overloads(motion, solver.model), *near, *known)
@@ -160,8 +162,8 @@ def _follow(
 ) -> tuple[PenPlan, Array, Array, tuple[str, ...]]:
     """Return the plan, slowed where a joint could not follow, joints (T, J), tip (T, 4, 4), notes.
 
-    PlaCo knows no speed limits here: with them it would lag in silence, as it does where the arm is
-    nearly straight. There it is given more solutions a sample.
+    The solver knows no speed limits here: with them it would lag in silence, as it does where the
+    arm is nearly straight. There it is given more solutions a sample.
     """
     report("plan", 0.0)
     path = connect_strokes(strokes)

@@ -33,6 +33,7 @@ class Motion(Value):
         strokes: The strokes as they were placed on the page (page frame, origin at its centre) [m].
         notes: What was changed on the way, in sentences ("slowed from 1.83 s to 2.10 s:
             elbow_flex_joint").
+        solver: What solved the joints: "PlaCo" or "NumPy".
     """
 
     t: Array
@@ -44,6 +45,7 @@ class Motion(Value):
     page: Page
     strokes: tuple[Trajectory, ...]
     notes: tuple[str, ...] = ()
+    solver: str = ""
 
     def __post_init__(self) -> None:
         for name in ("joint_names", "strokes", "notes"):
@@ -66,9 +68,6 @@ class Motion(Value):
 
         By `ReducedRobot.torques`, when first used, with velocities and accelerations by central
         differences.
-
-        Raises:
-            MissingPartError: PlaCo, which brings pinocchio, is not on this platform.
         """
         v = np.gradient(self.q, self.t, axis=0)
         a = np.gradient(v, self.t, axis=0)

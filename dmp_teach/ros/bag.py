@@ -78,7 +78,7 @@ def write_rosbag(
         The path.
 
     Raises:
-        MissingPartError: rosbags or PlaCo is not installed.
+        MissingPartError: rosbags is not installed.
         TrajectoryError: Not a motion, or one that the Fetch's limits do not allow.
         JointError: A motion of other joints.
         SettingError: A start that is none, or out of the joints' limits.

@@ -54,7 +54,6 @@ def find_way(motion: Motion, start: Array) -> Array:
 
     Raises:
         ReachError: No way was found.
-        MissingPartError: PlaCo, which brings coal, is not on this platform.
     """
     for around in _AROUND:
         way = _Roadmap(motion, np.asarray(start, dtype=float), around).way()

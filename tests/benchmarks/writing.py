@@ -13,9 +13,9 @@ from typing import Any
 import numpy as np
 
 import dmp_teach as teach
-from dmp_teach.robot.arm import get_solver
 from dmp_teach.robot.model.kinematics import Model
 from dmp_teach.robot.motion import Motion
+from dmp_teach.robot.solvers import get_solver
 from dmp_teach.trajectory import Array
 from dmp_teach.views.scene.commands import record_stage
 from dmp_teach.views.scene.stage import Stage

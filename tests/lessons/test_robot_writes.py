@@ -65,7 +65,6 @@ def test_a_bet_on_the_true_border_is_told_so():
 
 
 def test_the_robot_writes_where_the_page_is_set_or_moves_the_knobs_to_its_cure():
-    pytest.importorskip("placo", reason="PlaCo is not on this platform")
     panel = teach.lesson("08").panel()
     panel.forget()
     panel.go("try")
@@ -89,7 +88,6 @@ def test_the_robot_writes_where_the_page_is_set_or_moves_the_knobs_to_its_cure()
 @pytest.mark.parametrize("where", ["table", "board"])
 def test_pens_press_as_in_the_simulation(where):
     """A spring to 0.05 N; a rigid pen breaks."""
-    pytest.importorskip("placo", reason="PlaCo is not on this platform")
     pytest.importorskip("pybullet", reason="pybullet is not installed")
     values = {"where": where, "ahead": 75, "right": 0, "pen": "sprung", "press": 6, "speed": 60}
     motion = teach.Fetch().write(write_letter("e", 60), WritingSetup(values).page)

@@ -24,7 +24,6 @@ def asked(x_height, width, height):
 
 
 def test_the_robot_writes_text_as_one_motion_where_it_stands():
-    pytest.importorskip("placo")
     text = write_lines("go\nup", x_height=0.012, joined=True)
     motion = Fetch().write(text, Page.table(), at=text.middle)
     assert len(motion.strokes) == len(text)

@@ -1,29 +1,24 @@
-import dataclasses
 import gc
 import itertools
 import re
-import sys
 import threading
-from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
 from hypothesis import strategies as st
 
 import dmp_teach as teach
-from dmp_teach.errors import JointError, MissingPartError, ReachError
-from dmp_teach.robot.arm import JOINTS, Solver, get_solver
+from dmp_teach.errors import ReachError
+from dmp_teach.robot.arm import JOINTS
 from dmp_teach.robot.fetch import Fetch
-from dmp_teach.robot.model.reduced import load_reduced_robot
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.pen_path import MOTION_RATE, connect_strokes
+from dmp_teach.robot.solvers import build_solver, get_solver
 from dmp_teach.trajectory import Trajectory
 from tests.recordings import RECORDINGS, needs_recordings
 from tests.robot import ink
 from tests.robot.ink import LETTER, law
 from tests.robot.sound import LIMITS, assert_sound
-
-pytest.importorskip("placo", reason="PlaCo is not on this platform")
 
 SHEETS = (
     Page.table(),
@@ -167,7 +162,7 @@ def test_a_solver_is_built_once_in_a_thread():
 
 
 def test_nothing_is_printed(capfd):
-    solver = Solver()  # not this thread's own, which has been built
+    solver = build_solver()  # not this thread's own, which has been built
     solver.stand(np.zeros(8), np.array([0.0, 0, 1]), torso=True)
     solver.approach(np.array([3.0, 0, 0]))
     solver.proximity.touching(solver.joints())
@@ -175,15 +170,6 @@ def test_nothing_is_printed(capfd):
     del solver
     gc.collect()
     assert capfd.readouterr() == ("", "")
-
-
-@pytest.mark.parametrize(
-    ("name", "nearest"),
-    [("elbow_flex", "elbow_flex_joint"), ("wrist_rol_joint", "wrist_roll_joint")],
-)
-def test_a_joint_that_is_none_is_not_masked_in_silence(name, nearest):
-    with pytest.raises(JointError, match=nearest):
-        get_solver().mask(name)
 
 
 @pytest.mark.parametrize("sign", [1, -1])
@@ -221,19 +207,6 @@ def test_joints_that_turn_for_ever_do_not_jump_at_half_a_turn():
     q = solver.follow(start, -X[:3, 2], path, lambda step, part: None)
     assert q[:, roll].min() < -np.pi < q[:, roll].max()
     assert np.abs(np.diff(q, axis=0)).max() < 0.05
-
-
-def test_without_placo_the_sentence_says_what_to_do_and_the_rest_goes_on(monkeypatch):
-    motion = dataclasses.replace(Fetch().write(LETTER, Page.table()))
-    for library in ("placo", "pinocchio"):
-        monkeypatch.setitem(sys.modules, library, None)
-    load_reduced_robot.cache_clear()
-    says = r"PlaCo, which is not here.* plots work without it\..*pip install placo.*WSL"
-    with ThreadPoolExecutor(1) as new_thread, pytest.raises(MissingPartError, match=says):
-        new_thread.submit(Fetch).result()
-    with pytest.raises(MissingPartError, match=says):
-        _ = motion.torque
-    assert teach.Letter.learn(teach.recording_of("a")).write()
 
 
 @needs_recordings

@@ -21,8 +21,6 @@ from tests.robot import ink
 from tests.robot.ink import LETTER, law
 from tests.robot.sound import LIMITS, assert_sound
 
-pytest.importorskip("placo", reason="PlaCo is not on this platform")
-
 LOW = np.array([max(joint.lower, -np.pi) for joint in LIMITS])
 HIGH = np.array([min(joint.upper, np.pi) for joint in LIMITS])
 

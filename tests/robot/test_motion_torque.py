@@ -19,8 +19,6 @@ from dmp_teach.trajectory import Trajectory
 from tests.robot.ink import LETTER
 from tests.robot.sound import LIMITS, MODEL
 
-pytest.importorskip("placo", reason="PlaCo is not on this platform")
-
 EFFORTS = np.array([joint.effort for joint in LIMITS])
 RNG = np.random.default_rng(3)
 LOW = np.array([max(joint.lower, -np.pi) for joint in LIMITS])

@@ -16,8 +16,6 @@ from dmp_teach.robot.model.urdf import read_origin
 from dmp_teach.robot.page import Page
 from tests.robot.sound import LIMITS, MODEL
 
-pytest.importorskip("placo", reason="PlaCo is not on this platform")
-
 LOW = np.array([max(joint.lower, -np.pi) for joint in LIMITS])
 HIGH = np.array([min(joint.upper, np.pi) for joint in LIMITS])
 SPACING = 0.03

@@ -13,8 +13,6 @@ from dmp_teach.trajectory import Trajectory
 from tests.robot.ink import LETTER, law
 from tests.robot.sound import assert_sound
 
-pytest.importorskip("placo", reason="PlaCo is not on this platform")
-
 GOOD = (
     "Page.table()",
     "Page.board()",
@@ -54,7 +52,6 @@ FAR = (
     Page.board(x=1.2, y=0.5),
     Page.table(x=1.2, width=0.3, height=0.2),
 )
-
 
 BAD = (
     (

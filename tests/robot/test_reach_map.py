@@ -11,8 +11,6 @@ from dmp_teach.robot.page import Page
 from dmp_teach.robot.reach.known import USUAL_PAGES, known_reach
 from dmp_teach.robot.reach.map import reach_around, reach_map
 
-pytest.importorskip("placo", reason="PlaCo is not on this platform")
-
 FAR, LEAN = (0.3, 0.7, 0.9, 1.3), np.radians((0, 45, 90))
 
 

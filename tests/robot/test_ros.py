@@ -29,7 +29,6 @@ from tests.robot.ink import LETTER
 from tests.robot.ros_world import HAS_ROS, play_on_a_real_roscore
 from tests.robot.sound import LIMITS, MODEL
 
-pytest.importorskip("placo", reason="PlaCo is not on this platform")
 rosbag1 = pytest.importorskip("rosbags.rosbag1")
 
 FETCH_GROUP = [

@@ -20,7 +20,6 @@ from tests.recordings import RECORDINGS, needs_recordings
 from tests.robot import ink
 from tests.robot.ink import law
 
-pytest.importorskip("placo", reason="PlaCo is not on this platform")
 pybullet = pytest.importorskip("pybullet", reason="pybullet is not on this platform")
 
 PAGES = {"table": teach.Page.table(), "board": teach.Page.board()}

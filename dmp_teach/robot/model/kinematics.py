@@ -1,4 +1,4 @@
-"""The robot's links and joints, and where each link is. No PlaCo needed."""
+"""The robot's links and joints, and where each link is."""
 
 from __future__ import annotations
 

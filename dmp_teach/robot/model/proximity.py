@@ -1,16 +1,13 @@
-"""How near the arm comes to the robot's body, to its own parts and to what the page lies on.
-
-Distances of boxes, cylinders and spheres are coal's, which PlaCo brings with pinocchio.
-"""
+"""How near the arm comes to the robot's body, to its own parts and to what the page lies on."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
-from dmp_teach.robot.model.reduced import load_pinocchio, load_reduced_robot
+from dmp_teach.robot.model.convex import ShapeRows, Shapes, measure_gaps, read_shapes
+from dmp_teach.robot.model.kinematics import Model
 from dmp_teach.robot.page import Page
 from dmp_teach.trajectory import Array
 
@@ -39,6 +36,12 @@ _ARM = tuple(
 _HAND = ("gripper_link", "r_gripper_finger_link", "l_gripper_finger_link", "pen_link", "pen_tip")
 
 
+# A span of samples is cut into so many pieces, down to one sample.
+_PIECES = 8
+# So many pairs of shapes are measured at once.
+_BATCH = 20_000
+
+
 class Near(NamedTuple):
     """A sample (row) at which the arm's `link` comes near to `other`, a link or "page" [m]."""
 
@@ -52,7 +55,7 @@ class Proximity:
     """The distances between the arm's links and what each of them could meet.
 
     Args:
-        joint_names: The J joints that move, as for `ReducedRobot`.
+        joint_names: The J joints that move.
         page: What the arm must not go through; None: nothing but the robot itself.
         around: How far what the page lies on goes on beyond the page [m].
         grown: By how much each shape is larger than it is, on every side [m].
@@ -65,39 +68,33 @@ class Proximity:
         around: float = 0.0,
         grown: float = 0.0,
     ) -> None:
-        self._pinocchio = pinocchio = load_pinocchio()
-        self._robot = load_reduced_robot(joint_names)
-        self._geometry = self._robot.geometry.copy()
-        if grown:
-            for shape in self._geometry.geometryObjects:
-                shape.geometry = _grow(shape.geometry, grown)
-        links = list(self._robot.links)
+        self._model = Model.load()
+        self._joint_names = joint_names
+        links, shapes = read_shapes()
+        self._shapes = shapes.grown(grown)
+        reach = self._reach(links)
         if page is not None:
-            self._geometry.addGeometryObject(_page_block(page, around))
-            links.append("page")
-        pairs = _shape_pairs(links)
-        for one, other in pairs:
-            self._geometry.addCollisionPair(pinocchio.CollisionPair(one, other))
-        self._named = [(links[one], links[other]) for one, other in pairs]
+            links = (*links, "page")
+            self._shapes = self._shapes.joined(_page_block(page, around))
+            reach = np.vstack([reach, 0 * reach[:1]])
+        self._links = tuple(dict.fromkeys(links))
+        self._carriers = np.array([self._links.index(link) for link in links])
+        self._met = np.array(_shape_pairs(links))
+        self._named = [(links[one], links[other]) for one, other in self._met]
         self.pairs = tuple(dict.fromkeys(self._named))
         """The L pairs of a link and what it could meet."""
         self._firsts = [self._named.index(pair) for pair in self.pairs]
-        reach = self._reach()[np.array(pairs)]
+        reach = reach[self._met]
         # A joint that carries both does not bring them nearer to each other.
         self._sweep = np.where((reach > 0).all(axis=1), 0.0, reach.sum(axis=1))
-        self._data = self._robot.model.createData()
-        self._found = pinocchio.GeometryData(self._geometry)
 
     def distances(self, q: Array) -> Array:
         """Return the least distances of the `pairs` (T, L) [m], less than 0 where they overlap."""
-        found = [
-            self._at(moment, range(len(self._named))) for moment in self._robot.configurations(q)
-        ]
-        return np.minimum.reduceat(np.array(found), self._firsts, axis=1)
+        return self._least(q, np.inf)
 
     def touching(self, q: Array) -> list[tuple[str, str]]:
         """Return those of the `pairs` that overlap at joint positions q (J,) [rad, m]."""
-        overlap = self.distances(q[None])[0] < 0
+        overlap = self._least(q[None], 0.0)[0] < 0
         return [pair for pair, overlaps in zip(self.pairs, overlap, strict=True) if overlaps]
 
     def approaches(self, q: Array, within: float) -> list[Near]:
@@ -105,78 +102,83 @@ class Proximity:
 
         In a span of samples a point moves no further than its distance from each joint times the
         turn of that joint: most spans are settled by the distances in their middle, only the others
-        are halved. Only the pen may come near to the page.
+        are cut into pieces. Only the pen may come near to the page.
         """
-        counts = [
-            number
-            for number, (link, other) in enumerate(self._named)
-            if not (other == "page" and link.startswith("pen"))
-        ]
-        near = []
-        configurations = self._robot.configurations(q)
-        spans = [(np.arange(len(q)), np.array(counts))]
-        while spans:
-            rows, pairs = spans.pop()
-            middle = len(rows) // 2
-            row = rows[middle]
-            distances = self._at(configurations[row], pairs)
-            for pair in np.flatnonzero(distances < within):
-                near.append(Near(int(row), float(distances[pair]), *self._named[pairs[pair]]))
-            turned = np.abs(q[rows] - q[row]).max(axis=0)
-            doubtful = pairs[distances - self._sweep[pairs] @ turned < within]
-            halves = (rows[:middle], rows[middle + 1 :])
-            spans += [(half, doubtful) for half in halves if len(half) and len(doubtful)]
-        return near
+        poses = self._poses(q)
+        pairs = np.array([n for n, pair in enumerate(self._named) if not _is_writing(*pair)])
+        spans = np.zeros_like(pairs)
+        length = _PIECES ** int(np.ceil(np.log(max(len(q), 2)) / np.log(_PIECES)))
+        while True:
+            rows = np.minimum(np.arange(-(-len(q) // length) * length), len(q) - 1)
+            middles = rows[length // 2 :: length]
+            turned = abs(q[rows].reshape(len(middles), length, -1) - q[middles, None]).max(axis=1)
+            enough = within + (turned[spans] * self._sweep[pairs]).sum(axis=1)
+            gaps = self._gaps(poses, middles[spans], pairs, enough, length == 1)
+            near = gaps < enough
+            spans, pairs, gaps = spans[near], pairs[near], gaps[near]
+            if length == 1:
+                found = zip(spans, gaps, pairs, strict=True)
+                return [Near(int(row), float(gap), *self._named[n]) for row, gap, n in found]
+            length //= _PIECES
+            spans = (_PIECES * spans[:, None] + np.arange(_PIECES)).ravel()
+            inside = spans * length < len(q)
+            spans, pairs = spans[inside], np.repeat(pairs, _PIECES)[inside]
 
-    def _at(self, configuration: Array, pairs: Iterable[int]) -> Array:
-        """Return the distances of some pairs of shapes in one configuration [m]."""
-        measure = self._pinocchio.computeDistance
-        self._pinocchio.updateGeometryPlacements(
-            self._robot.model, self._data, self._geometry, self._found, configuration
-        )
-        return np.array([measure(self._geometry, self._found, int(n)).min_distance for n in pairs])
+    def _least(self, q: Array, enough: float) -> Array:
+        """Return the least distances of the `pairs` (T, L), where they are not `enough` [m]."""
+        rows, pairs = np.indices((len(q), len(self._named))).reshape(2, -1)
+        gaps = self._gaps(self._poses(q), rows, pairs, np.full(len(rows), enough), enough > 0)
+        return np.minimum.reduceat(gaps.reshape(len(q), -1), self._firsts, axis=1)
 
-    def _reach(self) -> Array:
+    def _poses(self, q: Array) -> Array:
+        """Return where each of `_links` is (T, N, 4, 4)."""
+        poses = self._model.link_poses(q, self._joint_names)
+        fixed = np.broadcast_to(np.eye(4), (len(q), 4, 4))
+        return np.stack([poses.get(link, fixed) for link in self._links], axis=1)
+
+    def _gaps(
+        self, poses: Array, rows: ShapeRows, pairs: ShapeRows, enough: Array, depth: bool
+    ) -> Array:
+        """Return the distances of some pairs of shapes, each at its row (N,) [m]."""
+        gaps = np.empty(len(rows))
+        for first in range(0, len(rows), _BATCH):
+            some = slice(first, first + _BATCH)
+            one, other = (
+                self._shapes.take(shapes).moved(poses[rows[some], self._carriers[shapes]])
+                for shapes in self._met[pairs[some]].T
+            )
+            gaps[some] = measure_gaps(one, other, enough[some], depth)
+        return gaps
+
+    def _reach(self, links: tuple[str, ...]) -> Array:
         """Return how far a unit of each joint moves a point of each shape at most, (G, J)."""
-        model = self._robot.model
-        reach = np.zeros((self._geometry.ngeoms, len(self._robot.joint_ids)))
-        for number, shape in enumerate(self._geometry.geometryObjects):
-            shape.geometry.computeLocalAABB()
-            middle = shape.placement.act(shape.geometry.aabb_center)
-            far = np.linalg.norm(middle) + shape.geometry.aabb_radius
-            joint = shape.parentJoint
-            while joint:
-                slides = model.joints[joint].shortname().startswith("JointModelP")
-                reach[number, self._robot.joint_ids.index(joint)] = 1.0 if slides else far
-                far += np.linalg.norm(model.jointPlacements[joint].translation)
-                joint = model.parents[joint]
+        carried = {joint.child: joint for joint in self._model.joints}
+        far = np.linalg.norm(self._shapes.p, axis=1) + self._shapes.radius()
+        reach = np.zeros((len(links), len(self._joint_names)))
+        for number, link in enumerate(links):
+            joint = carried.get(link)
+            while joint is not None:
+                if joint.name in self._joint_names:
+                    column = self._joint_names.index(joint.name)
+                    reach[number, column] = 1.0 if joint.type == "prismatic" else far[number]
+                far[number] += np.linalg.norm(joint.X_parent_joint[:3, 3])
+                joint = carried.get(joint.parent)
         return reach
 
 
-# Any: coal has no types.
-def _grow(shape: Any, by: float) -> Any:
-    """Return one of coal's shapes, larger on every side [m]."""
-    import coal  # noqa: PLC0415
-
-    if isinstance(shape, coal.Box):
-        return coal.Box(*(2 * (shape.halfSide + by)))
-    if isinstance(shape, coal.Cylinder):
-        return coal.Cylinder(shape.radius + by, 2 * (shape.halfLength + by))
-    return coal.Sphere(shape.radius + by)
-
-
-def _page_block(page: Page, around: float) -> Any:
-    """Return what a page lies on, as pinocchio's geometry, fixed in the world."""
-    import coal  # noqa: PLC0415
-
-    pinocchio = load_pinocchio()
-    size = (page.width + 2 * around, page.height + 2 * around, _PAGE_DEPTH)
+def _page_block(page: Page, around: float) -> Shapes:
+    """Return what a page lies on, fixed in the world."""
+    half = np.array([page.width / 2 + around, page.height / 2 + around, _PAGE_DEPTH / 2])
     middle = page.to_world((0.0, 0.0, -_PAGE_DEPTH / 2))
-    X = pinocchio.SE3(page.X_world_page[:3, :3], middle)
-    return pinocchio.GeometryObject("page", 0, X, coal.Box(*size))
+    return Shapes(page.X_world_page[None, :3, :3], middle[None], half[None], *np.zeros((2, 1)))
 
 
-def _shape_pairs(links: list[str]) -> list[tuple[int, int]]:
+def _is_writing(link: str, other: str) -> bool:
+    """Whether it is the pen at the page."""
+    return other == "page" and link.startswith("pen")
+
+
+def _shape_pairs(links: tuple[str, ...]) -> list[tuple[int, int]]:
     """Return the numbers of shapes that could meet, those of a pair of links together."""
     moving = (*_ARM, *_HAND)
     met = [(link, other) for link in moving for other in (*_BODY, *moving)]

@@ -1,20 +1,20 @@
-"""The robot in pinocchio, which PlaCo brings: its masses and its collision shapes.
-
-Neither pinocchio nor coal has types: their modules and values are Any.
-"""
+"""The torques and masses of the robot with some joints that move and all others held at rest."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import lru_cache
-from typing import Any
 
 import numpy as np
 
-from dmp_teach.errors import MissingPartError
 from dmp_teach.files import ASSETS
-from dmp_teach.robot.model.kinematics import REST, Model
+from dmp_teach.robot.model.kinematics import Model
+from dmp_teach.robot.model.rotation import cross, rotate
+from dmp_teach.robot.model.urdf import Body, read_bodies
 from dmp_teach.trajectory import Array
+
+_GRAVITY = np.array([0, 0, 0, 0, 0, 9.81])
+"""A robot that stands feels as one that is accelerated upwards [m/s^2]."""
 
 
 class ReducedRobot:
@@ -24,62 +24,65 @@ class ReducedRobot:
 
     Raises:
         JointError: A joint that the robot does not have.
-        MissingPartError: PlaCo, which brings pinocchio, is not on this platform.
     """
 
     def __init__(self, joint_names: Sequence[str]) -> None:
-        self._pinocchio = pinocchio = load_pinocchio()
         path = ASSETS / ("fetch_sprung.urdf" if "pen_slide_joint" in joint_names else "fetch.urdf")
-        ours = Model.load(path)
-        for name in joint_names:
-            ours.joint(name)
-        full = pinocchio.buildModelFromUrdf(str(path))
-        shapes = pinocchio.buildGeomFromUrdf(full, str(path), pinocchio.GeometryType.COLLISION)
-        self.links = [full.frames[shape.parentFrame].name for shape in shapes.geometryObjects]
-        rest = pinocchio.neutral(full)
-        for name, value in REST.items():
-            rest[full.joints[full.getJointId(name)].idx_q] = value
-        still = [n for n, name in enumerate(full.names) if n and name not in joint_names]
-        self.model, self.geometry = pinocchio.buildReducedModel(full, shapes, still, rest)
-        self.joint_ids = [self.model.getJointId(name) for name in joint_names]
+        self._model = Model.load(path)
+        self._names = tuple(joint_names)
+        self._joints = [self._model.joint(name) for name in joint_names]
+        self._bodies = self._melt(read_bodies(path))
 
-    def configurations(self, q: Array) -> Array:
-        """Return pinocchio's configurations (T, nq) for joint positions (T, J) [rad, m]."""
-        found = np.zeros((len(q), self.model.nq))
-        for angle, number in zip(q.T, self.joint_ids, strict=True):
-            joint = self.model.joints[number]
-            if joint.nq == 1:
-                found[:, joint.idx_q] = angle
-            else:
-                # A joint that turns for ever is held as the cosine and sine of its angle.
-                found[:, joint.idx_q] = np.cos(angle)
-                found[:, joint.idx_q + 1] = np.sin(angle)
-        return found
+    def _melt(self, bodies: dict[str, Body]) -> dict[tuple[int, ...], tuple[str, Body]]:
+        """Return what moves as one: by the joints that carry it, its first link and its body."""
+        carriers: dict[str, tuple[int, ...]] = {self._model.root: ()}
+        for joint in self._model.joints:
+            own = (self._names.index(joint.name),) if joint.name in self._names else ()
+            carriers[joint.child] = carriers[joint.parent] + own
+        poses = self._model.link_poses(np.zeros(len(self._names)), self._names)
+        melted = {}
+        for joint in self._joints:
+            columns = carriers[joint.child]
+            back = np.linalg.inv(poses[joint.child][0])
+            parts = [
+                bodies[link].seen_from(back @ poses[link][0])
+                for link in bodies
+                if carriers[link] == columns
+            ]
+            melted[columns] = joint.child, Body.joined(parts)
+        return dict(sorted(melted.items(), key=lambda item: len(item[0])))
 
     def torques(self, q: Array, v: Array, a: Array) -> Array:
         """Return the torques (T, J) [N m, N] of positions, velocities and accelerations (T, J).
 
         M(q) a + C(q, v) v + g(q), by the recursive Newton-Euler algorithm (Featherstone 2008, table
-        5.1), without friction and with the pen in the air.
+        5.1), without friction and with the pen in the air. All vectors are spatial ones at the
+        origin of the world, turning first, for all samples at once (T, 6).
         """
-        data = self.model.createData()
-        configurations = self.configurations(q)
-        order = [self.model.joints[number].idx_v for number in self.joint_ids]
-        needed = np.empty_like(v)
-        speeds = np.empty_like(v)
-        pushes = np.empty_like(v)
-        speeds[:, order] = v
-        pushes[:, order] = a
-        for row, moment in enumerate(configurations):
-            needed[row] = self._pinocchio.rnea(self.model, data, moment, speeds[row], pushes[row])
-        return needed[:, order]
+        poses = self._model.link_poses(q, self._names)
+        still = np.zeros((len(q), 6))
+        moves: dict[tuple[int, ...], tuple[Array, Array]] = {(): (still, still + _GRAVITY)}
+        axes = {}
+        needed = np.zeros(np.shape(v))
+        for carriers, (link, body) in self._bodies.items():
+            V, A = moves[carriers[:-1]]
+            column = carriers[-1]
+            joint = self._joints[column]
+            S = axes[column] = _axis(poses[link], joint.axis, joint.type == "prismatic")
+            A = A + a[:, column, None] * S + v[:, column, None] * _carried(V, S)
+            V = V + v[:, column, None] * S
+            moves[carriers] = V, A
+            force = _force(poses[link], body, V, A)
+            for number in carriers:
+                needed[:, number] += np.einsum("ti,ti->t", axes[number], force)
+        return needed
 
-    def inertia(self, q: Array) -> list[Array]:
-        """Return the mass matrix at each of the positions (T, J), (J, J) [kg m^2, kg m, kg]."""
-        data = self.model.createData()
-        order = [self.model.joints[number].idx_v for number in self.joint_ids]
-        upper = [self._pinocchio.crba(self.model, data, each) for each in self.configurations(q)]
-        return [(M + np.triu(M, 1).T)[np.ix_(order, order)] for M in map(np.triu, upper)]
+    def inertia(self, q: Array) -> Array:
+        """Return the mass matrix at each position (T, J), (T, J, J) [kg m^2, kg m, kg]."""
+        still = np.zeros(q.shape)
+        held = self.torques(q, still, still)
+        pushes = np.eye(q.shape[1])
+        return np.stack([self.torques(q, still, still + each) - held for each in pushes], axis=2)
 
 
 @lru_cache(maxsize=4)
@@ -88,19 +91,27 @@ def load_reduced_robot(joint_names: tuple[str, ...]) -> ReducedRobot:
     return ReducedRobot(joint_names)
 
 
-def load_pinocchio() -> Any:
-    """Import pinocchio, or say what is missing."""
-    try:
-        import pinocchio  # noqa: PLC0415 (loaded when a robot is needed, not before)
-    except (ImportError, OSError) as error:
-        raise explain_missing_placo(error) from None
-    return pinocchio
+def _axis(X: Array, axis: Array, slides: bool) -> Array:
+    """Return the velocity of all that a joint carries where it moves by 1 a second (T, 6)."""
+    along = X[:, :3, :3] @ axis
+    return np.hstack([0 * along, along] if slides else [along, cross(X[:, :3, 3], along)])
 
 
-def explain_missing_placo(error: Exception) -> MissingPartError:
-    """Return the error where PlaCo, or what it brings, cannot be imported."""
-    return MissingPartError(
-        f"The robot's joints are solved by PlaCo, which is not here ({error}). Letters, sliders "
-        "and plots work without it. On Linux and macOS: python3 -m pip install placo; on Windows "
-        "use WSL, or a notebook hub."
-    )
+def _carried(V: Array, S: Array) -> Array:
+    """Return how an axis S (T, 6) changes that is carried at velocity V (T, 6), (T, 6)."""
+    turning, sliding = V[:, :3], V[:, 3:]
+    turned = cross(turning, S[:, 3:]) + cross(sliding, S[:, :3])
+    return np.hstack([cross(turning, S[:, :3]), turned])
+
+
+def _force(X: Array, body: Body, V: Array, A: Array) -> Array:
+    """Return what moves a body so: the moment about the world's origin and the force (T, 6)."""
+    R = X[:, :3, :3]
+    back = np.swapaxes(R, 1, 2)
+    place = R @ body.centre + X[:, :3, 3]
+    turning = V[:, :3]
+    spin = rotate(R, rotate(back, turning) @ body.inertia)
+    spun = rotate(R, rotate(back, A[:, :3]) @ body.inertia)
+    speed = V[:, 3:] + cross(turning, place)
+    force = body.mass * (A[:, 3:] + cross(A[:, :3], place) + cross(turning, speed))
+    return np.hstack([spun + cross(turning, spin) + cross(place, force), force])

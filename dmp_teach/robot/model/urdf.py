@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import combinations_with_replacement
 from pathlib import Path
+from typing import NamedTuple
 from xml.etree import ElementTree as ET
 
 import numpy as np
-import scipy
 
+from dmp_teach.robot.model.rotation import turn_about
 from dmp_teach.trajectory import Array
 from dmp_teach.values import Value
 
@@ -49,9 +51,35 @@ class Joint(Value):
         if self.type == "prismatic":
             X[:, :3, 3] += q[:, None] * (self.X_parent_joint[:3, :3] @ self.axis)
         elif self.type in ("revolute", "continuous"):
-            turn = scipy.spatial.transform.Rotation.from_rotvec(q[:, None] * self.axis).as_matrix()
-            X[:, :3, :3] = self.X_parent_joint[:3, :3] @ turn
+            X[:, :3, :3] = self.X_parent_joint[:3, :3] @ turn_about(self.axis, q)
         return X
+
+
+class Body(NamedTuple):
+    """What a link weighs: its mass [kg], the middle (3,) [m] and inertia (3, 3) [kg m^2] there.
+
+    Both are in the link's axes.
+    """
+
+    mass: float
+    centre: Array
+    inertia: Array
+
+    def seen_from(self, X: Array) -> Body:
+        """Return it in other axes, in which its own have the pose X (4, 4)."""
+        R = X[:3, :3]
+        return Body(self.mass, R @ self.centre + X[:3, 3], R @ self.inertia @ R.T)
+
+    @classmethod
+    def joined(cls, parts: Sequence[Body]) -> Body:
+        """Return bodies, all in the same axes, as one (the theorem of Steiner)."""
+        mass = sum(part.mass for part in parts)
+        centre = np.sum([part.mass * part.centre for part in parts], axis=0) / mass
+        inertia = np.zeros((3, 3))
+        for part in parts:
+            d = part.centre - centre
+            inertia += part.inertia + part.mass * (d @ d * np.eye(3) - np.outer(d, d))
+        return cls(mass, centre, inertia)
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -84,6 +112,22 @@ def read_robot(path: Path) -> tuple[str, tuple[str, ...], tuple[Joint, ...]]:
     return root.attrib.get("name", path.stem), links, joints
 
 
+def read_bodies(path: Path) -> dict[str, Body]:
+    """Read what each link weighs, those left out that weigh nothing."""
+    found = {}
+    for link in ET.parse(path).getroot().iter("link"):
+        for element in link.findall("inertial"):
+            (mass,) = _numbers(element.find("mass"), "value", "0")
+            inertia = np.zeros((3, 3))
+            for row, column in combinations_with_replacement(range(3), 2):
+                axes = f"i{'xyz'[row]}{'xyz'[column]}"
+                (moment,) = _numbers(element.find("inertia"), axes, "0")
+                inertia[row, column] = inertia[column, row] = moment
+            body = Body(float(mass), np.zeros(3), inertia)
+            found[link.attrib["name"]] = body.seen_from(read_origin(element))
+    return found
+
+
 def read_visuals(path: Path) -> Iterator[Visual]:
     """Yield the pieces of the shell, their meshes read from beside the URDF."""
     for link in ET.parse(path).getroot().iter("link"):
@@ -105,9 +149,8 @@ def read_origin(element: ET.Element) -> Array:
     """Read the pose in an <origin>: a place, and turns about the fixed x, y and z, in order."""
     found = element.find("origin")
     X = np.eye(4)
-    X[:3, :3] = scipy.spatial.transform.Rotation.from_euler(
-        "xyz", _numbers(found, "rpy", "0 0 0")
-    ).as_matrix()
+    for axis, angle in zip(np.eye(3), _numbers(found, "rpy", "0 0 0"), strict=True):
+        X[:3, :3] = turn_about(axis, angle) @ X[:3, :3]
     X[:3, 3] = _numbers(found, "xyz", "0 0 0")
     return X
 

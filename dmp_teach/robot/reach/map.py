@@ -10,12 +10,12 @@ import numpy as np
 
 from dmp_teach.arguments import checked
 from dmp_teach.errors import PageError
-from dmp_teach.robot.arm import get_solver
 from dmp_teach.robot.motion import BoolArray
 from dmp_teach.robot.page import A4, Page, check_page
 from dmp_teach.robot.reach.check import measure_misses
 from dmp_teach.robot.reach.posture import STRAINED_EFFORT, find_posture
 from dmp_teach.robot.reach.suggest import whole_area
+from dmp_teach.robot.solvers import get_solver
 from dmp_teach.trajectory import Array
 from dmp_teach.values import Value, locked
 
@@ -98,7 +98,6 @@ def reach_map(
 
     Raises:
         PageError: Values that are no numbers, or a page that cannot be.
-        MissingPartError: PlaCo is not on this platform.
     """
     distances = _axis("x", x, _DISTANCES)
     tilts = _axis("tilt", tilt, _TILTS)
@@ -133,7 +132,6 @@ def reach_around(
 
     Raises:
         PageError: Values that are no numbers, or no page.
-        MissingPartError: PlaCo is not on this platform.
     """
     page = Page.table() if page is None else page
     check_page(page)

@@ -1,7 +1,7 @@
 """Find a posture of the arm from which it reaches a part of a page.
 
-PlaCo never says that a page is out of reach; its answer is then a wrong pose, up to 0.8 m off. So a
-posture is judged by where the pen really ends up.
+A solver never says that a page is out of reach; its answer is then a wrong pose, up to 0.8 m off.
+So a posture is judged by where the pen really ends up.
 """
 
 from __future__ import annotations

@@ -1,0 +1,175 @@
+"""The arm solved in NumPy alone, where there is no PlaCo: the same steps, to the last digits."""
+
+# ruff: noqa: D102 (`Solver` says what each method does)
+from __future__ import annotations
+
+import numpy as np
+
+from dmp_teach.robot.arm import JOINTS, STEP_COST, Solver
+from dmp_teach.robot.model.urdf import Joint
+from dmp_teach.trajectory import Array
+
+# A joint beyond its bound by less is at it [rad, m].
+_SLACK = 1e-12
+
+
+class NumpySolver(Solver):
+    """The chain from the root to the pen's tip, seen from frames that turn or slide along their z.
+
+    A step is a least-squares problem with bounds, of which those are held that would be broken.
+    """
+
+    name = "NumPy"
+
+    def __init__(self) -> None:
+        super().__init__()
+        self._fixed, self._end = self._chain()
+        self._slides = np.array([self.model.joint(name).type == "prismatic" for name in JOINTS])
+        self._free = np.arange(len(JOINTS))
+        self._q = np.zeros(len(JOINTS))
+        self._target = self._liked = self._down = np.zeros(3)
+        self._upright = self._liking = 0.0
+        self._farthest = np.full(len(JOINTS), np.inf)
+        self._poses: dict[str, Array] = {}
+        self._update()
+
+    def place(self, q: Array, normal: Array, torso: bool, upright: float) -> None:
+        self._q = q.copy()
+        self._liked = q.copy()
+        self._down = -normal
+        self._upright = np.sqrt(upright)
+        self._free = np.arange(0 if torso else 1, len(JOINTS))
+        self._update()
+
+    def prefer(self, weight: float) -> None:
+        self._liking = weight
+
+    def bound(self, seconds: float | None) -> None:
+        self._farthest = self.fastest * (np.inf if seconds is None else seconds)
+
+    def go(self, target: Array, steps: int) -> None:
+        for _ in range(steps):
+            self._q[self._free] += self._step(target)
+            self._update()
+
+    def joints(self) -> Array:
+        turned = np.remainder(self._q + np.pi, 2 * np.pi) - np.pi
+        return np.where(self.turning, turned, self._q)
+
+    def pen(self) -> Array:
+        return self._tip.copy()
+
+    def place_of(self, link: str) -> Array:
+        if not self._poses:
+            self._poses = self.model.link_poses(self._q, JOINTS)
+        return self._poses[link][0, :3, 3]
+
+    def jacobian(self) -> Array:
+        return self._J.copy()
+
+    def _chain(self) -> tuple[Array, Array]:
+        """Return each joint's frame in the one before (J, 4, 4), and the tip's in the last."""
+        carried = {joint.child: joint for joint in self.model.joints}
+        chain: list[Joint] = []
+        link = "pen_tip"
+        while link in carried:
+            chain.insert(0, carried[link])
+            link = carried[link].parent
+        fixed = []
+        X = np.eye(4)
+        for joint in chain:
+            X = X @ joint.X_parent_joint
+            if joint.name in JOINTS:
+                along = _frame_along(joint.axis)
+                fixed.append(X @ along)
+                X = along.T
+        return np.array(fixed), X
+
+    def _update(self) -> None:
+        """Compute the tip's pose and Jacobian where the joints are now."""
+        c, s = np.cos(self._q), np.sin(self._q)
+        c[self._slides], s[self._slides] = 1.0, 0.0
+        X = self._fixed.copy()
+        x, y = self._fixed[:, :, 0], self._fixed[:, :, 1]
+        X[:, :, 0] = c[:, None] * x + s[:, None] * y
+        X[:, :, 1] = c[:, None] * y - s[:, None] * x
+        X[:, :, 3] += (self._slides * self._q)[:, None] * X[:, :, 2]
+        for number in range(1, len(X)):
+            np.matmul(X[number - 1], X[number], out=X[number])
+        self._tip = tip = X[-1] @ self._end
+        self._poses = {}
+        axis = X[:, :3, 2].T
+        dx, dy, dz = tip[:3, 3, None] - X[:, :3, 3].T
+        ax, ay, az = axis
+        J = np.empty((6, len(JOINTS)))
+        J[0], J[1], J[2] = ay * dz - az * dy, az * dx - ax * dz, ax * dy - ay * dx
+        J[3:] = axis
+        J[:3, self._slides] = axis[:, self._slides]
+        J[3:, self._slides] = 0.0
+        self._J = J
+
+    def _step(self, target: Array) -> Array:
+        """Return by how much the free joints go in the best step (F,)."""
+        free = self._free
+        across = self._upright * self._tip[:3, :2].T
+        J = self._J[:, free]
+        A = np.concatenate([J[:3], across @ J[3:]])
+        missing = np.concatenate([target - self._tip[:3, 3], across @ self._turn_down()])
+        H = A.T @ A
+        H.flat[:: len(free) + 1] += STEP_COST + self._liking
+        g = A.T @ missing + self._liking * (self._liked - self._q)[free]
+        far = self._farthest[free]
+        low = np.maximum(self.lower[free] - self._q[free], -far)
+        high = np.minimum(self.upper[free] - self._q[free], far)
+        return _least(H, g, low, high)
+
+    def _turn_down(self) -> Array:
+        """Return the rotation vector that turns the pen's axis to where it should look (3,)."""
+        (x, y, z), (u, v, w) = self._tip[:3, 2], self._down
+        cross = np.array([y * w - z * v, z * u - x * w, x * v - y * u])
+        sine = np.sqrt(cross @ cross)
+        cosine = x * u + y * v + z * w
+        if sine > 1e-12:
+            return cross * (np.arctan2(sine, cosine) / sine)
+        # Of all ways to the exact opposite, any one.
+        return np.pi * self._tip[:3, 0] if cosine < 0 else np.zeros(3)
+
+
+def _least(H: Array, g: Array, low: Array, high: Array) -> Array:
+    """Return the x (F,) within bounds that makes x H x / 2 - g x least.
+
+    Those that leave their bounds are held there, the farthest first, and let go where that lowers
+    the cost again.
+    """
+    x = np.asarray(np.linalg.solve(H, g), dtype=float)
+    if (x >= low).all() and (x <= high).all():
+        return x
+    held = np.zeros(len(x), dtype=bool)
+    for _ in range(4 * len(x)):
+        beyond = np.maximum(low - x, x - high)
+        beyond[held] = 0.0
+        if beyond.max() > _SLACK:
+            worst = int(beyond.argmax())
+            x[worst] = np.clip(x[worst], low[worst], high[worst])
+            held[worst] = True
+        else:
+            slope = g - H @ x
+            inward = np.where(x <= low, slope, -slope)
+            inward[~held] = 0.0
+            if inward.max() <= _SLACK:
+                break
+            held[inward.argmax()] = False
+        free = ~held
+        rest = g[free] - H[np.ix_(free, held)] @ x[held]
+        x[free] = np.linalg.solve(H[np.ix_(free, free)], rest)
+    return np.clip(x, low, high)
+
+
+def _frame_along(axis: Array) -> Array:
+    """Return a frame whose z is an axis (3,), shape (4, 4)."""
+    X = np.eye(4)
+    x = np.cross(axis, np.eye(3)[np.abs(axis).argmin()])
+    X[:3, 0] = x / np.linalg.norm(x)
+    X[:3, 1] = np.cross(axis, X[:3, 0])
+    X[:3, 2] = axis
+    return X
