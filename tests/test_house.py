@@ -57,7 +57,7 @@ ROOMS = {  # where a library from elsewhere may be imported
     "zxingcpp": ["views/"],
     "matplotlib": ["views/"],
     "IPython": ["views/", "classroom/"],
-    "traitlets": ["views/", "classroom/"],
+    "traitlets": ["views/", "classroom/", "launcher/"],
     "anywidget": ["views/unsaved.py", "classroom/panels/robot_panel.py"],
     "ipywidgets": ["classroom/"],
     "jupyter_server": ["launcher/"],

@@ -84,6 +84,22 @@ print(*(found.name for found in jedi.Script(code).complete()))
     assert {"learn", "write", "save"} <= set(run(installed, code, tmp_path).split())
 
 
+def test_every_server_of_the_environment_has_our_settings_and_the_lessons(installed, tmp_path):
+    code = """
+from jupyter_core.paths import jupyter_config_path
+from jupyter_server.extension.config import ExtensionConfigManager
+from jupyter_server.services.config import ConfigManager
+from dmp_teach.launcher.lab import FIRST_NOTEBOOK, NOTEBOOKS
+
+settings = ExtensionConfigManager(read_config_path=jupyter_config_path())
+assert settings.get_jpserver_extensions()["dmp_teach.launcher.extension"]
+for name in ("page_config", "default_setting_overrides"):
+    assert ConfigManager(config_dir_name="labconfig").get(name)
+assert (NOTEBOOKS / FIRST_NOTEBOOK).exists()
+"""
+    run(installed, code, tmp_path)
+
+
 def test_lab_copies_the_lessons_of_an_installed_copy_and_overwrites_nothing(installed, tmp_path):
     work, share = tmp_path / "lessons", str(Path(sys.prefix) / "share" / "jupyter")
     work.mkdir()

@@ -4,7 +4,6 @@ The launcher runs this before anything is installed: standard library only, in t
 Python 3.6.
 """
 
-import json
 import os
 import secrets
 import signal
@@ -28,6 +27,7 @@ WORK = (ROOT if PINS.exists() else Path.cwd()) / "work"
 # Jupyter's settings, tabs and log, so that a user's own are neither read nor changed.
 STATE = ".jupyter"
 FIRST_NOTEBOOK = "00_start_here.ipynb"
+CONFIG = Path(__file__).resolve().parent / "config"
 EXTENSIONS = Path(__file__).resolve().parent / "labextensions"
 WINDOWS = os.name == "nt"
 
@@ -121,71 +121,21 @@ def lab_command(python, root, port):
         "ServerApp.root_dir": root,
         "ServerApp.log_level": "WARN",
         "ServerApp.allow_root": True,
-        "ServerApp.kernel_websocket_connection_class": "dmp_teach.launcher.server.PromptConnection",
-        "FileContentsManager.pre_save_hook": "dmp_teach.launcher.notebook_privacy.without_ink",
-        "LabApp.extra_labextensions_path": EXTENSIONS,
-        # The default manager queries an index on the network.
-        "LabApp.extension_manager": "readonly",
-        "LabApp.check_for_updates_class": "jupyterlab.NeverCheckForUpdate",
-        "LabApp.news_url": None,
-        # It would start npm to look for language servers.
-        "LanguageServerManager.autodetect": False,
     }
     return [python, "-m", "jupyterlab"] + ["--{}={}".format(*pair) for pair in settings.items()]
 
 
 def lab_environment(state, token):
-    """Return the environment variables of the server, after writing its settings.
+    """Return the environment variables of the server, which lead it to `extension.py`.
 
-    Jupyter's question about news is switched off, and panels stay in a saved notebook: as a
-    sentence that says how to wake them, without their ink (`notebook_privacy.py`).
+    What somebody has changed in the folder `state` goes before our settings.
     """
-    settle(
-        state,
-        "page_config.json",
-        {
-            "disabledExtensions": {
-                "@jupyterlab/apputils-extension:announcements": True,
-                # With the progress in the toolbar, they are drawn anew twice in every step of a
-                # slider: half of all the processor time that the step takes.
-                "@jupyterlab/application-extension:faviconbusy": True,
-                "@jupyterlab/notebook-extension:kernel-status": True,
-            },
-            "buildCheck": False,
-            "buildAvailable": False,
-        },
-    )
-    settle(
-        state,
-        "default_setting_overrides.json",
-        {
-            "@jupyter-widgets/jupyterlab-manager:plugin": {"saveState": True},
-            # With subshells, panels are deaf after a restart that another window asked for.
-            "@jupyterlab/apputils-extension:kernels-settings": {"commsOverSubshells": "disabled"},
-            "@jupyterlab/notebook-extension:panel": {
-                "toolbar": [{"name": "executionProgress", "disabled": True}]
-            },
-            "@jupyterlab/docmanager-extension:plugin": {"autosaveInterval": 20},
-            "@jupyterlab/notebook-extension:tracker": {"scrollPastEnd": False},
-        },
-    )
     return clean_environment(
         JUPYTER_CONFIG_DIR=str(state),
+        JUPYTER_CONFIG_PATH=os.pathsep.join([str(state), str(CONFIG)]),
         JUPYTER_TOKEN=token,
         IPYTHONDIR=str(Path(str(state)) / "ipython"),
-        # What a browser sets need not be told back to it.
-        JUPYTER_WIDGETS_ECHO="0",
-        # Its name is in `svg_repr.py`; here nothing of the package can be imported.
-        DMP_TEACH_PICTURES_STAY_OUT="1",
     )
-
-
-def settle(state, name, content):
-    """Write a file of JupyterLab's settings; those that stand in it already stay."""
-    file = Path(str(state)) / "labconfig" / name
-    file.parent.mkdir(parents=True, exist_ok=True)
-    own = json.loads(file.read_text()) if file.exists() else {}
-    file.write_text(json.dumps(dict(content, **own)))
 
 
 def watch(process, log, port, start, token):

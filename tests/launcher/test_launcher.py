@@ -221,8 +221,9 @@ class Server:
         )
         self.address, self.token = self.line.split()[3].split("?token=")
 
-    def ask(self, path, data=None, token=None):
-        request = urllib.request.Request(self.address.split("/doc/")[0] + path, data=data)
+    def ask(self, path, data=None, token=None, method=None):
+        url = self.address.split("/doc/")[0] + path
+        request = urllib.request.Request(url, data=data, method=method)
         request.add_header("Authorization", f"token {token or self.token}")
         opener = urllib.request.build_opener(urllib.request.ProxyHandler({}))
         return json.loads(opener.open(request, timeout=20).read())
@@ -287,30 +288,6 @@ def test_full_shows_all_of_jupyterlab_and_a_folder_that_cannot_be_made_is_explai
     (tmp_path / "file").touch()
     assert launcher.main(["lab", "--work", str(tmp_path / "file" / "work")]) == 1
     assert "lessons cannot be copied to" in capsys.readouterr().err
-
-
-def test_jupyters_settings_are_our_own_and_those_that_somebody_has_changed_stay(tmp_path):
-    around = lab.lab_environment(tmp_path, "secret")
-    assert (around["JUPYTER_CONFIG_DIR"], around["JUPYTER_TOKEN"]) == (str(tmp_path), "secret")
-    page, widgets = (
-        tmp_path / "labconfig" / f"{name}.json"
-        for name in ("page_config", "default_setting_overrides")
-    )
-    off = json.loads(page.read_text())["disabledExtensions"]
-    assert off["@jupyterlab/apputils-extension:announcements"]
-    settings = json.loads(widgets.read_text())
-    assert settings["@jupyter-widgets/jupyterlab-manager:plugin"] == {"saveState": True}
-    command = lab.lab_command("python", tmp_path, 1)
-    assert (
-        "--FileContentsManager.pre_save_hook=dmp_teach.launcher.notebook_privacy.without_ink"
-        in command
-    )
-    page.unlink()
-    own = {"@jupyter-widgets/jupyterlab-manager:plugin": {"saveState": False}, "another": {}}
-    widgets.write_text(json.dumps(own))
-    lab.lab_environment(tmp_path, "secret")
-    assert page.exists()
-    assert json.loads(widgets.read_text()) == settings | own
 
 
 def test_a_port_in_use_is_refused():
