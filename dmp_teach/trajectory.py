@@ -7,11 +7,10 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
-from dmp_teach.arguments import as_numbers
 from dmp_teach.errors import TrajectoryError
-from dmp_teach.values import Value, locked
+from dmp_teach.values import Value, as_array, locked
 
 Array = NDArray[np.float64]
 
@@ -60,7 +59,7 @@ class Trajectory(Value):
 
     def __post_init__(self) -> None:
         """Copy, check and lock both arrays."""
-        t, position = _as_numbers("t", self.t), _as_numbers("position", self.position)
+        t, position = as_array("t", self.t), as_array("position", self.position)
         if position.ndim == 1:
             position = position[:, None]
         _check(t, position)
@@ -110,14 +109,6 @@ def from_rollout(t: Array, position: Array) -> Trajectory:
     drawn = object.__new__(Trajectory)
     drawn.__dict__.update(t=t, position=position)
     return drawn
-
-
-def _as_numbers(name: str, values: ArrayLike) -> Array:
-    """Return `values` as floats, or raise a TrajectoryError."""
-    try:
-        return as_numbers(values)
-    except ValueError as error:
-        raise TrajectoryError(f"{name} must be numbers in an array, but: {error}.") from None
 
 
 def _check(t: Array, position: Array) -> None:

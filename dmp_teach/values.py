@@ -11,7 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from dmp_teach.errors import shown
+from dmp_teach.arguments import as_numbers
+from dmp_teach.errors import TrajectoryError, shown
 
 LONGEST_LINE = 240
 ARRAY_TYPES = ("Array", "Array | None")
@@ -25,6 +26,16 @@ def locked(values: ArrayLike, dtype: Any = float) -> NDArray[Any]:
     return array
 
 
+def as_array(name: str, values: ArrayLike) -> NDArray[np.float64]:
+    """Return `values` as floats, or raise a TrajectoryError that names them."""
+    if type(values) is np.ndarray and values.dtype == float:
+        return values
+    try:
+        return as_numbers(values)
+    except ValueError as error:
+        raise TrajectoryError(f"{name} must be numbers in an array, but: {error}.") from None
+
+
 class Value:
     """The base of frozen dataclasses (`eq=False, repr=False`) that may hold arrays.
 
@@ -34,12 +45,16 @@ class Value:
     """
 
     def __post_init__(self) -> None:
-        """Lock what the fields hold; where an array is wanted, a list is made one."""
+        """Lock what the fields hold; where an array is wanted, a list is made one.
+
+        Raises:
+            TrajectoryError: An array that is not made of numbers.
+        """
         held = self.__dict__
         for each in fields(self):  # type: ignore[arg-type]
             value = held[each.name]
-            if each.type in ARRAY_TYPES and isinstance(value, list | tuple):
-                value = held[each.name] = locked(value)
+            if each.type in ARRAY_TYPES and isinstance(value, np.ndarray | list | tuple):
+                value = as_array(each.name, value)
             if each.compare and isinstance(value, np.ndarray | tuple | dict):
                 held[each.name] = _frozen(value)
 

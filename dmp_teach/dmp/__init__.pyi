@@ -8,6 +8,9 @@ from .kernels import Kernels as Kernels
 from .knob import Knob as Knob
 from .presets import SettingChanges as SettingChanges
 from .primitive import DMP as DMP
+from .primitive_json import clock_to_forget as clock_to_forget
+from .primitive_json import primitive_from_json as primitive_from_json
+from .primitive_json import primitive_to_json as primitive_to_json
 from .responses import Responses as Responses
 from .settings import KERNELS_PER_SECOND as KERNELS_PER_SECOND
 from .settings import Settings as Settings

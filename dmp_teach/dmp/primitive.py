@@ -18,15 +18,17 @@ from dmp_teach.dmp.fit import FITS
 from dmp_teach.dmp.integrators import least_steps
 from dmp_teach.dmp.kernels import Kernels
 from dmp_teach.dmp.preprocessing import has_even_times, prepare_demonstration, sharpen_bends
+from dmp_teach.dmp.primitive_json import clock_to_forget, primitive_from_json, primitive_to_json
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.dmp.transformations import TRANSFORMATIONS, Transformation
 from dmp_teach.errors import TrajectoryError, kind_of
+from dmp_teach.files import Saved
 from dmp_teach.trajectory import Array, Trajectory, from_rollout
-from dmp_teach.values import Value, locked
+from dmp_teach.values import Value
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class DMP(Value):
+class DMP(Saved, Value):
     """A spring that is attracted by its goal and forced by a learned f (the paper's equation 1).
 
         original    y'' = K (g - y) - D y' + (g - y0) f
@@ -60,11 +62,7 @@ class DMP(Value):
     steps: int
     notes: tuple[str, ...] = ()
 
-    def __post_init__(self) -> None:
-        values = self.__dict__
-        for name in ("weights", "biases", "start", "goal", "start_velocity", "times"):
-            if values[name] is not None:
-                values[name] = locked(values[name])
+    file_kind, extra_fields = "primitive", ("path",)
 
     # Any: whatever the fields hold.
     def __getstate__(self) -> dict[str, Any]:
@@ -224,6 +222,15 @@ class DMP(Value):
         """Do what `with_path` does, by its old name."""
         warnings.warn("DMP.showing is now called with_path.", DeprecationWarning, stacklevel=2)
         return self.with_path(path)
+
+    # Any: what JSON holds.
+    def _to_json(self) -> dict[str, Any]:
+        return primitive_to_json(self, clock_to_forget(self.times[0]))
+
+    @classmethod
+    def _from_json(cls, content: dict[str, Any]) -> Self:
+        own = {k: v for k, v in content.items() if k not in ("format", "version")}
+        return primitive_from_json(cls, own)
 
     def _keep_path(self, path: Array) -> Self:
         path.setflags(write=False)

@@ -1,6 +1,9 @@
 from .javascript import join_modules as join_modules
 from .javascript import join_styles as join_styles
 from .reading import contents as contents
+from .saved import Saved as Saved
+from .saved import array_from_json as array_from_json
+from .saved import pseudonyms as pseudonyms
 from .strict_json import checked_object as checked_object
 from .strict_json import is_number as is_number
 from .strict_json import is_pseudonym as is_pseudonym

@@ -6,8 +6,6 @@ import warnings
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
-from os import PathLike
-from pathlib import Path
 from typing import Any, Self
 
 import numpy as np
@@ -16,7 +14,7 @@ from numpy.typing import ArrayLike
 from dmp_teach.arguments import as_numbers, checked
 from dmp_teach.dmp import DMP, Responses, Settings, chain
 from dmp_teach.errors import LetterError, kind_of, shown
-from dmp_teach.files import write_whole
+from dmp_teach.files import Saved
 from dmp_teach.ink import draw_svg
 from dmp_teach.letters.compose.piece import Piece
 from dmp_teach.letters.kernel_choice import imitate_strokes
@@ -35,7 +33,7 @@ def rms_distance(a: Iterable[Trajectory], b: Iterable[Trajectory]) -> float:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Letter(Value):
+class Letter(Saved, Value):
     """A letter as one primitive for each stroke.
 
     Args:
@@ -49,6 +47,8 @@ class Letter(Value):
     primitives: tuple[DMP, ...]
     led_to: Mapping[int, Array] = field(default_factory=dict, repr=False)
     made_of: tuple[str, ...] = ()
+
+    file_kind, extra_fields = "letter", ("units",)
 
     def __post_init__(self) -> None:
         goals = {number: locked(goal) for number, goal in self.led_to.items()}
@@ -170,22 +170,13 @@ class Letter(Value):
         warnings.warn("Letter.joined is now called Letter.chain.", DeprecationWarning, stacklevel=2)
         return self.chain(*args, **kwargs)
 
-    def save(self, path: str | PathLike[str]) -> Path:
-        """Save the letter in a file of plain JSON, whole or not at all (see `letter_json`).
-
-        Raises:
-            PathError: A name that does not end with .json, or a place that cannot be written.
-        """
-        return write_whole(path, letter_to_json(self).encode(), ".json")
+    # Any: what JSON holds.
+    def _to_json(self) -> dict[str, Any]:
+        return letter_to_json(self)
 
     @classmethod
-    def load(cls, path: str | PathLike[str]) -> Self:
-        """Load a letter that was saved: it writes as it did, to the last bit.
-
-        Raises:
-            LetterError: No such file, another version, a file that was changed, or a wrong field.
-        """
-        return cls(**letter_parts(path))
+    def _from_json(cls, content: dict[str, Any]) -> Self:
+        return cls(**letter_parts(content))
 
     @property
     def duration(self) -> float:

@@ -1,114 +1,100 @@
-"""A learned letter as plain JSON: strokes, settings and weights; no code and no names of people.
+"""Letters and pieces of them as JSON: strokes, settings and weights; no names of people.
 
-The format, version 1, is one object with the strokes as rows t [s], x, y [m], or as many numbers
-as they have; for each stroke its primitive (the fields of `DMP`, and the path of its rollout, so
-that it draws the same to the last bit); goals that strokes are led to; what the letter was made of;
-and a check sum: a file that was edited or damaged is refused.
+Strokes are rows t [s], x, y [m], or as many numbers as they have; of each there is its primitive,
+the fields of `DMP` and the path of its rollout.
 """
 
 from __future__ import annotations
 
-import hashlib
-import json
-import math
-import os
-from dataclasses import asdict, fields
+import re
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from dmp_teach.dmp import DMP, Settings
-from dmp_teach.errors import LetterError, TeachError, shown
-from dmp_teach.files import contents, loaded
+from dmp_teach.arguments import as_numbers
+from dmp_teach.dmp import DMP, clock_to_forget, primitive_from_json, primitive_to_json
+from dmp_teach.errors import LetterError, shown
+from dmp_teach.files import array_from_json, must, pseudonyms
+from dmp_teach.letters.compose.piece import Piece
 from dmp_teach.trajectory import Trajectory
 
-LETTER_FORMAT = "dmp_teach letter"
-LETTER_VERSION = 1
-LETTER_FIELDS = tuple(
-    ["format", "version", "units", "strokes", "primitives", "led_to", "made_of", "check"]
-)
-# A clock that has run for longer than this may be one of the world, since midnight or 1970 [s].
-LONGEST_CLOCK = 3600.0
-# JSON has no infinity.
-INFINITE = "inf"
+PIECE_NUMBER = re.compile(r"[1-9][0-9]{0,3}[a-z]?")
 
 
-# Any: a Letter, whose module imports this one; and what JSON may hold.
-def letter_to_json(letter: Any) -> str:
-    """Return a `Letter` as JSON; a clock of more than an hour begins at 0."""
-    begin = letter.strokes[0].t[0]
-    begin = begin if abs(begin) > LONGEST_CLOCK else 0.0
-    content = {
-        "format": LETTER_FORMAT,
-        "version": LETTER_VERSION,
+# Any: a Letter, whose module imports this one; and what JSON holds, here and below.
+def letter_to_json(letter: Any) -> dict[str, Any]:
+    """Return a `Letter`; a clock of more than an hour begins at 0."""
+    begin = clock_to_forget(letter.strokes[0].t[0])
+    return {
         "units": _units(letter.strokes[0].dimensions),
-        "strokes": [
-            np.column_stack([stroke.t - begin, stroke.position]).tolist()
-            for stroke in letter.strokes
-        ],
-        "primitives": [_primitive_to_json(each, begin) for each in letter.primitives],
+        "strokes": [_rows(stroke, begin) for stroke in letter.strokes],
+        "primitives": [primitive_to_json(each, begin) for each in letter.primitives],
         "led_to": {str(number): goal.tolist() for number, goal in letter.led_to.items()},
         "made_of": list(letter.made_of),
     }
-    lines = [f"{json.dumps(name)}: {json.dumps(value)}" for name, value in content.items()]
-    return "{\n" + ",\n".join([*lines, f'"check": "{check_sum(content)}"']) + "\n}\n"
 
 
-def letter_parts(path: str | os.PathLike[str]) -> dict[str, Any]:
-    """Read a saved letter: the arguments of `Letter`; a LetterError says what is wrong with it."""
-    name = ""
-    try:
-        data, name = contents(path)
-        content = loaded(data, LETTER_FORMAT, (LETTER_VERSION,), LETTER_FIELDS)
-        if content.pop("check") != check_sum(content):
-            raise LetterError("it was changed after it was saved, or damaged; save again.")
-        strokes = [np.array(rows, dtype=float) for rows in content["strokes"]]
-        if any(content["units"] != _units(rows.shape[1] - 1) for rows in strokes):
-            raise LetterError(
-                f"its units are {shown(content['units'])}, but must be those of its rows."
-            )
-        if not 0 < len(strokes) == len(content["primitives"]):
-            raise LetterError("it must have strokes, and a primitive for each.")
-        return {
-            "strokes": tuple(Trajectory(row[:, 0], row[:, 1:]) for row in strokes),
-            "primitives": tuple(map(_primitive_from_json, content["primitives"])),
-            "led_to": {int(n): np.array(goal, float) for n, goal in content["led_to"].items()},
-            "made_of": tuple(content["made_of"]),
+def letter_parts(content: dict[str, Any]) -> dict[str, Any]:
+    """Return the arguments of `Letter`; any error says that this is none."""
+    strokes = tuple(map(_stroke, content["strokes"]))
+    if any(content["units"] != _units(stroke.dimensions) for stroke in strokes):
+        raise LetterError(
+            f"its units are {shown(content['units'])}, but must be those of its rows."
+        )
+    if not 0 < len(strokes) == len(content["primitives"]):
+        raise LetterError("it must have strokes, and a primitive for each.")
+    return {
+        "strokes": strokes,
+        "primitives": tuple(primitive_from_json(DMP, each) for each in content["primitives"]),
+        "led_to": {int(n): np.array(goal, float) for n, goal in content["led_to"].items()},
+        "made_of": tuple(content["made_of"]),
+    }
+
+
+def pieces_to_json(pieces: tuple[Piece, ...]) -> list[dict[str, Any]]:
+    """Return pieces; those of one letter keep their clock, from 0 where it is over an hour."""
+    begins: dict[tuple[str, str | None], float] = {}
+    names = pseudonyms(piece.writer for piece in pieces)
+    found = []
+    for piece in pieces:
+        letter = piece.character, piece.writer
+        begin = begins.setdefault(letter, clock_to_forget(piece.shown.t[0]))
+        told = {
+            "primitive": primitive_to_json(piece.primitive, begin),
+            "shown": _rows(piece.shown, begin),
+            "character": piece.character,
+            "number": piece.number,
+            "writer": names[piece.writer],
+            "led_to": None if piece.led_to is None else piece.led_to.tolist(),
         }
-    except TeachError as error:
-        raise LetterError(f"{name}: {error}" if name else str(error)) from None
-    except (ArithmeticError, AttributeError, LookupError, TypeError, ValueError) as error:
-        raise LetterError(f"{name}: this is no letter as Letter.save writes it: {error}.") from None
+        found.append(told)
+    return found
 
 
-def check_sum(content: dict[str, Any]) -> str:
-    """Return a number that changes with every character of the content, "check" left out."""
-    return hashlib.sha256(json.dumps(content, sort_keys=True).encode()).hexdigest()
+def piece_from_json(content: dict[str, Any]) -> Piece:
+    """Return the piece of what `pieces_to_json` gave; any error says that it is none."""
+    content["shown"] = _stroke(content["shown"])
+    content["primitive"] = primitive_from_json(DMP, content["primitive"])
+    if content["led_to"] is not None:
+        content["led_to"] = array_from_json("led_to", content["led_to"], (2,))
+    character, number, writer = (content[name] for name in ("character", "number", "writer"))
+    must(isinstance(character, str) and len(character) == 1, "character", character, "one letter")
+    must(bool(PIECE_NUMBER.fullmatch(number)), "number", number, "such as '1' or '1b'")
+    must(pseudonyms([writer])[writer] == writer, "writer", writer, "a pseudonym, or null")
+    return Piece(**content)
+
+
+def _rows(stroke: Trajectory, begin: float) -> list[list[float]]:
+    return np.column_stack([stroke.t - begin, stroke.position]).tolist()
+
+
+def _stroke(rows: ArrayLike) -> Trajectory:
+    numbers = as_numbers(rows)
+    return Trajectory(numbers[:, 0], numbers[:, 1:])
 
 
 def _units(dimensions: int) -> dict[str, str]:
     """Return the unit of each number in a row."""
     axes = "xyz" if dimensions <= 3 else [f"x{n}" for n in range(1, dimensions + 1)]
     return {"t": "s"} | dict.fromkeys(axes[:dimensions], "m")
-
-
-def _primitive_to_json(primitive: DMP, begin: float) -> dict[str, Any]:
-    values = {each.name: getattr(primitive, each.name) for each in fields(DMP)}
-    settings = asdict(primitive.settings)
-    values["settings"] = {k: INFINITE if v == math.inf else v for k, v in settings.items()}
-    values |= {"times": primitive.times - begin, "path": primitive.nominal_path}
-    return {k: v.tolist() if isinstance(v, np.ndarray) else v for k, v in values.items()}
-
-
-def _primitive_from_json(values: dict[str, Any]) -> DMP:
-    given = values["settings"].items()
-    settings: dict[str, Any] = {k: math.inf if v == INFINITE else v for k, v in given}
-    values["settings"] = Settings(**settings)
-    values["notes"] = tuple(values["notes"])
-    path = np.array(values.pop("path"), dtype=float)
-    primitive = DMP(**values)
-    # Refused: times that do not increase, and numbers that are not finite.
-    Trajectory(primitive.times, primitive.times)
-    Trajectory(np.linspace(0, 1, primitive.steps + 1), path)
-    # Drawn again, the last bits of the path may differ.
-    return primitive.with_path(path)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, replace
-from typing import Self
+from typing import Any, Self
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -12,7 +12,9 @@ from numpy.typing import ArrayLike
 from dmp_teach.arguments import as_numbers, checked
 from dmp_teach.dmp import Settings, check_point
 from dmp_teach.errors import LetterError, shown
+from dmp_teach.files import Saved
 from dmp_teach.letters.letter import Letter
+from dmp_teach.letters.style_json import style_parts, style_to_json
 from dmp_teach.letters.styles_basis import learn_alike, letter_from_row, letter_to_row
 from dmp_teach.scoring import LetterLike
 from dmp_teach.trajectory import Array, all_points
@@ -25,7 +27,7 @@ LARGEST_SHARE = 10.0
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Style(Value):
+class Style(Saved, Value):
     """A Gaussian over letters of one class: a mean, and principal styles about it.
 
     Every letter is a row of numbers x (the weights of its primitives, its starts, goals and clock),
@@ -59,6 +61,8 @@ class Style(Value):
     spread: Array
     centre: Array
     covariance: Array
+
+    file_kind = "style"
 
     @classmethod
     @checked
@@ -229,6 +233,14 @@ class Style(Value):
         first = f", the first explains {100 * self.shares[0]:.0f} %" if len(self.spread) else ""
         styles = f"{len(self.spread)} principal style{'s' * (len(self.spread) != 1)}"
         return f"Style({len(self.letters)} letters, {styles}{first})"
+
+    # Any: what JSON holds.
+    def _to_json(self) -> dict[str, Any]:
+        return style_to_json(self)
+
+    @classmethod
+    def _from_json(cls, content: dict[str, Any]) -> Self:
+        return cls(**style_parts(content))
 
     def _number(self, writer: str) -> int:
         """Return the number of this writer's letter."""

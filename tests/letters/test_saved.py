@@ -4,7 +4,7 @@ import json
 import os
 import pickle
 from contextlib import suppress
-from dataclasses import fields
+from dataclasses import fields, replace
 
 import numpy as np
 import pytest
@@ -14,12 +14,14 @@ from hypothesis import strategies as st
 from dmp_teach.dmp.primitive import DMP
 from dmp_teach.dmp.settings import Settings
 from dmp_teach.errors import LetterError, PathError
+from dmp_teach.files.saved import check_sum
 from dmp_teach.ink.alphabet import recording_of
-from dmp_teach.letters import letter_json as saved
 from dmp_teach.letters.compose.shelf import Shelf
 from dmp_teach.letters.letter import Letter
+from dmp_teach.letters.styles import Style
 from dmp_teach.trajectory import Trajectory
 
+FIELDS = ["format", "version", "units", "strokes", "primitives", "led_to", "made_of", "check"]
 PRESETS = ["star", "original", "joint", "plus", "as_printed", "as_coded", "as_fixed"]
 ASKED = [
     {},
@@ -104,7 +106,7 @@ def forged(content, path, *keys, value):
         inner = inner[key]
     inner[keys[-1]] = value
     del content["check"]
-    content["check"] = saved.check_sum(content)
+    content["check"] = check_sum(content)
     path.write_text(json.dumps(content))
     return path
 
@@ -127,7 +129,7 @@ FORGED = {
     "time stands still": (("strokes", 0), [[0.0, 1.0, 1.0]] * 3, "does not come after"),
     "text": (("primitives", 0, "goal"), [0.0, "x"], "no letter as Letter.save writes it"),
     "ragged": (("primitives", 1, "weights"), [[1.0], [1.0, 2.0]], "no letter as Letter.save"),
-    "a step too few": (("primitives", 0, "steps"), 3, "one row of positions for every time"),
+    "a step too few": (("primitives", 0, "steps"), 3, "path has shape ("),
     "a field": (("primitives", 0, "code"), "import os", "unexpected keyword argument 'code'"),
     "a setting": (("primitives", 0, "settings", "phase"), "moon", "phase is 'moon', but it must"),
     "a setting more": (("primitives", 0, "settings", "name"), "Kim", "keyword argument 'name'"),
@@ -143,7 +145,7 @@ def test_a_forged_field_is_refused_even_with_its_sum_made_again(tmp_path, conten
     assert sentence in str(caught.value)
 
 
-@pytest.mark.parametrize("field", saved.LETTER_FIELDS)
+@pytest.mark.parametrize("field", FIELDS)
 def test_a_missing_field_is_refused(tmp_path, content, field):
     (tmp_path / "l.json").write_text(
         json.dumps({name: value for name, value in content.items() if name != field})
@@ -156,7 +158,7 @@ def test_a_missing_field_is_refused(tmp_path, content, field):
 @given(
     keys=st.sampled_from(
         [("primitives", 0, name) for name in (*(each.name for each in fields(DMP)), "path")]
-        + [(f,) for f in saved.LETTER_FIELDS[2:7]]
+        + [(f,) for f in FIELDS[2:7]]
     ),
     value=st.recursive(
         st.none() | st.booleans() | st.integers() | st.floats() | st.text(max_size=3),
@@ -219,9 +221,65 @@ def test_a_file_keeps_its_rights_and_a_link_is_followed(tmp_path):
 
 
 @pytest.mark.parametrize("dimensions", [1, 3, 5])
-def test_a_letter_of_any_dimension_is_saved(tmp_path, dimensions):
+def test_letters_and_primitives_of_any_dimension_are_saved(tmp_path, dimensions):
     t = np.linspace(0, 1, 60)
-    letter = Letter.learn(
-        [Trajectory(t, np.column_stack([t**n for n in range(1, dimensions + 1)]))]
-    )
+    stroke = Trajectory(t, np.column_stack([t**n for n in range(1, dimensions + 1)]))
+    letter = Letter.learn([stroke])
     assert Letter.load(letter.save(tmp_path / "l.json")) == letter
+    (primitive,) = letter.primitives
+    again = DMP.load(primitive.save(tmp_path / "p.json"))
+    assert again == primitive
+    for ends in ({}, {"goal": 1.1 * primitive.goal}, {"start": primitive.start + 0.1}):
+        assert again.rollout(**ends) == primitive.rollout(**ends)
+
+
+@pytest.fixture(scope="module")
+def alike():
+    return [recording_of("l"), replace(recording_of("l", "slanted"), writer="Kim")]
+
+
+def test_a_shelf_that_was_saved_gives_the_same_pieces_without_names(tmp_path, alike):
+    shelf = Shelf.of([*alike, recording_of("D"), replace(alike[0], writer=None)])
+    path = shelf.save(tmp_path / "s.json")
+    again = Shelf.load(path)
+    assert "Kim" not in path.read_text()
+    assert again.writers == ("writer-1", "writer-2", None)
+    renamed = [replace(each, writer="Kim") for each in again.by("writer-2")]
+    assert Shelf((*again.by("writer-1"), *renamed, *again.by(None))) == Shelf(
+        (*shelf.by("writer-1"), *shelf.by("Kim"), *shelf.by(None))
+    )
+
+
+def test_a_style_that_was_saved_draws_the_same_without_names(tmp_path, alike):
+    style = Style.of(alike).through(0, 0.5, (0.02, 0.1))
+    path = style.save(tmp_path / "s.json")
+    again = Style.load(path)
+    assert "Kim" not in path.read_text()
+    assert again == replace(style, writers=("writer-1", "writer-2"))
+    assert again.mean == style.mean
+    assert again.blend({"writer-2": 1.0}) == style.blend({"Kim": 1.0})
+    twice = Style.of([alike[0], alike[0]])
+    assert Style.load(twice.save(path)) == twice
+
+
+TOUCHED = {
+    "weights": (DMP, ("weights", 0), [0.0]),
+    "not finite": (DMP, ("weights", 0, 0), float("1e999")),
+    "a name": (Shelf, ("pieces", 0, "writer"), "Kim"),
+    "no number": (Shelf, ("pieces", 0, "number"), "b"),
+    "a piece less": (Shelf, ("pieces", 0, "shown"), []),
+    "another name": (Style, ("writers", 0), "Kim"),
+    "a way too many": (Style, ("ways",), []),
+    "a letter less": (Style, ("letters",), []),
+}
+
+
+@pytest.mark.parametrize("fault", TOUCHED)
+def test_what_no_save_writes_is_refused(tmp_path, alike, fault):
+    kind, keys, value = TOUCHED[fault]
+    few = Settings.star(n_kernels=5)
+    made = {Shelf: lambda: Shelf.of(alike, few), Style: lambda: Style.of(alike, few)}
+    made[DMP] = lambda: Letter.learn(alike[0], few).primitives[0]
+    content = json.loads(made[kind]().save(tmp_path / "a.json").read_text())
+    with pytest.raises(LetterError, match=r"^b\.json: "):
+        kind.load(forged(content, tmp_path / "b.json", *keys, value=value))

@@ -10,13 +10,15 @@ from typing import Any, Self
 from dmp_teach.arguments import checked
 from dmp_teach.dmp import Settings, as_settings
 from dmp_teach.errors import LetterError, kind_of
+from dmp_teach.files import Saved
 from dmp_teach.letters.compose.piece import Piece
 from dmp_teach.letters.letter import Letter
+from dmp_teach.letters.letter_json import piece_from_json, pieces_to_json
 from dmp_teach.scoring import LetterLike
 
 
 @dataclass(frozen=True)
-class Shelf:
+class Shelf(Saved):
     """Strokes of letters, to make new letters from.
 
         shelf = Shelf.of(recording_of(character) for character in "Dlon")
@@ -30,6 +32,8 @@ class Shelf:
     """
 
     pieces: tuple[Piece, ...]
+
+    file_kind = "shelf"
 
     @classmethod
     def of(
@@ -128,6 +132,14 @@ class Shelf:
     def __repr__(self) -> str:
         names = dict.fromkeys(piece.name for piece in self.pieces)
         return f"Shelf({', '.join(names)}; by {self._whose()})"
+
+    # Any: what JSON holds.
+    def _to_json(self) -> dict[str, Any]:
+        return {"pieces": pieces_to_json(self.pieces)}
+
+    @classmethod
+    def _from_json(cls, content: dict[str, Any]) -> Self:
+        return cls(tuple(map(piece_from_json, content["pieces"])))
 
     def _whose(self) -> str:
         return ", ".join("nobody known" if writer is None else writer for writer in self.writers)
