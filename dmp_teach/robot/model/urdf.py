@@ -10,6 +10,7 @@ from typing import NamedTuple
 from xml.etree import ElementTree as ET
 
 import numpy as np
+from numpy.typing import NDArray
 
 from dmp_teach.robot.model.rotation import turn_about
 from dmp_teach.trajectory import Array
@@ -100,7 +101,7 @@ class Visual(Value):
     X_link_visual: Array
     vertices: Array
     normals: Array
-    faces: Array
+    faces: NDArray[np.int_]
     color: Array
 
 
@@ -174,7 +175,7 @@ def _joint(element: ET.Element) -> Joint:
     )
 
 
-def read_obj(path: Path) -> tuple[Array, Array, Array]:
+def read_obj(path: Path) -> tuple[Array, Array, NDArray[np.int_]]:
     """Read vertices (V, 3) [m], normals (V, 3), one for each, and triangles (F, 3) of Wavefront."""
     rows: dict[str, list[list[str]]] = {"v": [], "vn": [], "f": []}
     for line in path.read_text(encoding="utf-8").splitlines():
