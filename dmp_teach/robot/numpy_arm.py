@@ -25,27 +25,26 @@ class NumpySolver(Solver):
         super().__init__()
         self._fixed, self._end = self._chain()
         self._slides = np.array([self.model.joint(name).type == "prismatic" for name in JOINTS])
-        self._free = np.arange(len(JOINTS))
-        self._q = np.zeros(len(JOINTS))
-        self._target = self._liked = self._down = np.zeros(3)
-        self._upright = self._liking = 0.0
-        self._farthest = np.full(len(JOINTS), np.inf)
+        self._liking = 0.0
         self._poses: dict[str, Array] = {}
-        self._update()
+        self.bound(None)
+        self.place(np.zeros(len(JOINTS)), np.array([0.0, 0.0, 1.0]), True, 1.0)
 
     def place(self, q: Array, normal: Array, torso: bool, upright: float) -> None:
         self._q = q.copy()
         self._liked = q.copy()
         self._down = -normal
         self._upright = np.sqrt(upright)
-        self._free = np.arange(0 if torso else 1, len(JOINTS))
+        self._free = slice(0 if torso else 1, None)
         self._update()
 
     def prefer(self, weight: float) -> None:
         self._liking = weight
 
     def bound(self, seconds: float | None) -> None:
-        self._farthest = self.fastest * (np.inf if seconds is None else seconds)
+        self._farthest = None if seconds is None else self.fastest * seconds
+        # Below 0 or above it: the joints that the last step brought to their bounds.
+        self._stopped = np.zeros(len(JOINTS))
 
     def go(self, target: Array, steps: int) -> None:
         for _ in range(steps):
@@ -87,26 +86,25 @@ class NumpySolver(Solver):
 
     def _update(self) -> None:
         """Compute the tip's pose and Jacobian where the joints are now."""
-        c, s = np.cos(self._q), np.sin(self._q)
-        c[self._slides], s[self._slides] = 1.0, 0.0
-        X = self._fixed.copy()
+        turned = self._q * ~self._slides
+        c, s = np.cos(turned)[:, None], np.sin(turned)[:, None]
         x, y = self._fixed[:, :, 0], self._fixed[:, :, 1]
-        X[:, :, 0] = c[:, None] * x + s[:, None] * y
-        X[:, :, 1] = c[:, None] * y - s[:, None] * x
-        X[:, :, 3] += (self._slides * self._q)[:, None] * X[:, :, 2]
+        X = self._fixed.copy()
+        X[:, :, 0] = c * x + s * y
+        X[:, :, 1] = c * y - s * x
+        X[:, :, 3] += (self._q * self._slides)[:, None] * X[:, :, 2]
         for number in range(1, len(X)):
-            np.matmul(X[number - 1], X[number], out=X[number])
-        self._tip = tip = X[-1] @ self._end
+            X[number] = X[number - 1] @ X[number]
+        self._tip = X[-1] @ self._end
         self._poses = {}
         axis = X[:, :3, 2].T
-        dx, dy, dz = tip[:3, 3, None] - X[:, :3, 3].T
         ax, ay, az = axis
-        J = np.empty((6, len(JOINTS)))
+        dx, dy, dz = self._tip[:3, 3, None] - X[:, :3, 3].T
+        self._J = J = np.empty((6, len(JOINTS)))
         J[0], J[1], J[2] = ay * dz - az * dy, az * dx - ax * dz, ax * dy - ay * dx
         J[3:] = axis
         J[:3, self._slides] = axis[:, self._slides]
         J[3:, self._slides] = 0.0
-        self._J = J
 
     def _step(self, target: Array) -> Array:
         """Return by how much the free joints go in the best step (F,)."""
@@ -115,13 +113,15 @@ class NumpySolver(Solver):
         J = self._J[:, free]
         A = np.concatenate([J[:3], across @ J[3:]])
         missing = np.concatenate([target - self._tip[:3, 3], across @ self._turn_down()])
+        q = self._q[free]
         H = A.T @ A
-        H.flat[:: len(free) + 1] += STEP_COST + self._liking
-        g = A.T @ missing + self._liking * (self._liked - self._q)[free]
-        far = self._farthest[free]
-        low = np.maximum(self.lower[free] - self._q[free], -far)
-        high = np.minimum(self.upper[free] - self._q[free], far)
-        return _least(H, g, low, high)
+        H.flat[:: len(q) + 1] += STEP_COST + self._liking
+        g = missing @ A + self._liking * (self._liked[free] - q)
+        low, high = self.lower[free] - q, self.upper[free] - q
+        if self._farthest is not None:
+            far = self._farthest[free]
+            low, high = np.maximum(low, -far), np.minimum(high, far)
+        return _least(H, g, low, high, self._stopped[free])
 
     def _turn_down(self) -> Array:
         """Return the rotation vector that turns the pen's axis to where it should look (3,)."""
@@ -135,33 +135,32 @@ class NumpySolver(Solver):
         return np.pi * self._tip[:3, 0] if cosine < 0 else np.zeros(3)
 
 
-def _least(H: Array, g: Array, low: Array, high: Array) -> Array:
+def _least(H: Array, g: Array, low: Array, high: Array, stopped: Array) -> Array:
     """Return the x (F,) within bounds that makes x H x / 2 - g x least.
 
-    Those that leave their bounds are held there, the farthest first, and let go where that lowers
-    the cost again.
+    Those that leave their bounds are stopped there, the farthest first, and let go where that
+    lowers the cost again. It begins with those that are `stopped` (F,), low or high, and leaves
+    there what it has found.
     """
-    x = np.asarray(np.linalg.solve(H, g), dtype=float)
-    if (x >= low).all() and (x <= high).all():
-        return x
-    held = np.zeros(len(x), dtype=bool)
-    for _ in range(4 * len(x)):
-        beyond = np.maximum(low - x, x - high)
-        beyond[held] = 0.0
-        if beyond.max() > _SLACK:
-            worst = int(beyond.argmax())
-            x[worst] = np.clip(x[worst], low[worst], high[worst])
-            held[worst] = True
+    for _ in range(4 * len(g)):
+        held = stopped != 0
+        x = np.where(stopped > 0, high, low)
+        if held.any():
+            free = ~held
+            rest = g[free] - H[free][:, held] @ x[held]
+            x[free] = np.linalg.solve(H[free][:, free], rest)
         else:
-            slope = g - H @ x
-            inward = np.where(x <= low, slope, -slope)
-            inward[~held] = 0.0
-            if inward.max() <= _SLACK:
-                break
-            held[inward.argmax()] = False
-        free = ~held
-        rest = g[free] - H[np.ix_(free, held)] @ x[held]
-        x[free] = np.linalg.solve(H[np.ix_(free, free)], rest)
+            x = np.linalg.solve(H, g)
+        beyond = np.maximum(low - x, x - high)
+        worst = beyond.argmax()
+        if beyond[worst] > _SLACK:
+            stopped[worst] = 1 if x[worst] > high[worst] else -1
+            continue
+        inward = stopped * (H @ x - g)
+        worst = inward.argmax()
+        if inward[worst] <= _SLACK:
+            break
+        stopped[worst] = 0
     return np.clip(x, low, high)
 
 

@@ -165,7 +165,7 @@ def test_nothing_is_printed(capfd):
     solver = build_solver()  # not this thread's own, which has been built
     solver.stand(np.zeros(8), np.array([0.0, 0, 1]), torso=True)
     solver.approach(np.array([3.0, 0, 0]))
-    solver.proximity.touching(solver.joints())
+    solver.proximity.touching(solver.joints()[None])
     Fetch().write(LETTER, Page.table())
     del solver
     gc.collect()

@@ -117,11 +117,9 @@ def test_grown_shapes_are_nearer_on_both_sides():
 
 def test_what_touches_is_what_has_no_distance():
     proximity = Proximity(JOINTS)
-    for posture in np.random.default_rng(4).uniform(LOW, HIGH, (20, len(JOINTS))):
-        touching = set(proximity.touching(posture))
-        for pair, distance in zip(
-            proximity.pairs, proximity.distances(posture[None])[0], strict=True
-        ):
+    q = np.random.default_rng(4).uniform(LOW, HIGH, (20, len(JOINTS)))
+    for touching, distances in zip(proximity.touching(q), proximity.distances(q), strict=True):
+        for pair, distance in zip(proximity.pairs, distances, strict=True):
             assert (pair in touching) == (distance < 0)
 
 

@@ -147,7 +147,7 @@ def test_the_arm_touches_nothing_on_its_way(page):
     proximity = Proximity(JOINTS, grown=SAFETY_SHELL)
 
     def touching(q):
-        pairs = set(proximity.touching(q))
+        pairs = set(proximity.touching(q[None])[0])
         return {pair for pair in pairs if not pair[0].startswith(("pen", "r_grip", "l_grip"))}
 
     # The shapes are coarse: tucked, they overlap by millimetres where the shells do not.

@@ -85,11 +85,17 @@ class Model:
         """
         q = np.atleast_2d(np.asarray(q, dtype=float))
         self._check(q, joint_names)
-        columns = {joint.name: np.full(1, REST.get(joint.name, 0.0)) for joint in self.joints}
-        columns |= dict(zip(joint_names, q.T, strict=True))
+        columns = dict(zip(joint_names, q.T, strict=True))
         poses = {self.root: np.eye(4)[None]}
         for joint in self.joints:
-            poses[joint.child] = poses[joint.parent] @ joint.pose(columns[joint.name])
+            X = joint.X_parent_joint
+            if joint.name in columns:
+                X = joint.pose(columns[joint.name])
+            elif joint.name in REST:
+                X = joint.pose(np.full(1, REST[joint.name]))
+            poses[joint.child] = poses[joint.parent] @ X
+        if len(q) == 1:
+            return poses
         return {link: np.broadcast_to(X, (len(q), 4, 4)) for link, X in poses.items()}
 
     def frame(self, name: str, q: ArrayLike, joint_names: Sequence[str]) -> Array:

@@ -92,10 +92,10 @@ class Proximity:
         """Return the least distances of the `pairs` (T, L) [m], less than 0 where they overlap."""
         return self._least(q, np.inf)
 
-    def touching(self, q: Array) -> list[tuple[str, str]]:
-        """Return those of the `pairs` that overlap at joint positions q (J,) [rad, m]."""
-        overlap = self._least(q[None], 0.0)[0] < 0
-        return [pair for pair, overlaps in zip(self.pairs, overlap, strict=True) if overlaps]
+    def touching(self, q: Array) -> list[list[tuple[str, str]]]:
+        """Return those of the `pairs` that overlap at each row of q (T, J) [rad, m]."""
+        overlaps = self._least(q, 0.0) < 0
+        return [[self.pairs[number] for number in np.flatnonzero(row)] for row in overlaps]
 
     def approaches(self, q: Array, within: float) -> list[Near]:
         """Find every sample of q (T, J) at which a link is within [m] of what it could meet.
@@ -104,7 +104,6 @@ class Proximity:
         turn of that joint: most spans are settled by the distances in their middle, only the others
         are cut into pieces. Only the pen may come near to the page.
         """
-        poses = self._poses(q)
         pairs = np.array([n for n, pair in enumerate(self._named) if not _is_writing(*pair)])
         spans = np.zeros_like(pairs)
         length = _PIECES ** int(np.ceil(np.log(max(len(q), 2)) / np.log(_PIECES)))
@@ -113,7 +112,7 @@ class Proximity:
             middles = rows[length // 2 :: length]
             turned = abs(q[rows].reshape(len(middles), length, -1) - q[middles, None]).max(axis=1)
             enough = within + (turned[spans] * self._sweep[pairs]).sum(axis=1)
-            gaps = self._gaps(poses, middles[spans], pairs, enough, length == 1)
+            gaps = self._gaps(q, middles[spans], pairs, enough, length == 1)
             near = gaps < enough
             spans, pairs, gaps = spans[near], pairs[near], gaps[near]
             if length == 1:
@@ -127,28 +126,31 @@ class Proximity:
     def _least(self, q: Array, enough: float) -> Array:
         """Return the least distances of the `pairs` (T, L), where they are not `enough` [m]."""
         rows, pairs = np.indices((len(q), len(self._named))).reshape(2, -1)
-        gaps = self._gaps(self._poses(q), rows, pairs, np.full(len(rows), enough), enough > 0)
+        gaps = self._gaps(q, rows, pairs, np.full(len(rows), enough), enough > 0)
         return np.minimum.reduceat(gaps.reshape(len(q), -1), self._firsts, axis=1)
 
-    def _poses(self, q: Array) -> Array:
-        """Return where each of `_links` is (T, N, 4, 4)."""
-        poses = self._model.link_poses(q, self._joint_names)
-        fixed = np.broadcast_to(np.eye(4), (len(q), 4, 4))
-        return np.stack([poses.get(link, fixed) for link in self._links], axis=1)
-
     def _gaps(
-        self, poses: Array, rows: ShapeRows, pairs: ShapeRows, enough: Array, depth: bool
+        self, q: Array, rows: ShapeRows, pairs: ShapeRows, enough: Array, depth: bool
     ) -> Array:
-        """Return the distances of some pairs of shapes, each at its row (N,) [m]."""
+        """Return the distances of some pairs of shapes, each at its row of q (N,) [m]."""
+        used, rows = np.unique(rows, return_inverse=True)
+        placed = self._placed(q[used])
+        one, other = self._met[pairs].T + rows * len(self._carriers)
         gaps = np.empty(len(rows))
         for first in range(0, len(rows), _BATCH):
             some = slice(first, first + _BATCH)
-            one, other = (
-                self._shapes.take(shapes).moved(poses[rows[some], self._carriers[shapes]])
-                for shapes in self._met[pairs[some]].T
+            gaps[some] = measure_gaps(
+                placed.take(one[some]), placed.take(other[some]), enough[some], depth
             )
-            gaps[some] = measure_gaps(one, other, enough[some], depth)
         return gaps
+
+    def _placed(self, q: Array) -> Shapes:
+        """Return all shapes where they are at one row of q after the other (T G)."""
+        poses = self._model.link_poses(q, self._joint_names)
+        fixed = np.broadcast_to(np.eye(4), (len(q), 4, 4))
+        X = np.stack([poses.get(link, fixed) for link in self._links], axis=1)
+        every = np.tile(np.arange(len(self._carriers)), len(q))
+        return self._shapes.take(every).moved(X[:, self._carriers].reshape(-1, 4, 4))
 
     def _reach(self, links: tuple[str, ...]) -> Array:
         """Return how far a unit of each joint moves a point of each shape at most, (G, J)."""

@@ -155,19 +155,21 @@ def _try_posture(solver: Solver, start: Array, page: Page, low: Array, high: Arr
     solver.approach(page.to_world(middle))
     solver.settle(page.to_world(middle))
     q = solver.joints()
-    if trouble := _trouble(solver, page, middle):
+    if trouble := _find_loss(solver, page, middle) or _find_touch(solver, [q]):
         return ArmPosture(q, np.inf, *trouble)
     solver.stand(q, page.normal, torso=False)
     joints: list[Array] = []
     jacobians: list[Array] = []
     places = [*list_rim_places(low, high).values(), middle]
-    for place in places:
-        for spot in (place, place + np.array([0, 0, HOVER])):
-            solver.glide(page.to_world(spot))
-            if trouble := _trouble(solver, page, spot):
-                return ArmPosture(q, np.inf, *trouble)
-            joints.append(solver.joints())
-            jacobians.append(solver.jacobian())
+    for spot in (spot for place in places for spot in (place, place + np.array([0, 0, HOVER]))):
+        solver.glide(page.to_world(spot))
+        if trouble := _find_loss(solver, page, spot):
+            break
+        joints.append(solver.joints())
+        jacobians.append(solver.jacobian())
+    # What is touched on the way comes before what is lost at its end.
+    if trouble := _find_touch(solver, joints) or trouble:
+        return ArmPosture(q, np.inf, *trouble)
     between = _effort_between(solver, np.array(places), np.array(joints[1::2]))
     at = _effort_at(solver, page, np.array(joints), np.array(jacobians))
     return ArmPosture(q, max(between, at))
@@ -201,8 +203,8 @@ def list_rim_places(low: Array, high: Array) -> dict[str, Array]:
     }
 
 
-def _trouble(solver: Solver, page: Page, spot: Array) -> tuple[str, bool] | None:
-    """Return what is wrong where the arm is now, and whether it collides; None if nothing is."""
+def _find_loss(solver: Solver, page: Page, spot: Array) -> tuple[str, bool] | None:
+    """Return what is wrong with the pen or the page where the arm is, and whether it collides."""
     X = solver.pen()
     miss = np.linalg.norm(X[:3, 3] - page.to_world(spot))
     tilt = np.arccos(np.clip(-X[:3, 2] @ page.normal, -1, 1))
@@ -214,11 +216,16 @@ def _trouble(solver: Solver, page: Page, spot: Array) -> tuple[str, bool] | None
     for link in _FOREARM:
         if page.to_page(solver.place_of(link))[2] < _FOREARM_RADIUS:
             return f"The arm's {get_plain_name(link)} would go through what the page lies on.", True
-    pairs = solver.proximity.touching(solver.joints())
-    for other, link in sorted((other, link) for link, other in pairs):
-        if not link.startswith(_FINGERS_AND_PEN):
-            parts = f"its {get_plain_name(other)} and its {get_plain_name(link)}"
-            return f"The arm would touch the robot: {parts}.", True
+    return None
+
+
+def _find_touch(solver: Solver, q: list[Array]) -> tuple[str, bool] | None:
+    """Return which part touches the robot first at some joint positions; None if none does."""
+    for pairs in solver.proximity.touching(np.array(q)) if q else ():
+        for other, link in sorted((other, link) for link, other in pairs):
+            if not link.startswith(_FINGERS_AND_PEN):
+                parts = f"its {get_plain_name(other)} and its {get_plain_name(link)}"
+                return f"The arm would touch the robot: {parts}.", True
     return None
 
 
