@@ -16,11 +16,10 @@ from dmp_teach.robot.clearance import describe_collision, describe_thin_margin, 
 from dmp_teach.robot.layout import lay_out
 from dmp_teach.robot.motion import Motion, describe_overloads
 from dmp_teach.robot.page import Page
-from dmp_teach.robot.pen_path import PenPlan
+from dmp_teach.robot.pen_path import PenPlan, connect_strokes
 from dmp_teach.robot.reach.check import Unreachable, check_reach
 from dmp_teach.robot.reach.posture import PEN_TILT_TOLERANCE, TIP_TOLERANCE, find_posture
 from dmp_teach.robot.reach.suggest import list_other_pages, suggest_page
-from dmp_teach.robot.smoothing import connect_smoothly
 from dmp_teach.robot.solvers import get_solver
 from dmp_teach.robot.time_scaling import TimeScaling
 from dmp_teach.trajectory import Array, Trajectory, all_points
@@ -167,7 +166,7 @@ def _follow(
     arm is nearly straight. There it is given more solutions a sample.
     """
     report("plan", 0.0)
-    path = connect_smoothly(strokes)
+    path = connect_strokes(strokes)
     scaling = TimeScaling(path, JOINTS)
     report("plan", 1.0)
     solves = 1
@@ -208,7 +207,7 @@ def _foreseen_collision(solver: Solver, page: Page, strokes: PlacedStrokes) -> s
     """Say when the arm comes against something, and how deep; empty where no plan shows it."""
     ink = all_points(strokes)
     posture = find_posture(solver, page, ink.min(axis=0), ink.max(axis=0))
-    plan = connect_smoothly(strokes).plan()
+    plan = connect_strokes(strokes).plan()
     q = solver.follow(posture.q, page.normal, page.to_world(plan.position), _silent)
     first, closest = find_nearest(q, JOINTS, page, _FORESEEN)
     near = first or closest

@@ -146,8 +146,12 @@ def listen(page):
     """Gather all that goes wrong on a page into `page.troubles`."""
     page.troubles = troubles = []
     page.expects = []
-    # Troubles that may be seen and need not: Jupyter saves outputs that a new kernel does not know.
-    page.allows = ["console error: Error: widget model not found"]
+    # Troubles that may be seen and need not: Jupyter saves outputs that a new kernel does not know,
+    # and asks a kernel that ends for its debugger.
+    page.allows = [
+        "console error: Error: widget model not found",
+        "console error: Could not restore the debugger state",
+    ]
 
     def visit(address):
         parts = urlsplit(address)

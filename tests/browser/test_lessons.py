@@ -1,17 +1,15 @@
 """Every lesson as a pupil meets it in JupyterLab: bet, try, miss twice, hint, green card."""
 
 import json
-import shutil
-import subprocess
 from pathlib import Path
 
 import pytest
 
 import dmp_teach as teach
 from dmp_teach.lessons import lessons
+from tests.node import modules
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
-TOOLS = Path(__file__).parents[1] / "javascript"
 KEYS = list(lessons())
 SMALL_LAPTOP, TABLET = {"width": 1366, "height": 768}, {"width": 820, "height": 1180}
 SET = """(input, place) => {
@@ -41,13 +39,7 @@ SPARE = """() => {
 @pytest.fixture(scope="module")
 def axe():
     """The script that finds what a screen reader would stumble over."""
-    script = TOOLS / "node_modules" / "axe-core" / "axe.min.js"
-    if not script.exists():
-        npm = shutil.which("npm")
-        if npm is None:
-            pytest.skip("npm is not installed: with Node.js 18 or newer this is checked, too")
-        subprocess.run([npm, "ci", "--no-audit", "--no-fund"], cwd=TOOLS, check=True, timeout=300)
-    return script
+    return modules() / "axe-core" / "axe.min.js"
 
 
 def notebook_of(key):

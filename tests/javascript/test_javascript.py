@@ -4,13 +4,13 @@
 """
 
 import re
-import shutil
 import subprocess
 from pathlib import Path
 
 import pytest
 
 from dmp_teach.files import join_modules
+from tests.node import command, modules
 
 HERE = Path(__file__).parent
 PACKAGE = HERE.parents[1] / "dmp_teach"
@@ -30,14 +30,6 @@ MODULES = {
     "shared.js": "// A comment.\n/** Another, of\n * two lines. */\n"
     "export class shared {\n  static /** here */ value = 100;\n}\n",
 }
-
-
-def command(name):
-    """The path of a program; where it is missing the test is left out."""
-    path = shutil.which(name)
-    if path is None:
-        pytest.skip(f"{name} is not installed: with Node.js 18 or newer scripts are checked, too")
-    return path
 
 
 def run(*line, **options):
@@ -61,14 +53,8 @@ def write(folder, modules):
 
 @pytest.mark.slow
 def test_linter_types_and_unit_tests_find_nothing():
-    npm = command("npm")
-    locks = HERE / "package-lock.json", HERE / "node_modules" / ".package-lock.json"
-    if not locks[1].exists() or locks[1].stat().st_mtime < locks[0].stat().st_mtime:
-        fetched = run(npm, "ci", "--no-audit", "--no-fund", "--fetch-retries=1", timeout=300)
-        if fetched.returncode != 0:
-            pytest.skip(f"npm cannot fetch the tools; is this computer online?\n{fetched.stderr}")
-        locks[1].touch()
-    checked = run(npm, "test", "--silent", timeout=300)
+    modules()
+    checked = run(command("npm"), "test", "--silent", timeout=300)
     assert checked.returncode == 0, checked.stdout + checked.stderr
 
 
