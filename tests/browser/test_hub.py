@@ -89,7 +89,7 @@ def closed_folders(*needed):
     return closed
 
 
-def accounts(folder):
+def accounts():
     """The shell's lines that make the pupils' accounts, as `docs/a_class_on_a_hub.md` says."""
     lines = ["set -e", "umask 022", "groupadd pupils"]
     for who, password in PASSWORDS.items():
@@ -134,7 +134,7 @@ def hub(tmp_path_factory):
     )
     (folder / "settings.py").write_text(settings)
     command = [sys.executable, "-m", "jupyterhub", "-f", str(folder / "settings.py")]
-    lines = (hidden(folder) if unseen.returncode == 0 else []) + accounts(folder)
+    lines = (hidden(folder) if unseen.returncode == 0 else []) + accounts()
     script = "\n".join([*lines, "exec " + shlex.join(command)])
     way = ["unshare", "--mount"] if unseen.returncode == 0 else []
     with (folder / "log").open("wb") as log:
@@ -184,8 +184,7 @@ def family(hub, who=None):
     found = hub.process.children(recursive=True)
     if who is None:
         return [hub.process, *found]
-    home = f"/home/{who}"
-    return [each for each in found if each.environ().get("HOME") == home]
+    return [each for each in found if each.environ().get("USER") == who]
 
 
 def ports_of(process):
@@ -200,7 +199,7 @@ def facts_about(hub, who):
     assert told["transport"] == "ipc"
     return {
         "who": who,
-        "home": f"/home/{who}",
+        "home": server.environ()["HOME"],
         "server": ports_of(server)[0].port,
         "pid": kernel.pid,
         "stem": str(file.with_suffix("")),
