@@ -16,19 +16,16 @@ import numpy as np
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.formats.flat_ink import PIXELS, FlatLetter, FlatStroke, flat_recordings
-from dmp_teach.formats.inkml.channels import METRES, SECONDS
 from dmp_teach.formats.motive.reader import labels_in, written
 from dmp_teach.formats.motive.table import LONGEST_NAME
 from dmp_teach.formats.motive.take import FEWEST_FRAMES
 from dmp_teach.formats.registry import CaptureOptions
+from dmp_teach.formats.units import METRES, PIXEL, SECONDS
 from dmp_teach.ink import Recording
 from dmp_teach.segmentation import Flags, find_runs
 from dmp_teach.trajectory import Array
 
 COLUMN_UNITS = METRES | SECONDS
-COLUMN_UNITS |= dict.fromkeys(("sec", "secs", "second", "seconds", "meter", "metre"), 1.0)
-COLUMN_UNITS |= dict.fromkeys(("msec", "millis", "milliseconds", "millimeter", "millimetre"), 1e-3)
-COLUMN_UNITS |= dict.fromkeys(("inch", "inches"), METRES["in"])
 WITH_UNIT = re.compile(r"(.+?)(?:\s+in\s+|[\s_/|-]*[\[({<]\s*|[\s_/|-]+)([a-zµ]+)\s*[\])}>]?")
 PLACE_WORDS = (
     "(?:pos|position|coord|coordinate|pen|tip|ink|point|pose|marker|p|page|client|offset|screen)*"
@@ -52,19 +49,17 @@ LAST_WORDS = {
 }
 FEWEST_ROWS = 5
 MOSTLY_DOWN = 0.5  # in a column of 0 and 1 without a name, which else may mean anything
-USUAL_STEP = (0.0005, 0.5)  # from row to row [s]
+SLOWEST_STEP = 0.5  # from row to row [s]
 USUAL_SIZE = (0.005, 1.0)  # of ink that is in metres, where nothing says so [m]
 LOOKED_AWAY = (0.25, 10.0)  # a pause is longer than this [s], and so many usual steps
+Y_UP = "Taken is that y points up the page."
 LEAST_HEIGHT = 0.002  # a height that changes less tells no lift [m]
 ColumnRoles = dict[str, tuple[int, float | None]]
 """Which column is what, and what its unit is in SI, or None."""
 
 
 def read_columns(
-    values: Array,
-    names: Sequence[str] | None,
-    file: str,
-    options: CaptureOptions,
+    values: Array, names: Sequence[str] | None, file: str, options: CaptureOptions
 ) -> tuple[Recording, ...]:
     """Return the letter of a table.
 
@@ -90,18 +85,16 @@ def read_columns(
         t = _seconds(columns.get("t"), roles, notes)
         xy, scale = _on_page(columns, roles, notes)
         parts = _parts(columns, t, xy, notes)
-        if not parts or sum(b - a for a, b in parts) < FEWEST_ROWS:
+        if sum(b - a for a, b in parts) < FEWEST_ROWS:
             raise RecordingError(
                 f"has fewer than {FEWEST_ROWS} rows in which the pen is down; save all of it."
             )
         about = labels_in(file)
         if "z" in columns and t is not None and len(parts) == 1:
-            height = columns["z"] * (roles["z"][1] or scale or 1.0)
-            part = slice(*parts[0])
-            points = np.column_stack([xy * (scale or 1.0), height])[part]
+            part, unit = slice(*parts[0]), scale or 1.0
+            points = np.column_stack([xy * unit, columns["z"] * (roles["z"][1] or unit)])[part]
             if np.isfinite(points).all() and np.ptp(points[:, 2]) > LEAST_HEIGHT:
-                found = _from_height(t[part], points, options, notes)
-                return (Recording(*found, *about, notes=tuple(notes)),)
+                return (_from_height(t[part], points, options, notes, about),)
         force = columns.get("force")
         force = None if force is None else np.nan_to_num(np.maximum(force, 0.0))
         strokes = [
@@ -130,7 +123,7 @@ def _named_roles(names: Sequence[str]) -> ColumnRoles:
                     "those of the pen in it."
                 )
             if role in ("x", "y") and ON_SCREEN.search(bare):
-                unit = METRES["px"]
+                unit = PIXEL
             if bare and role is not None and role not in roles:
                 # A column may be called "ms" and nothing else.
                 roles[role] = (k, unit or (COLUMN_UNITS.get(bare) if role == "t" else None))
@@ -139,37 +132,29 @@ def _named_roles(names: Sequence[str]) -> ColumnRoles:
 
 def _guessed_roles(values: Array, notes: list[str]) -> ColumnRoles:
     """Return the roles of columns without names, by their numbers; told in a note."""
-    count = values.shape[1]
-    rows = values[np.isfinite(values).all(axis=1)]
-    if len(rows) < FEWEST_ROWS or not 2 <= count <= 4:
+    rows, order = values[np.isfinite(values).all(axis=1)], list(range(values.shape[1]))
+    if len(rows) < FEWEST_ROWS or not 2 <= len(order) <= 4:
         return {}
-    steps = np.diff(rows, axis=0)
-    unevenness = np.where(
-        (steps >= 0).all(axis=0) & (np.ptp(rows, axis=0) > 0),
-        steps.std(axis=0) / np.maximum(steps.mean(axis=0), 1e-300),
-        np.inf,
-    )
-    ends = [0, count - 1] if count > 2 else []
-    time = min(ends, key=lambda k: unevenness[k], default=None)
-    order = list(range(count))
-    roles: ColumnRoles = {}
-    if time is not None and np.isfinite(unevenness[time]):
-        roles["t"] = (order.pop(order.index(time)), None)
-    roles |= {"x": (order[0], None), "y": (order[1], None)}
-    if len(order) == 3:
+    found: dict[str, int] = {}
+    if len(order) > 2:  # time is the first or the last, whichever goes on more evenly
+        steps = {k: np.diff(rows[:, k]) for k in (0, order[-1])}
+        uneven = {k: s.std() / s.mean() for k, s in steps.items() if (s >= 0).all() and s.any()}
+        if uneven:
+            found["t"] = min(uneven, key=lambda k: uneven[k])
+            order.remove(found["t"])
+    found |= dict(zip("xy", order, strict=False))
+    if len(order) > 2:
         last = rows[:, order[2]]
         share = np.ptp(last) / max(np.ptp(rows[:, order[:2]], axis=0).max(), 1e-300)
         is_height = 0.02 < share < 2 and (last != np.round(last)).any()
-        role = "down" if np.isin(last, (0, 1)).all() else "z" if is_height else "force"
-        if role == "down" and last.mean() < MOSTLY_DOWN:
+        is_state = np.isin(last, (0, 1)).all()
+        if len(order) > 3 or (is_state and last.mean() < MOSTLY_DOWN):
             return {}
-        roles[role] = (order[2], None)
-    elif len(order) > 3:
-        return {}
+        found["down" if is_state else "z" if is_height else "force"] = order[2]
     told = {"down": "pen down", "force": "pressure"}
-    named = sorted((column, told.get(role, role)) for role, (column, _) in roles.items())
-    notes.append(f"Its columns have no names: taken as {', '.join(role for _, role in named)}.")
-    return roles
+    named = ", ".join(told.get(role, role) for role in sorted(found, key=lambda role: found[role]))
+    notes.append(f"Its columns have no names: taken as {named}.")
+    return {role: (column, None) for role, column in found.items()}
 
 
 def _seconds(times: Array | None, roles: ColumnRoles, notes: list[str]) -> Array | None:
@@ -180,15 +165,14 @@ def _seconds(times: Array | None, roles: ColumnRoles, notes: list[str]) -> Array
     if not len(step):
         notes.append("Its times are no numbers: they are left out.")
         return None
-    if unit is not None:
-        return times * unit
-    if (step == 1).all():
+    if unit is None and (step == 1).all():
         notes.append("Its times count the rows, and say no unit: they are left out.")
         return None
-    fitting = (each for each in (1.0, 1e-3, 1e-6, 1e-9) if each * np.median(step) < USUAL_STEP[1])
-    unit = next(fitting, 1.0)
-    if unit != 1:
-        notes.append(f"Its times say no unit: taken as {unit:g} s.")
+    if unit is None:
+        usual = float(np.median(step))
+        unit = next((each for each in (1.0, 1e-3, 1e-6, 1e-9) if each * usual < SLOWEST_STEP), 1.0)
+        if unit != 1:
+            notes.append(f"Its times say no unit: taken as {unit:g} s.")
     return times * unit
 
 
@@ -206,11 +190,10 @@ def _on_page(
     if scale is None and USUAL_SIZE[0] <= size <= USUAL_SIZE[1]:
         scale = 1.0
         notes.append("The file says no unit of length: taken as metres.")
-    if scale == METRES["px"]:
+    if scale == PIXEL:
         notes += [PIXELS, "Taken is that y points down the screen."]
-        xy = xy * [1, -1]
-    else:
-        notes.append("Taken is that y points up the page.")
+        return xy * [1, -1], scale
+    notes.append(Y_UP)
     return xy, scale
 
 
@@ -228,27 +211,30 @@ def _parts(
         down &= ~(columns["up"] > 0)
     elif "force" in columns and (columns["force"] > 0).any():
         down &= columns["force"] > 0
-    ends = np.zeros(len(down), dtype=bool)
+    cuts = np.empty(0, dtype=int)
     if "stroke" in columns:
-        ends[1:] = np.diff(columns["stroke"]) != 0
+        cuts = np.flatnonzero(np.diff(columns["stroke"])) + 1
     elif t is not None and "z" not in columns and len(find_runs(down)) == 1:
         step = np.diff(t)
         pause = max(LOOKED_AWAY[0], LOOKED_AWAY[1] * float(np.nanmedian(step)))
-        ends[1:] = step > pause
-        if ends.any():
+        cuts = np.flatnonzero(step > pause) + 1
+        if len(cuts):
             notes.append(f"Where no row is for more than {pause:.2g} s, the pen is taken to be up.")
-    cuts = np.flatnonzero(ends)
-    parts = []
-    for first, last in find_runs(down):
-        edges = [first, *cuts[(cuts > first) & (cuts < last)].tolist(), last]
-        parts += list(pairwise(edges))
-    return parts
+    return [
+        part
+        for a, b in find_runs(down)
+        for part in pairwise([a, *cuts[(cuts > a) & (cuts < b)].tolist(), b])
+    ]
 
 
 def _from_height(
-    t: Array, points: Array, options: CaptureOptions, notes: list[str]
-) -> tuple[Array, Array]:
-    """Return times (T,) and places (T, 3) of the part of a table that holds its strokes.
+    t: Array,
+    points: Array,
+    options: CaptureOptions,
+    notes: list[str],
+    about: tuple[str | None, str | None],
+) -> Recording:
+    """Return the letter of a pen in three dimensions, cut to its strokes.
 
     Tables mostly have z out of the paper; else the axes of the options hold.
     """
@@ -257,17 +243,16 @@ def _from_height(
             f"has a height, for which it needs {FEWEST_FRAMES} rows or more, and times that "
             "increase from each to the next."
         )
-    ways = [(options.up, options.right)]
-    if ways == [("+y", "-x")]:
-        ways.insert(0, ("+z", "+x"))
-    faults = []
-    for up, right in ways:
-        try:
-            position, _, (start, end) = written(t, points, up, right)
-        except RecordingError as error:
-            faults.append(error)
-            continue
-        notes[:] = [note for note in notes if "y points up" not in note]
-        notes.append(f"Taken is that {up} is out of the paper, and {right} to the right on it.")
-        return t[start:end], position[start:end]
-    raise faults[0]
+    up, right = axes = options.up, options.right
+    if axes == ("+y", "-x"):
+        up, right = "+z", "+x"
+    try:
+        position, _, (start, end) = written(t, points, up, right)
+    except RecordingError:
+        if (up, right) == axes:
+            raise
+        up, right = axes
+        position, _, (start, end) = written(t, points, up, right)
+    notes.remove(Y_UP)
+    notes.append(f"Taken is that {up} is out of the paper, and {right} to the right on it.")
+    return Recording(t[start:end], position[start:end], *about, notes=tuple(notes))

@@ -10,7 +10,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from dmp_teach.errors import RecordingError, TrajectoryError
 from dmp_teach.files import is_pseudonym
@@ -64,7 +63,7 @@ class FlatLetter:
     strokes: Sequence[FlatStroke]
     character: str | None = None
     writer: str | None = None
-    origin: ArrayLike | None = None
+    origin: Array | None = None
     baseline: float | None = None
     notes: tuple[str, ...] = ()
 
@@ -119,11 +118,12 @@ def _recording(letter: FlatLetter, scale: float, notes: tuple[str, ...]) -> Reco
         hardest = max([1.0, *(float(force.max()) for force in forces)])
         rows = [np.column_stack([xy, f / hardest]) for xy, f in zip(rows, forces, strict=True)]
     # Times that stand still say no more than none.
-    times = [t for t in (stroke.t for stroke in strokes) if t is not None and _goes_on(t)]
+    times = [t for t in (stroke.t for stroke in strokes) if t is not None]
+    times = [t for t in times if len(t) == 1 or np.ptp(t) > 0]
     is_timed = len(times) == len(strokes)
-    laid = on_one_clock(times, rows) if is_timed else at_hand_pace(rows)
+    laid = _on_one_clock(times, rows) if is_timed else at_hand_pace(rows)
     corner = np.concatenate([row[:, :2] for _, row in laid]).min(axis=0)
-    origin = corner if letter.origin is None else np.asarray(letter.origin)
+    origin = corner if letter.origin is None else letter.origin
     begin = laid[0][0][0]
     recording = add_lifts(
         [Trajectory(t - begin, row[:, :2] - origin) for t, row in laid],
@@ -136,17 +136,11 @@ def _recording(letter: FlatLetter, scale: float, notes: tuple[str, ...]) -> Reco
     return replace(recording, notes=notes)
 
 
-def _goes_on(t: Array) -> bool:
-    """Tell whether times (K,) are those of a single point, or change."""
-    return len(t) == 1 or bool(np.ptp(t) > 0)
-
-
-def on_one_clock(times: Sequence[Array], rows: Sequence[Array]) -> list[tuple[Array, Array]]:
+def _on_one_clock(times: Sequence[Array], rows: Sequence[Array]) -> list[tuple[Array, Array]]:
     """Return strokes one after the other, as times (K,) and rows (K, D), each time once.
 
-    A point at the time of the one before it is left out. A single point is a dot, and lasts 20 ms.
-    A stroke that begins before the one before it has ended, for its clock was its own, begins a
-    pause after that one.
+    A single point is a dot, and lasts 20 ms. A stroke that begins before the one before it has
+    ended, for its clock was its own, begins a pause after that one.
 
     Raises:
         RecordingError: Time runs back inside a stroke, or a stroke takes more than an hour.
@@ -155,10 +149,8 @@ def on_one_clock(times: Sequence[Array], rows: Sequence[Array]) -> list[tuple[Ar
     for number, (t, row) in enumerate(zip(times, rows, strict=True)):
         step, long = np.diff(t), t[-1] - t[0]
         if (step < 0).any() or not long < LONGEST_STROKE:
-            fault = (
-                f"takes {long:.4g} s" if not long < LONGEST_STROKE else "has times that run back"
-            )
-            raise RecordingError(f"stroke {number} {fault}; is the unit of its times right?")
+            what = "has times that run back" if long < LONGEST_STROKE else f"takes {long:.4g} s"
+            raise RecordingError(f"stroke {number} {what}; is the unit of its times right?")
         fresh = np.concatenate([[True], step > 0])
         clock, way = t[fresh], row[fresh]
         if len(clock) == 1:
@@ -183,28 +175,6 @@ def check_size(strokes: Sequence[Array], smallest: float = SMALLEST_INK) -> None
         )
 
 
-def check_flat(strokes: Sequence[Array], suffix: str) -> None:
-    """Raise a RecordingError where strokes (K, 2) in a file could not be read again.
-
-    Args:
-        strokes: Shape (K, 2) each [m].
-        suffix: What they are to be written as.
-    """
-    try:
-        check_size(strokes)
-    except RecordingError as error:
-        raise RecordingError(
-            f"This cannot be written as {suffix}: {error} A .json file keeps any ink."
-        ) from None
-
-
-def lengths_in_mm(text: str | None, count: int) -> Array | None:
-    """Return the `count` lengths [m] that we wrote into a file in mm; None for other text."""
-    numbers = [finite_number(word) for word in (text or "").split()[: count + 1]]
-    known = [number for number in numbers if number is not None]
-    return np.array(known) / 1000 if len(known) == len(numbers) == count else None
-
-
 def _usual_scale(letters: Sequence[Sequence[Array]]) -> float:
     """Return what makes the median height of letters, points (K, 2) a stroke, 50 mm; dots aside."""
     sizes = [np.ptp(np.concatenate(strokes), axis=0) for strokes in letters]
@@ -215,6 +185,31 @@ def _usual_scale(letters: Sequence[Sequence[Array]]) -> float:
             f"the ink is {high:.4g} high, in a unit that the file does not say; is there any ink?"
         )
     return USUAL_HEIGHT / high
+
+
+def labelled(
+    letter: FlatLetter,
+    character: str | None,
+    writer: str | None,
+    origin: str | None,
+    baseline: str | None,
+) -> FlatLetter:
+    """Return a letter with what its file says of it, as text; only ours say an origin [mm]."""
+    place, line = _metres(origin), _metres(baseline)
+    is_ours = len(place) == 2
+    return replace(
+        letter,
+        character=own_label(character) if is_ours else label_from(character),
+        writer=pseudonym_from(writer),
+        origin=place if is_ours else None,
+        baseline=float(line[0]) if is_ours and len(line) == 1 else None,
+    )
+
+
+def _metres(text: str | None) -> Array:
+    """Return the lengths [m] in a text that has them in mm."""
+    numbers = [finite_number(word) for word in (text or "").split()]
+    return np.array([number / 1000 for number in numbers if number is not None])
 
 
 def label_from(text: str | None) -> str | None:

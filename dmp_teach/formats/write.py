@@ -12,6 +12,7 @@ from pathlib import Path
 
 from dmp_teach.errors import PathError, RecordingError, kind_of
 from dmp_teach.files import write_whole
+from dmp_teach.formats.flat_ink import check_size
 from dmp_teach.formats.registry import known_formats
 from dmp_teach.ink import Recording, add_lifts, check_pseudonym
 from dmp_teach.trajectory import Trajectory
@@ -46,6 +47,13 @@ def write_recording(ink: Recording | Iterable[Trajectory], path: str | os.PathLi
         raise PathError(
             f"The path is {path!r}, but its name must end with one of {', '.join(writers)}."
         )
+    if suffix != ".json":
+        try:
+            check_size([stroke.position for stroke in recording.strokes()])
+        except RecordingError as error:
+            raise RecordingError(
+                f"This cannot be written as {suffix}: {error} A .json file keeps any ink."
+            ) from None
     return write_whole(path, writers[suffix](recording).encode(), suffix)
 
 

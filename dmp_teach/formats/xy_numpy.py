@@ -6,7 +6,6 @@ Nothing in them is run: arrays of objects are refused, and none may claim more t
 from __future__ import annotations
 
 import io
-import zipfile
 from collections import Counter
 
 import numpy as np
@@ -30,7 +29,14 @@ def is_numpy(data: bytes) -> bool:
 def read_numpy(data: bytes, name: str, options: CaptureOptions) -> tuple[Recording, ...]:
     """Read the letter in an array, or in arrays with names; errors as `read_columns`."""
     try:
-        arrays = _archive(data)
+        loaded = np.load(io.BytesIO(data), allow_pickle=False)
+        if isinstance(loaded, np.ndarray):
+            fields = loaded.dtype.names
+            arrays = {field: loaded[field] for field in fields} if fields else {"": loaded}
+        elif sum(each.file_size for each in loaded.zip.infolist()) > MOST_UNPACKED:
+            raise ValueError("larger inside than ink can be")
+        else:
+            arrays = {key: value for key, value in loaded.items() if isinstance(value, np.ndarray)}
     # NumPy, zipfile and zlib raise many kinds of errors on a damaged file.
     except Exception as error:
         raise RecordingError(
@@ -67,38 +73,6 @@ def read_arrays(
     kept = [k for k, column in enumerate(columns) if len(column) == lengths[0][0]]
     table = np.column_stack([columns[k] for k in kept])
     return read_columns(table, [names[k] for k in kept] if len(arrays) > 1 else None, file, options)
-
-
-def _array(data: bytes) -> np.ndarray:
-    """Return the array in the bytes of a `.npy` file."""
-    file = io.BytesIO(data)
-    major, _ = np.lib.format.read_magic(file)
-    read_header = np.lib.format.read_array_header_1_0
-    if major > 1:
-        read_header = np.lib.format.read_array_header_2_0
-    shape, _, dtype = read_header(file)
-    if dtype.hasobject or int(np.prod(shape, dtype=float)) * dtype.itemsize > len(data):
-        raise ValueError("objects, or fewer numbers than its head claims")
-    file.seek(0)
-    array: np.ndarray = np.lib.format.read_array(file, allow_pickle=False)
-    return array
-
-
-def _archive(data: bytes) -> dict[str, np.ndarray]:
-    """Return the arrays of a file by their names."""
-    if data.startswith(NPY):
-        array = _array(data)
-        fields = array.dtype.names
-        return {field: array[field] for field in fields} if fields else {"": array}
-    with zipfile.ZipFile(io.BytesIO(data)) as file:
-        parts = [each for each in file.infolist() if each.filename.endswith(".npy")]
-        if sum(each.file_size for each in parts) > MOST_UNPACKED:
-            raise ValueError("larger inside than ink can be")
-        found = {}
-        for each in parts:
-            with file.open(each) as part:
-                found[each.filename.removesuffix(".npy")] = _array(part.read(MOST_UNPACKED))
-    return found
 
 
 FORMAT = Format("NumPy", (".npy", ".npz"), is_numpy, read_numpy)

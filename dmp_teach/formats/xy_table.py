@@ -22,34 +22,28 @@ from dmp_teach.ink import Recording
 BEGIN_OF_TABLE = 20_000  # bytes of a file in which a table shows
 MOST_TABLE_ROWS = 200_000
 MOST_COLUMNS = 64
-CELL_WORDS = {"true": 1.0, "false": 0.0}
-CELL_WORDS |= {
-    f"{what}{event}": float(event in ("down", "start"))
-    for what in ("", "pen", "pointer", "touch", "mouse")
-    for event in ("down", "start", "up", "end", "cancel")
-}
+EVENTS = {"down": 1.0, "start": 1.0, "true": 1.0}
+EVENTS |= {"up": 0.0, "end": 0.0, "cancel": 0.0, "false": 0.0}
+EVENT = re.compile(rf"(?:pen|pointer|touch|mouse)?({'|'.join(EVENTS)})")
 CLOCK_TIME = re.compile(r"(?:.*[t ])?(\d+):(\d\d):(\d\d(?:\.\d*)?)(?:z|[+-]\d\d:?\d\d)?")
 LETTER_COLUMN = re.compile(
     r"(?:letter|char|character|label|trial|sample|demo|writer|user|subject)s?\W*(?:id)?"
 )
 DECIMAL_COMMA = re.compile(r"\s*-?\d+,\d+(?:\s+-?\d+,\d+)+\s*")
 DECIMAL_PAIR = re.compile(r"(-?\d+),(\d+)")
-WHOLE = re.compile(r"-?\d+")
 SIGN_BEFORE = re.compile(r"^\s*(?:#|%|//|\")?\s*")
 
 
 def is_table(data: bytes) -> bool:
     """Tell whether a file is text with rows of numbers, and of no kind that has a name."""
-    if b"\0" in data[:BEGIN_OF_TABLE].removeprefix(b"\xff\xfe") and not data.startswith(
-        b"\xff\xfe"
-    ):
+    if b"\0" in data[:BEGIN_OF_TABLE] and not data.startswith(b"\xff\xfe"):
         return False
     if describe_stranger(data) is not None:
         return False
     lines = _lines(data[:BEGIN_OF_TABLE])
     sign = _divider(lines)
-    rows = [row for line in lines if (row := _numbers(line, sign)) is not None]
-    return len(rows) >= FEWEST_ROWS or (len(rows) > 0 and 2 * len(rows) >= len(lines))
+    count = sum(_numbers(line, sign) is not None for line in lines)
+    return count >= FEWEST_ROWS or (count > 0 and 2 * count >= len(lines))
 
 
 def read_table_of_text(data: bytes, name: str, options: CaptureOptions) -> tuple[Recording, ...]:
@@ -60,34 +54,32 @@ def read_table_of_text(data: bytes, name: str, options: CaptureOptions) -> tuple
     sign = _divider(lines)
     if sign == "," and _has_two_cells_each(lines):
         lines = [DECIMAL_PAIR.sub(r"\1.\2", line) for line in lines]
-    rows: list[list[float] | None] = [_numbers(line, sign) for line in lines]
+    rows = [_numbers(line, sign) for line in lines]
     first = next((k for k, row in enumerate(rows) if row is not None), 0)
     width = len(rows[first] or ())
     if not 0 < width <= MOST_COLUMNS:
         raise RecordingError(f"has {width} columns; give t, x, y, and z or pressure.")
     names = _names(lines[:first], sign, width)
     _refuse_several(lines[first:], names or [], sign)
-    blank = [np.nan] * width
-    table = [blank if row is None else row[:width] + blank[len(row) :] for row in rows[first:]]
     odd = next((k for k, row in enumerate(rows) if row and len(row) > width), None)
     if odd is not None:
         raise RecordingError(
             f"row {odd + 1} has {len(rows[odd] or ())} cells, but the first one {width}; are there "
             "decimal commas? Write points."
         )
-    values = np.array(table)
+    values = np.full((len(rows) - first, width), np.nan)
+    for k, row in enumerate(rows[first:]):
+        values[k, : len(row or ())] = row or ()
     # Line ends of two signs may show as an empty line after each row.
     filled = ~np.isnan(values).all(axis=1)
-    if filled.sum() < 0.6 * len(filled):
-        values = values[filled]
-    return read_columns(values, names, name, options)
+    return read_columns(values if filled.mean() >= 0.6 else values[filled], names, name, options)
 
 
 def _has_two_cells_each(lines: Sequence[str]) -> bool:
     """Tell whether numbers with a decimal comma are divided by commas under a line of names."""
     first = next((k for k, line in enumerate(lines) if _numbers(line, ",") is not None), 0)
     cells = _cells(lines[first], ",")
-    is_whole = len(cells) % 2 == 0 and all(WHOLE.fullmatch(cell) for cell in cells)
+    is_whole = len(cells) % 2 == 0 and all(re.fullmatch(r"-?\d+", cell) for cell in cells)
     return is_whole and bool(_names(lines[:first], ",", len(cells) // 2))
 
 
@@ -105,7 +97,7 @@ def _divider(lines: Sequence[str]) -> str | None:
             return "\t" if "\t" in line else None
         for sign in (";", "\t", ",", "|", None):
             row = _numbers(line, sign)
-            if row is not None and len(row) > 1 and np.isfinite(row).sum() > 1:
+            if row is not None and np.isfinite(row).sum() > 1:
                 return sign
     return None
 
@@ -117,11 +109,9 @@ def _cells(line: str, sign: str | None) -> list[str]:
 
 def _numbers(line: str, sign: str | None) -> list[float] | None:
     """Return the numbers in a line; None where fewer than half of its cells are one."""
-    cells = _cells(line.strip("\r\n |[]"), sign)
-    row = []
-    for cell in cells:
-        row.append(_number(cell.lower().replace(",", ".") if sign != "," else cell.lower()))
-    found = sum(bool(np.isfinite(value)) for value in row)
+    cells = [cell.lower() for cell in _cells(line.strip("\r\n |[]"), sign)]
+    row = [_number(cell if sign == "," else cell.replace(",", ".")) for cell in cells]
+    found = int(np.isfinite(row).sum())
     if found < 2 or 2 * found < len(row):
         return None
     return [value if abs(value) < 1e100 else np.nan for value in row]
@@ -129,11 +119,13 @@ def _numbers(line: str, sign: str | None) -> list[float] | None:
 
 def _number(text: str) -> float:
     """Return the number in a cell, 1 or 0 for a word such as "penup", seconds for a time of day."""
-    clock = CLOCK_TIME.fullmatch(text[:MOST_COLUMNS])
+    clock, event = CLOCK_TIME.fullmatch(text[:MOST_COLUMNS]), EVENT.fullmatch(text)
     if clock:
         return 3600 * float(clock[1]) + 60 * float(clock[2]) + float(clock[3])
+    if event:
+        return EVENTS[event[1]]
     try:
-        return CELL_WORDS[text] if text in CELL_WORDS else float(text.replace("_", "x"))
+        return float(text.replace("_", "x"))
     except ValueError:
         return np.nan
 
@@ -151,34 +143,29 @@ def _refuse_several(lines: Sequence[str], names: Sequence[str], sign: str | None
 
 
 def _names(above: Sequence[str], sign: str | None, width: int) -> list[str] | None:
-    """Return the names of the columns from the lines above them; None without any.
+    """Return the names of the columns from the lines above them, however they are divided.
 
-    A line of units below the names is added to them.
+    A line of units below the names is added to them; None without any names.
     """
     units: list[str] = []
     for line in reversed(above):
-        cells = _cells_of_head(SIGN_BEFORE.sub("", line), sign, width)
+        split = [_cells(SIGN_BEFORE.sub("", line), each) for each in (sign, ",", ";", "\t", None)]
+        cells = next((each for each in split if len(each) == width and _has_word(each)), None)
         if cells is None:
             continue
         bare = [cell.strip("[]()").lower() for cell in cells]
         if not units and all(cell in COLUMN_UNITS or not cell for cell in bare):
             units = bare
+        elif units:
+            return [f"{cell} [{unit}]" for cell, unit in zip(cells, units, strict=True)]
         else:
-            return (
-                [f"{cell} [{unit}]" for cell, unit in zip(cells, units, strict=True)]
-                if units
-                else cells
-            )
-    return None
-
-
-def _cells_of_head(line: str, sign: str | None, width: int) -> list[str] | None:
-    """Return the cells of a line with a name for each column, however it is divided."""
-    for each in (sign, ",", ";", "\t", None):
-        cells = _cells(line, each)
-        if len(cells) == width and any(re.search("[A-Za-z]", cell) for cell in cells):
             return cells
     return None
+
+
+def _has_word(cells: Sequence[str]) -> bool:
+    """Tell whether a cell is no number."""
+    return any(re.search("[A-Za-z]", cell) for cell in cells)
 
 
 FORMAT = Format("plain table", (".csv", ".txt", ".tsv"), is_table, read_table_of_text)

@@ -126,6 +126,8 @@ STYLED = {
     '8 V28 H19"/>',
     "a transform in a sheet": "<style>.a{transform:rotate(90deg) scale(1,-1)}</style>"
     '<path class="a" d="M20 10 H60 V40"/>',
+    "important": '<style>path{display:inline !important}</style><path style="display:none" d="M10 '
+    '20 V60 H40"/>',
     "a switch": f'<switch><foreignObject requiredExtensions="x"/><g>{L}</g></switch>',
     "beside an area": f'<path stroke="none" {Z}/>{L}',
 }
@@ -208,16 +210,13 @@ NOT_FOLLOWED = {
     "style mask-image": f'<g style="mask-image:url(#m)">{L}</g>',
     "colour 'var(--page)'": '<path d="M0 0L9 9" stroke="var(--page)"/>',
     "style rotate": '<path style="rotate:9deg" d="M0 0L9 9"/>',
-    "style d": "<path style=\"d:path('M0 0')\"/>",
     "style transform-origin": f'<g transform="scale(2)" transform-origin="5 5">{L}</g>',
     "style transform-box": f'<g style="transform-box:fill-box">{L}</g>',
     "style rule 'g > .h'": "<style>g > .h{display:none}</style>" + L,
     "style rule 'g path'": "<style>g path{transform:scale(2)}</style>" + L,
-    "style x": '<rect style="x:9px" width="9" height="9"/>',
     "style rule 'path:hover'": "<style>path:hover{opacity:0}</style>" + L,
     "style rule 'path.h.k'": "<style>path.h.k{opacity:0}</style>" + L,
     "style rules inside others": "<style>@media print{path{display:none}}</style>" + L,
-    "style 'display:none !important'": "<style>.h{display:none !important}</style>" + L,
 }
 
 

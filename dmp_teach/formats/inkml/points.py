@@ -22,31 +22,8 @@ TOO_LARGE = 1e100
 MOST_POINTS = 300_000  # in a file
 
 
-class _ChannelState:
-    """One channel on its way through a trace."""
-
-    def __init__(self) -> None:
-        self.sign, self.value = "!", np.nan
-        self.step = self.bend = 0.0
-
-    def next(self, sign: str, number: float | None) -> float:
-        """Return the next value; a `number` of None goes on as before."""
-        self.sign = sign or self.sign
-        if self.sign == "!":
-            self.value = self.value if number is None else number
-            self.step = self.bend = 0.0
-        elif self.sign == "'":
-            self.step = self.step if number is None else number
-            self.value += self.step
-        else:
-            self.bend = self.bend if number is None else number
-            self.step += self.bend
-            self.value += self.step
-        return self.value
-
-
 def read_points(text: str, channels: int, least: int, most: int = MOST_POINTS) -> Array:
-    """Return the points of a trace, a column for each channel, NaN for an unknown value.
+    """Return the points of a trace, NaN for an unknown value.
 
     Args:
         text: What the trace holds.
@@ -61,35 +38,50 @@ def read_points(text: str, channels: int, least: int, most: int = MOST_POINTS) -
         RecordingError: A sign that has no place in a trace, too few or too many values in a point,
             or too many points.
     """
-    states = [_ChannelState() for _ in range(channels)]
-    rows: list[list[float]] = []
-    row: list[float] = []
-
-    def end_point() -> None:
-        if len(row) < least:
-            raise RecordingError(
-                f"has {len(row)} values in point {len(rows)}, but its channels need {least}."
-            )
-        rows.append([*row, *(state.value for state in states[len(row) :])])
-        row.clear()
-
+    # Of each channel: its value, its difference and its second one, and which of them is written.
+    states, orders = [[np.nan, 0.0, 0.0] for _ in range(channels)], [0] * channels
+    rows: list[list[float]] = [[]]
     for match in TOKEN.finditer(text):
         sign, number, minus, digits, word, comma, odd = match.groups()
-        place = text[match.start() : match.start() + 20]
+        row, place = rows[-1], text[match.start() : match.start() + 20]
         if digits:
             number = str(int(minus + digits, 16))
         if odd or (number and not abs(float(number)) < TOO_LARGE):
             raise RecordingError(f"has {place.strip()!r} where a number should be.")
         if comma:
-            end_point()
+            _fill(rows, states, least)
+            rows.append([])
         elif len(row) == channels:
             raise RecordingError(f"has more than {channels} values in a point near {place!r}.")
         elif word == "?":
             row.append(np.nan)
         else:
-            row.append(states[len(row)].next(sign, WORDS[word] if word else float(number)))
-        if len(rows) > most:
+            k = len(row)
+            orders[k] = "!'\"".index(sign) if sign else orders[k]
+            row.append(_next(states[k], orders[k], WORDS[word] if word else float(number)))
+        if len(rows) > most + 1:
             raise RecordingError(f"has more than {most} points; cut it.")
-    if row or not rows:
-        end_point()
-    return np.array(rows)
+    if rows[-1] or len(rows) == 1:
+        _fill(rows, states, least)
+    return np.array([row for row in rows if row])
+
+
+def _next(state: list[float], order: int, number: float | None) -> float:
+    """Return the next value of a channel; a `number` of None goes on as before."""
+    if number is not None:
+        state[order] = number
+    if order == 0:
+        state[1:] = [0.0, 0.0]
+    for k in range(order, 0, -1):
+        state[k - 1] += state[k]
+    return state[0]
+
+
+def _fill(rows: list[list[float]], states: list[list[float]], least: int) -> None:
+    """Give the last point the values that it leaves out."""
+    row = rows[-1]
+    if len(row) < least:
+        raise RecordingError(
+            f"has {len(row)} values in point {len(rows) - 1}, but its channels need {least}."
+        )
+    row += [state[0] for state in states[len(row) :]]

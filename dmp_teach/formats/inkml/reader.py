@@ -2,10 +2,11 @@
 
 Channels are taken as the file declares them (`channels`), points as it abbreviates them (`points`).
 Each trace that was written with the pen down is a stroke, and points where the tip switch S is off
-leave a gap. Groups and views of traces (`groups`) with a label of their own (an annotation `truth`,
-`label` or the like) are letters of their own; a file without any is one letter. Times are those of
-channel T, or the device's sample rate, or else a hand's. A trace that continues another one is one
-stroke with it. Mappings and parts of traces are refused.
+leave a gap. The innermost groups and views of traces with a label of their own (an annotation
+`truth`, `label` or the like) are letters; a file without any is one letter. A view (`traceView`)
+shows a trace, a group or another view once more; what stands in `definitions` is shown only so.
+Times are those of channel T, or the device's sample rate, or else a hand's. A trace that continues
+another one is one stroke with it. Mappings and parts of traces are refused.
 """
 
 from __future__ import annotations
@@ -17,27 +18,21 @@ from xml.etree.ElementTree import Element
 import numpy as np
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.formats.flat_ink import (
-    PIXELS,
-    FlatLetter,
-    FlatStroke,
-    flat_recordings,
-    label_from,
-    lengths_in_mm,
-    own_label,
-    pseudonym_from,
-)
-from dmp_teach.formats.inkml.channels import Channel, Contexts, TraceFormat, tells_channels
-from dmp_teach.formats.inkml.groups import LABELS, annotation, labelled_letters
+from dmp_teach.formats.flat_ink import PIXELS, FlatLetter, FlatStroke, flat_recordings, labelled
+from dmp_teach.formats.inkml.channels import Contexts, InkContext, TraceFormat, tells_channels
 from dmp_teach.formats.inkml.points import MOST_POINTS, read_points
 from dmp_teach.formats.inkml.writer import write_inkml
 from dmp_teach.formats.registry import CaptureOptions, Format
-from dmp_teach.formats.safe_xml import has_root, local_tag, parse_xml
+from dmp_teach.formats.safe_xml import DEEPEST_ELEMENT, has_root, local_tag, parse_xml
 from dmp_teach.ink import Recording
 from dmp_teach.segmentation import find_runs
 from dmp_teach.trajectory import Array
 
-InkContext = tuple[Element | str, ...]
+LABELS = ("truth", "label", "character", "symbol", "transcription", "text")
+GROUPS_OF_TRACES = ("traceGroup", "traceView")
+MOST_SHOWN = 1_000_000  # traces and groups, again and again
+Letters = list[tuple[Element, list[Element]]]
+"""Groups, and the traces of each, each once."""
 
 
 def read_inkml(data: bytes, _name: str, _: CaptureOptions) -> tuple[Recording, ...]:
@@ -48,7 +43,7 @@ def read_inkml(data: bytes, _name: str, _: CaptureOptions) -> tuple[Recording, .
     """
     root = parse_xml(data, "ink", "InkML")
     contexts = Contexts(root)
-    groups, left_out = labelled_letters(root, contexts.named)
+    groups, left_out = _labelled_groups(root, contexts)
     shown = {each for _, some in groups for each in some}
     strokes, faults, in_metres = _read_traces(root, contexts, shown)
     letters = [
@@ -62,6 +57,55 @@ def read_inkml(data: bytes, _name: str, _: CaptureOptions) -> tuple[Recording, .
     if others:
         left_out.append(f"{len(others)} traces that are in no letter with a label.")
     return flat_recordings(letters, 1.0 if in_metres else None, left_out)
+
+
+def _annotation(element: Element, *kinds: str) -> str | None:
+    """Return what the first annotation of one of these types says; None where there is none."""
+    for each in element:
+        if local_tag(each) == "annotation" and (each.get("type") or "").lower() in kinds:
+            return each.text or ""
+    return None
+
+
+def _labelled_groups(root: Element, contexts: Contexts) -> tuple[Letters, list[str]]:
+    """Return the innermost groups with a label, or the root; and why others cannot be read."""
+    count = 0
+
+    def shown(element: Element, depth: int = 0) -> Iterator[Element]:
+        """Yield an element and all groups, views and traces that it shows."""
+        nonlocal count
+        count += 1
+        if depth > DEEPEST_ELEMENT or count > MOST_SHOWN:
+            raise RecordingError(
+                f"has views of views that are more than {DEEPEST_ELEMENT} deep, or show more than "
+                f"{MOST_SHOWN} traces; view traces."
+            )
+        yield element
+        children = [each for each in element if local_tag(each) in ("trace", *GROUPS_OF_TRACES)]
+        reference = element.get("traceDataRef")
+        if local_tag(element) == "traceView" and reference:
+            if element.get("from") or element.get("to"):
+                raise RecordingError(
+                    "has a view of a part (from, to), which is not followed here; view the whole."
+                )
+            children = [contexts.named(reference)]
+        for child in children:
+            yield from shown(child, depth + 1)
+
+    def letter(group: Element, inside: list[Element]) -> tuple[Element, list[Element]]:
+        return group, list(dict.fromkeys(each for each in inside if local_tag(each) == "trace"))
+
+    groups = [each for each in root.iter() if local_tag(each) in GROUPS_OF_TRACES]
+    labelled_ones = {each for each in groups if _annotation(each, *LABELS)}
+    letters, faults = [], []
+    for group in (each for each in groups if each in labelled_ones):
+        try:
+            inside = list(shown(group))
+            if labelled_ones.isdisjoint(inside[1:]):
+                letters.append(letter(group, inside))
+        except RecordingError as error:
+            faults.append(f"{_annotation(group, *LABELS)!r:.40} {error}")
+    return letters if letters or faults else [letter(root, list(shown(root)))], faults
 
 
 def _read_traces(
@@ -82,13 +126,14 @@ def _read_traces(
                 texts[trace] = text = f"{texts[prior]}, {text}" if prior in strokes else text
                 strokes.pop(prior, None)
             form = contexts.format_of(context)
-            needed = max(form.channels["X"].column, form.channels["Y"].column) + 1
+            needed = max(list(form.channels).index(name) for name in "XY") + 1
             # Of some programs a point has more values than its format has channels.
             width = max(len(form.channels), len(text.partition(",")[0].split()) * ("," in text))
             values = read_points(text, width, needed, MOST_POINTS - points)
             if width > len(form.channels):
                 faults[root] = "values of points for which there is no channel."
-            strokes[trace], known = _pen_down(values, form, trace)
+            with np.errstate(all="ignore"):
+                strokes[trace], known = _pen_down(values, form, trace)
         except RecordingError as error:
             faults[trace] = f"trace {len(strokes) + len(faults)} {error}"
             continue
@@ -104,7 +149,7 @@ def _has_ink(element: Element) -> bool:
 
 
 def _traces_with_contexts(root: Element) -> Iterator[tuple[Element, InkContext]]:
-    """Yield every trace of a file, and the contexts that hold for it, nearest first."""
+    """Yield every trace of a file, and the contexts that hold for it."""
     current: InkContext = ()
     for element in root:
         if local_tag(element) == "context" and tells_channels(element):
@@ -116,7 +161,7 @@ def _traces_with_contexts(root: Element) -> Iterator[tuple[Element, InkContext]]
 
 
 def _traces_in(element: Element, context: InkContext) -> Iterator[tuple[Element, InkContext]]:
-    """Yield every trace in a trace or a group, and its contexts, or references to them."""
+    """Yield every trace in a trace or a group, and the contexts that hold for it."""
     reference = element.get("contextRef")
     here = (reference, *context) if reference else context
     if local_tag(element) == "trace":
@@ -128,13 +173,10 @@ def _traces_in(element: Element, context: InkContext) -> Iterator[tuple[Element,
 
 def _pen_down(values: Array, form: TraceFormat, trace: Element) -> tuple[list[FlatStroke], bool]:
     """Return the strokes of one trace, cut where the tip is off, and whether they are in metres."""
-    with np.errstate(all="ignore"):
-        xy, in_metres = form.on_page(values)
-        t = form.times(values, trace.get("timeOffset"))
-    pressed, tip = form.column(values, "F"), form.column(values, "S")
-    force = None if pressed is None else _pressure(pressed, form.channels["F"])
+    xy, in_metres = form.on_page(values)
+    t, force = form.times(values, trace.get("timeOffset")), form.pressure(values)
     rows = xy if t is None else np.column_stack([xy, t])
-    known = np.flatnonzero(np.isfinite(rows).all(axis=1))
+    known, tip = np.flatnonzero(np.isfinite(rows).all(axis=1)), form.column(values, "S")
     strokes = []
     for a, b in [(0, len(xy))] if tip is None else find_runs(tip != 0):
         kept = known[(known >= a) & (known < b)]
@@ -144,29 +186,15 @@ def _pen_down(values: Array, form: TraceFormat, trace: Element) -> tuple[list[Fl
     return strokes, in_metres
 
 
-def _pressure(values: Array, channel: Channel) -> Array:
-    """Return the pressure (K,): 0 to 1 where the file says what the device can tell."""
-    low = channel.low or 0.0
-    with np.errstate(all="ignore"):
-        if channel.high is not None and channel.high > low:
-            values = np.minimum((values - low) / (channel.high - low), 1.0)
-        return np.nan_to_num(np.maximum(values, 0.0), nan=0.0, posinf=1.0)
-
-
 def _letter(root: Element, group: Element, strokes: list[FlatStroke]) -> FlatLetter:
     """Return one letter, with what the file says of it."""
-    origin = lengths_in_mm(annotation(root, ("origin",)), 2)
-    baseline = lengths_in_mm(annotation(root, ("baseline",)), 1)
-    label = annotation(group, LABELS)
-    writer = annotation(group, ("writer",)) or annotation(root, ("writer",))
     units = {each.get("units") for each in root.iter() if local_tag(each) == "channel"}
-    return FlatLetter(
-        strokes,
-        label_from(label) if origin is None else own_label(label),
-        pseudonym_from(writer),
-        origin,
-        None if baseline is None or origin is None else float(baseline[0]),
-        (PIXELS,) if units & {"px", "pixel", "pixels"} else (),
+    return labelled(
+        FlatLetter(strokes, notes=(PIXELS,) if units & {"px", "pixel", "pixels"} else ()),
+        _annotation(group, *LABELS),
+        _annotation(group, "writer") or _annotation(root, "writer"),
+        _annotation(root, "origin"),
+        _annotation(root, "baseline"),
     )
 
 

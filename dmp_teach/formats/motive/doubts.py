@@ -11,7 +11,7 @@ from dmp_teach.formats.motive.take import Take
 from dmp_teach.segmentation import Flags, Spans, find_leaps
 from dmp_teach.trajectory import Array
 
-# A gap up to this long is filled with a straight line without a word.
+# A gap up to this long, and one frame more, is filled with a straight line without a word.
 LONGEST_FILLED_GAP = 0.1  # [s]
 EDGE = 0.02  # a stroke that ends so soon before the marker is lost goes on [s]
 BESIDE_WRITING = 0.5  # a leap this soon before or after the writing has cut it short [s]
@@ -31,26 +31,29 @@ def find_doubts(take: Take, position: Array, strokes: Spans) -> tuple[tuple[str,
     for a, b in strokes:
         is_ink[a:b] = True
     doubtful = leap > 0
-    notes = [*_gaps(take, strokes, doubtful), *_edges(take, strokes)]
+    longest = LONGEST_FILLED_GAP + float(np.median(np.diff(take.t)))
+    notes = _gaps(take, strokes, longest, doubtful) + _edges(take, strokes, longest)
     notes += _leaps(take, leap, strokes, is_ink)
-    if take.faults:
-        notes.append(f"Left out: {len(take.faults)} rows or cells. The first: {take.faults[0]}")
-    if len(take.left):
-        doubtful[take.left] = True
+    faults, pen = take.table.faults, take.pen
+    if faults:
+        notes.append(f"Left out: {len(faults)} rows or cells. The first: {faults[0]}")
+    left = pen.left[(pen.left > take.first) & (pen.left < take.first + len(leap) - 1)] - take.first
+    if len(left):
+        doubtful[left] = True
         notes.append(
-            f"The marker leaps away farther than a hand moves, {len(take.left)} times, first at "
-            f"{take.at(take.left[0])}: left out, as if it were not seen."
+            f"The marker leaps away farther than a hand moves, {len(left)} times, first at "
+            f"{take.at(left[0])}: left out, as if it were not seen."
         )
-    if take.pen.rivals:
+    if pen.rivals:
         notes.append(
-            f"Taken for the pen is {take.pen.name!r}, which is nearest to the paper of the markers "
-            f"that move; others could be named with marker=...: {list_names(take.pen.rivals)}."
+            f"Taken for the pen is {pen.name!r}, which is nearest to the paper of the markers that "
+            f"move; others could be named with marker=...: {list_names(pen.rivals)}."
         )
     return tuple(notes), doubtful & is_ink
 
 
-def _gaps(take: Take, strokes: Spans, doubtful: Flags) -> list[str]:
-    """Return where a long gap, of empty cells or missing rows, leaves a hole in a stroke; mark it.
+def _gaps(take: Take, strokes: Spans, longest: float, doubtful: Flags) -> list[str]:
+    """Return where a gap, of empty cells or missing rows, leaves a hole in a stroke.
 
     `doubtful` (T,) becomes true there.
     """
@@ -58,7 +61,7 @@ def _gaps(take: Take, strokes: Spans, doubtful: Flags) -> list[str]:
     for before, after in pairwise(np.flatnonzero(take.is_seen)):
         gap = take.t[after] - take.t[before]
         inside = [k for k, (a, b) in enumerate(strokes) if before < b - 1 and after > a]
-        if gap > _longest_gap(take) and inside:
+        if gap > longest and inside:
             doubtful[before : after + 1] = True
             notes.append(
                 f"The marker is lost for {gap:.2f} s after {take.at(before)}, inside stroke "
@@ -67,23 +70,18 @@ def _gaps(take: Take, strokes: Spans, doubtful: Flags) -> list[str]:
     return notes
 
 
-def _longest_gap(take: Take) -> float:
-    """Return how long a gap may be that is filled without a word [s]."""
-    return LONGEST_FILLED_GAP + float(np.median(np.diff(take.t)))
-
-
-def _edges(take: Take, strokes: Spans) -> list[str]:
+def _edges(take: Take, strokes: Spans, longest: float) -> list[str]:
     """Return where the take goes on without the marker, which was writing."""
-    t, last = take.t, len(strokes) - 1
+    t, whole, last = take.t, take.table.t, len(strokes) - 1
     sides = (
-        (0, 0, t[strokes[0][0]] - t[0], "is first seen at"),
-        (len(t) - 1, last, t[-1] - t[strokes[last][1] - 1], "is lost for good after"),
+        (0, 0, t[strokes[0][0]] - t[0], t[0] - whole[0], "is first seen at"),
+        (-1, last, t[-1] - t[strokes[last][1] - 1], whole[-1] - t[-1], "is lost for good after"),
     )
     return [
-        f"The marker {verb} {take.at(edge)}, inside stroke {number}, of which {unseen:.2f} s may "
-        "be missing. Mend it in Motive, or record again."
-        for (edge, number, away, verb), unseen in zip(sides, take.unseen, strict=True)
-        if unseen > _longest_gap(take) and away <= EDGE
+        f"The marker {verb} {take.at(edge % len(t))}, inside stroke {number}, of which "
+        f"{unseen:.2f} s may be missing. Mend it in Motive, or record again."
+        for edge, number, away, unseen, verb in sides
+        if unseen > longest and away <= EDGE
     ]
 
 

@@ -14,10 +14,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.formats.motive.table import AxisColumns, MarkerKey, Table, cell_number, list_names
+from dmp_teach.formats.motive.table import MarkerKey, Table, Track, list_names
 from dmp_teach.trajectory import Array
 
-FARTHEST_SAMPLE = 1e6  # farther is no farther [m]
 MEDIAN_BLOCK = 0.1  # a track is judged by medians over this long, which no single cell can move [s]
 MEDIAN_STEP = 0.001  # a pen moves more than this from one of them to the next [m]
 FEWEST_MOVES = 3  # a marker that was pushed moves once or twice
@@ -30,19 +29,6 @@ MOST_PIECES = 200  # of a pen under changing names
 LONGEST_LEAP = 0.1  # a marker that leaps farther than a hand moves is another thing [m]
 MOST_LEAPS = (100, 0.1)  # in a track, and as a share of it; in others the unit is wrong
 BODY = re.compile(r"RigidBody \d+")
-
-
-@dataclass(frozen=True)
-class Track:
-    """Where a marker was seen.
-
-    Args:
-        seen: The frames' places in the table, from 0, shape (K,).
-        points: Its positions there, shape (K, 3) [m].
-    """
-
-    seen: np.ndarray
-    points: Array
 
 
 @dataclass(frozen=True)
@@ -77,36 +63,36 @@ def find_pen(table: Table, marker: str | None, out: Array) -> Pen:
     """
     names = {name for name, _ in table.bodies}
     markers, bodies = (
-        {key: axes for key, axes in found.items() if len(axes) == 3}
+        [key for key, axes in found.items() if len(axes) == 3]
         for found in (table.markers, table.bodies)
     )
-    every = markers | bodies
-    free = {key: axes for key, axes in markers.items() if not _is_part(key[0], names)}
-    named = {key: axes for key, axes in every.items() if key[0] == marker}
-    tracks = _tracks(table, every if marker is None else free | bodies | named)
+    free = [key for key in markers if not _is_part(key[0], names)]
+    named = [key for key in markers + bodies if key[0] == marker]
+    needed = markers + bodies if marker is None else free + bodies + named
+    tracks = {key: table.track(key) for key in dict.fromkeys(needed)}
     moves = {key: _moves(track, table.t) for key, track in tracks.items()}
     pools = [free, bodies, markers] if marker is None else [named]
     brisk = (pool for pool in pools if any(moves[key] >= FEWEST_MOVES for key in pool))
     pool = next(brisk, pools[0] or pools[-1])
     if not pool:
         wanted = "no marker that could be the pen" if marker is None else f"no marker {marker!r}"
-        could = list_names(label for label, _ in free or every)
+        could = list_names(label for label, _ in free or markers + bodies)
         raise RecordingError(
             f"there is {wanted}. Markers that could be named with marker=...: "
             f"{could or 'none; export the positions of the markers'}."
         )
     most = max(moves[key] for key in pool)
-    also = bodies if marker is None else {}
-    rivals = [key for key in pool | also if moves[key] > RIVAL_SHARE * most > 0]
+    also = bodies if marker is None else []
+    rivals = [key for key in dict.fromkeys(pool + also) if moves[key] > RIVAL_SHARE * most > 0]
     chosen = max(pool, key=lambda key: len(tracks[key].seen))
     if near := [key for key in rivals if key in pool]:
         chosen = min(near, key=lambda key: float(np.median(tracks[key].points @ out)))
-    followed, track = _followed(chosen, {key: tracks[key] for key in free | pool}, table.t)
-    left = np.setdiff1d(tracks[chosen].seen, track.seen)
+    followed, track = _followed(chosen, {key: tracks[key] for key in free + pool}, table.t)
     others, moving = (
         [label for label in dict.fromkeys(label for label, _ in keys) if label not in followed]
         for keys in (free, rivals)
     )
+    left = np.setdiff1d(tracks[chosen].seen, track.seen)
     return Pen(", then ".join(followed), track, others, moving, left)
 
 
@@ -114,37 +100,6 @@ def _is_part(label: str, bodies: set[str]) -> bool:
     """Tell whether a marker is a part of a rigid body: `Robot:Marker1`, not `Robot:Marker1 (2)`."""
     body, _, part = label.rpartition(":")
     return not part.endswith(")") and (body in bodies or BODY.fullmatch(body) is not None)
-
-
-def _tracks(table: Table, markers: dict[MarkerKey, AxisColumns]) -> dict[MarkerKey, Track]:
-    """Return where each marker was seen; a cell that is no number is one of the table's faults."""
-    columns = sorted(
-        ((max(axes.values()), key, axes) for key, axes in markers.items()), key=lambda each: each[0]
-    )
-    seen: dict[MarkerKey, list[int]] = {key: [] for key in markers}
-    points: dict[MarkerKey, list[list[float]]] = {key: [] for key in markers}
-    for k, (place, row) in enumerate(table.body):
-        for last, key, axes in columns:
-            if last >= len(row):
-                break
-            if not row[axes["X"]].strip():
-                continue
-            try:
-                point = [cell_number(row, axes[a], place, f"{key[0]!r} {a}") for a in "XYZ"]
-            except RecordingError as error:
-                table.faults.append(str(error))
-                continue
-            seen[key].append(k)
-            points[key].append(point)
-    return {
-        key: Track(
-            np.array(seen[key], dtype=int),
-            np.clip(
-                np.reshape(points[key], (-1, 3)) * table.scale, -FARTHEST_SAMPLE, FARTHEST_SAMPLE
-            ),
-        )
-        for key in markers
-    }
 
 
 def _moves(track: Track, t: Array) -> int:
@@ -161,27 +116,26 @@ def _followed(
     chosen: MarkerKey, tracks: dict[MarkerKey, Track], t: Array
 ) -> tuple[list[str], Track]:
     """Return the names of the pen's marker and of those that go on for it, and the whole track."""
-    whole, *rest = sorted(_unbroken(tracks[chosen], t), key=lambda part: -_moves(part, t))
+    parts = {key: _unbroken(track, t) for key, track in tracks.items()}
+    whole, *rest = sorted(parts.pop(chosen), key=lambda part: -_moves(part, t))
     others = [(chosen, part) for part in rest]
-    for key, track in tracks.items():
-        if key != chosen and len(track.seen):
-            others += [(key, part) for part in _unbroken(track, t)]
-    pieces = {chosen}
+    others += [(key, part) for key, some in parts.items() for part in some if len(part.seen)]
+    names = {chosen}
     for _ in range(MOST_PIECES if len(whole.seen) else 0):
         found = [_nearest_part(whole, track, t) for _, track in others]
         best = min(range(len(found)), key=lambda k: found[k][0], default=None)
         if best is None or found[best][0] > 1:
             break
         part, (key, other) = found[best][1], others.pop(best)
-        pieces.add(key)
+        names.add(key)
         seen = np.concatenate([whole.seen, other.seen[part]])
         order = np.argsort(seen)
         whole = Track(seen[order], np.concatenate([whole.points, other.points[part]])[order])
         if len(part) < len(other.seen):
             left = Track(np.delete(other.seen, part), np.delete(other.points, part, axis=0))
             others.insert(best, (key, left))
-    order_of_names = sorted(pieces, key=lambda key: tracks[key].seen[:1].tolist())
-    return list(dict.fromkeys(label for label, _ in order_of_names)), whole
+    in_order = sorted(tracks.keys() & names, key=lambda key: (*tracks[key].seen[:1], key))
+    return list(dict.fromkeys(label for label, _ in in_order)), whole
 
 
 def _unbroken(track: Track, t: Array) -> list[Track]:
@@ -217,16 +171,10 @@ def _nearest_part(pen: Track, other: Track, t: Array) -> tuple[float, np.ndarray
 
 def _distance(pen: Track, other: Track, part: np.ndarray, place: int, t: Array) -> float:
     """Return how far a part of a marker begins or ends from where the pen is lost."""
-    first, last = other.seen[part[0]], other.seen[part[-1]]
-    links = []
-    if place > 0:
-        step = other.points[part[0]] - pen.points[place - 1]
-        links.append((t[first] - t[pen.seen[place - 1]], step))
-    if place < len(pen.seen):
-        links.append((t[pen.seen[place]] - t[last], pen.points[place] - other.points[part[-1]]))
-    return max(
-        np.inf
-        if seconds > LATEST_RETURN
-        else float(np.linalg.norm(step)) / (REJOIN_RADIUS + HAND_SPEED * seconds)
-        for seconds, step in links
-    )
+    ends = ((part[0], place - 1), (part[-1], place))
+    links = [(mine, its) for mine, its in ends if 0 <= its < len(pen.seen)]
+    seconds = np.array([abs(t[other.seen[mine]] - t[pen.seen[its]]) for mine, its in links])
+    steps = [np.linalg.norm(other.points[mine] - pen.points[its]) for mine, its in links]
+    if seconds.max() > LATEST_RETURN:
+        return np.inf
+    return float((np.array(steps) / (REJOIN_RADIUS + HAND_SPEED * seconds)).max())

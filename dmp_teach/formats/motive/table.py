@@ -11,6 +11,7 @@ import codecs
 import csv
 import io
 import re
+from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass
 from itertools import pairwise
@@ -18,6 +19,7 @@ from itertools import pairwise
 import numpy as np
 
 from dmp_teach.errors import RecordingError
+from dmp_teach.formats.units import METRES
 from dmp_teach.trajectory import Array
 
 HEADER = re.compile(
@@ -28,14 +30,24 @@ MOST_NAMES = 20  # in a sentence
 LONGEST_NAME = 60  # in a sentence [characters]
 LONGEST_ROW_STEP = 60.0  # no take waits longer from row to row [s]
 MOST_FAULTS = 0.02  # of the rows may have no time
-LENGTH_UNITS = {"m": 1.0, "meter": 1.0, "metre": 1.0}
-LENGTH_UNITS |= {"cm": 0.01, "centimeter": 0.01, "centimetre": 0.01}
-LENGTH_UNITS |= {"mm": 0.001, "millimeter": 0.001, "millimetre": 0.001}
-KINDS_OF_COLUMNS = {"marker": {"marker", "rigid body marker"}, "rigid body": {"rigid body"}}
+FARTHEST_SAMPLE = 1e6  # farther is no farther [m]
+MARKERS, BODIES = {"marker", "rigid body marker"}, {"rigid body"}
 UTF16_MARKS = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
-Rows = list[list[str]]
 AxisColumns = dict[str, int]  # of "X", "Y" and "Z", from 0
 MarkerKey = tuple[str, int]  # a marker's name, and which of several of that name
+
+
+@dataclass(frozen=True)
+class Track:
+    """Where a marker was seen.
+
+    Args:
+        seen: The frames' places in the table, from 0, shape (K,).
+        points: Its positions there, shape (K, 3) [m].
+    """
+
+    seen: np.ndarray
+    points: Array
 
 
 @dataclass(frozen=True)
@@ -58,16 +70,39 @@ class Table:
     bodies: dict[MarkerKey, AxisColumns]
     faults: list[str]
 
+    def at(self, k: int) -> str:
+        """Say where a frame stands in the file: its number and its row."""
+        place, row = self.body[k]
+        return f"frame {row[0]} (row {place})"
 
-def has_motive_header(data: bytes) -> bool:
-    """Tell whether a file has the row `Frame,Time`, and says of its columns what they follow."""
-    header = _find_header(data)
-    return header is not None and TYPES.search(data[:100_000].replace(b"\0", b"")) is not None
+    def track(self, key: MarkerKey) -> Track:
+        """Return where a marker or a body was seen; a cell that is no number is a fault."""
+        columns = (self.markers | self.bodies)[key]
+        seen: list[int] = []
+        points: list[list[float]] = []
+        for k, (place, row) in enumerate(self.body):
+            if max(columns.values()) >= len(row) or not row[columns["X"]].strip():
+                continue
+            try:
+                points.append(
+                    [_cell_number(row, columns[a], place, f"{key[0]!r} {a}") for a in "XYZ"]
+                )
+                seen.append(k)
+            except RecordingError as error:
+                self.faults.append(str(error))
+        places = np.reshape(points, (-1, 3)) * self.scale
+        return Track(np.array(seen, dtype=int), places.clip(-FARTHEST_SAMPLE, FARTHEST_SAMPLE))
 
 
 def _find_header(data: bytes) -> re.Match[bytes] | None:
     """Return the beginning of the row `Frame,Time`, and the sign between its columns."""
     return HEADER.search(data[:100_000].replace(b"\0", b""))
+
+
+def has_motive_header(data: bytes) -> bool:
+    """Tell whether a file has the row `Frame,Time`, and says of its columns what they follow."""
+    about = TYPES.search(data[:100_000].replace(b"\0", b""))
+    return about is not None and _find_header(data) is not None
 
 
 def read_table(data: bytes) -> Table:
@@ -78,8 +113,19 @@ def read_table(data: bytes) -> Table:
             header, as after a decimal comma, or a time cannot be.
     """
     header = _find_header(data)
-    rows = _rows(data, "," if header is None else header[1].decode())
-    head = next((k for k, row in enumerate(rows) if _is_head(row)), None)
+    encoding = "utf-16" if data.startswith(UTF16_MARKS) else "utf-8-sig"
+    text = io.StringIO(data.decode(encoding, errors="replace"), newline="")
+    sign = "," if header is None else header[1].decode()
+    try:
+        rows = list(csv.reader(text, delimiter=sign, skipinitialspace=True, strict=True))
+    except csv.Error as error:
+        raise RecordingError(
+            f"is not a CSV file: {error}. Export the take from Motive as CSV."
+        ) from None
+    begins = ([cell.strip().lower() for cell in (*row[:2], "", "")] for row in rows)
+    head = next(
+        (k for k, (a, b, *_) in enumerate(begins) if a == "frame" and b[:4] == "time"), None
+    )
     if head is None:
         raise RecordingError(
             "there is no header row that begins 'Frame,Time'; export the take from Motive as CSV."
@@ -98,7 +144,7 @@ def read_table(data: bytes) -> Table:
         raise RecordingError("has a header but no frames under it; export the take again.")
     body, t, faults = _in_time(body)
     top = rows[:head]
-    markers, bodies = (_columns_of(kind, top, rows[head]) for kind in ("marker", "rigid body"))
+    markers, bodies = (_columns_of(kinds, top, rows[head]) for kinds in (MARKERS, BODIES))
     return Table(body, t, _scale(top), markers, bodies, faults)
 
 
@@ -114,16 +160,15 @@ def _in_time(
     times: list[float] = []
     for place, row in rows:
         try:
-            time = cell_number(row, 1, place, "Time")
+            time = _cell_number(row, 1, place, "Time")
+            if times and not 0 < time - times[-1] <= LONGEST_ROW_STEP:
+                raise RecordingError(
+                    f"row {place}, column 2 (Time): {time:.6g} s after {times[-1]:.6g} s; time "
+                    f"must increase from row to row, by at most {LONGEST_ROW_STEP:.0f} s. Export "
+                    "the take again, with points and more decimals, or delete the row."
+                )
         except RecordingError as error:
             faults.append(str(error))
-            continue
-        if times and not 0 < time - times[-1] <= LONGEST_ROW_STEP:
-            faults.append(
-                f"row {place}, column 2 (Time): {time:.6g} s after {times[-1]:.6g} s; time must "
-                f"increase from row to row, by at most {LONGEST_ROW_STEP:.0f} s. Export the take "
-                "again, with points and more decimals, or delete the row."
-            )
             continue
         body.append((place, row))
         times.append(time)
@@ -132,75 +177,52 @@ def _in_time(
     return body, np.array(times), faults
 
 
-def _rows(data: bytes, sign: str) -> Rows:
-    """Return the file as cells."""
-    encoding = "utf-16" if data.startswith(UTF16_MARKS) else "utf-8-sig"
-    try:
-        text = io.StringIO(data.decode(encoding, errors="replace"), newline="")
-        return list(csv.reader(text, delimiter=sign, skipinitialspace=True, strict=True))
-    except csv.Error as error:
-        raise RecordingError(
-            f"is not a CSV file: {error}. Export the take from Motive as CSV."
-        ) from None
-
-
-def _is_head(row: list[str]) -> bool:
-    """Tell whether a row begins `Frame, Time`."""
-    cells = [cell.strip().lower() for cell in row[:2]]
-    return len(cells) == 2 and cells[0] == "frame" and cells[1].startswith("time")
-
-
-def _scale(top: Rows) -> float:
+def _scale(top: list[list[str]]) -> float:
     """Return the metres in a unit of the file, which is metres where it says nothing."""
     for k, row in enumerate(top, 1):
         for key, value in pairwise(row):
-            if key.strip().lower() != "length units":
-                continue
-            if (unit := value.strip().lower().rstrip(".").removesuffix("s")) not in LENGTH_UNITS:
-                raise RecordingError(
-                    f"row {k}: 'Length Units' is {value[:40]!r}, but must be Meters, Centimeters "
-                    "or Millimeters; export again."
-                )
-            return LENGTH_UNITS[unit]
+            if key.strip().lower() == "length units":
+                unit = value.strip().lower().rstrip(".").removesuffix("s")
+                if unit not in METRES:
+                    raise RecordingError(
+                        f"row {k}: 'Length Units' is {value[:40]!r}, but must be Meters, "
+                        "Centimeters or Millimeters; export again."
+                    )
+                return METRES[unit]
     return 1.0
 
 
-def _columns_of(what: str, top: Rows, axes: list[str]) -> dict[MarkerKey, AxisColumns]:
+def _columns_of(
+    wanted: set[str], top: list[list[str]], axes: list[str]
+) -> dict[MarkerKey, AxisColumns]:
     """Return the columns X, Y, Z of the Position of every thing of a type; twins are counted."""
-    wanted = KINDS_OF_COLUMNS[what]
-    kinds = next(
-        (k for k, row in enumerate(top) if wanted & {cell.strip().lower() for cell in row}), None
-    )
-    if kinds is None or kinds + 1 >= len(top):
+    low = [[cell.strip().lower() for cell in row] for row in top]
+    kinds = next((k for k, row in enumerate(low) if wanted & {*row}), len(top))
+    if kinds + 1 >= len(top):
         return {}
-    quantities = next(
-        (row for row in top[kinds + 1 :] if "position" in (cell.strip().lower() for cell in row)),
-        [""] * len(axes),
-    )
+    no_quantities = [""] * len(axes)
+    quantities = next((row for row in low[kinds + 1 :] if "position" in row), no_quantities)
     found: dict[MarkerKey, AxisColumns] = {}
-    twins: dict[tuple[str, str], int] = {}
-    for j, cells in enumerate(zip(top[kinds], top[kinds + 1], quantities, axes, strict=False)):
-        kind, label, quantity, axis = (cell.strip() for cell in cells)
-        if kind.lower() not in wanted or not label:
-            continue
-        found.setdefault((label, 0), {})
-        if quantity.lower() == "position" and axis.upper() in list("XYZ"):
-            twin = twins[label, axis] = twins.get((label, axis), -1) + 1
-            found.setdefault((label, twin), {})[axis.upper()] = j
+    twins = Counter[tuple[str, str]]()
+    columns = zip(low[kinds], top[kinds + 1], quantities, axes, strict=False)
+    for j, (kind, name, what, letter) in enumerate(columns):
+        label, axis = name.strip(), letter.strip().upper()
+        if kind in wanted and label:
+            found.setdefault((label, 0), {})
+            if what == "position" and axis in ("X", "Y", "Z"):
+                found.setdefault((label, twins[label, axis]), {})[axis] = j
+                twins[label, axis] += 1
     return found
 
 
 def list_names(names: Iterable[str]) -> str:
     """Return names for a sentence, each once, not too many and none too long."""
-    shown = list(
-        dict.fromkeys(
-            name if len(name) <= LONGEST_NAME else f"{name[:LONGEST_NAME]} ..." for name in names
-        )
-    )
+    short = (n if len(n) <= LONGEST_NAME else f"{n[:LONGEST_NAME]} ..." for n in names)
+    shown = list(dict.fromkeys(short))
     return ", ".join(map(repr, shown[:MOST_NAMES])) + (", ..." if len(shown) > MOST_NAMES else "")
 
 
-def cell_number(row: list[str], column: int, place: int, what: str) -> float:
+def _cell_number(row: list[str], column: int, place: int, what: str) -> float:
     """Return the number in a cell of a row, which is at a `place` in the file."""
     cell = row[column].strip() if column < len(row) else ""
     try:

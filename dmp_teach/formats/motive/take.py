@@ -1,4 +1,4 @@
-"""The pen through a take that Motive exported, before it is filled or cut."""
+"""The pen through a take that Motive exported, before it is cut."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ import numpy as np
 from dmp_teach.errors import RecordingError
 from dmp_teach.formats.flat_ink import LARGEST_INK
 from dmp_teach.formats.motive.markers import Pen, find_pen
-from dmp_teach.formats.motive.table import list_names, read_table
-from dmp_teach.segmentation import find_leaps
+from dmp_teach.formats.motive.table import Table, list_names, read_table
+from dmp_teach.segmentation import Flags, find_leaps
 from dmp_teach.trajectory import Array, interpolate_points
 
 FEWEST_FRAMES = 20  # fewer samples are no letter
@@ -22,34 +22,27 @@ class Take:
     """The pen from the first sample that the cameras saw to the last.
 
     Args:
+        table: The file.
         pen: Which marker it is.
-        t: Times, strictly increasing, shape (T,) [s].
+        first: The frame of its first sample, as a place in the table.
         position: In the cameras' world, with straight lines where they lost it, shape (T, 3) [m].
         is_seen: Whether they saw it, shape (T,).
-        frames: Frame number and row in the file of each sample, length T.
-        unseen: How long the file goes on before the first sample and after the last one, without
-            the marker [s].
-        left: The samples in which its marker is where the pen cannot be.
-        faults: Why rows and cells of the file were left out.
     """
 
+    table: Table
     pen: Pen
-    t: Array
+    first: int
     position: Array
-    is_seen: np.ndarray
-    frames: list[tuple[str, int]]
-    unseen: tuple[float, float]
-    left: np.ndarray
-    faults: list[str]
+    is_seen: Flags
+
+    @property
+    def t(self) -> Array:
+        """Times, strictly increasing, shape (T,) [s]."""
+        return self.table.t[self.first : self.first + len(self.position)]
 
     def at(self, k: int) -> str:
         """Say where sample k stands in the file."""
-        return at_frame(self.frames[k])
-
-
-def at_frame(frame: tuple[str, int]) -> str:
-    """Say where a frame, its number and its row, stands in the file."""
-    return f"frame {frame[0]} (row {frame[1]})"
+        return self.table.at(self.first + k)
 
 
 def read_take(data: bytes, marker: str | None, out: Array) -> Take:
@@ -66,7 +59,7 @@ def read_take(data: bytes, marker: str | None, out: Array) -> Take:
     """
     table = read_table(data)
     pen = find_pen(table, marker, out)
-    seen, points = pen.track.seen, pen.track.points
+    seen, points, t = pen.track.seen, pen.track.points, table.t
     other = f"Other markers that could be named with marker=...: {list_names(pen.others)}."
     choice = other if pen.others else "The file has no other marker that could be the pen."
     if len(seen) < FEWEST_FRAMES:
@@ -74,24 +67,19 @@ def read_take(data: bytes, marker: str | None, out: Array) -> Take:
             f"marker {pen.name!r} was seen in {len(seen)} frames, but a letter needs "
             f"{FEWEST_FRAMES}; record again. {choice}"
         )
-    frames, t = [(row[0], k) for k, row in table.body], table.t
     on_way, _ = find_leaps(t[seen], points)
-    size = float(np.ptp(points[on_way], axis=0).max())
     # Where the unit is wrong, all that moves is off any way.
-    size = max(size, float(np.ptp(np.quantile(points, [0.1, 0.9], axis=0), axis=0).max()))
+    middle = np.quantile(points, [0.1, 0.9], axis=0)
+    size = float(max(np.ptp(part, axis=0).max() for part in (points[on_way], middle)))
     if not SMALLEST_TAKE < size < LARGEST_INK:
         away = np.abs(points - np.median(points, axis=0)).max(axis=1)
-        worst = at_frame(frames[seen[np.argmax(away)]])
         raise RecordingError(
             f"marker {pen.name!r} moves within {size:.4g} m, but a writing hand within "
-            f"{SMALLEST_TAKE} to {LARGEST_INK} m. It is {away.max():.4g} m off at {worst}. "
-            f"Is 'Length Units' in row 1 right, and is this marker the pen? {choice}"
+            f"{SMALLEST_TAKE} to {LARGEST_INK} m. It is {away.max():.4g} m off at "
+            f"{table.at(seen[np.argmax(away)])}. Is 'Length Units' in row 1 right, and is this "
+            f"marker the pen? {choice}"
         )
-    first, last = seen[0], seen[-1]
-    part = slice(first, last + 1)
-    filled = interpolate_points(t[part], t[seen][on_way], points[on_way])
-    filled[seen - first] = points
-    is_seen = np.isin(np.arange(first, last + 1), seen)
-    unseen = float(t[first] - t[0]), float(t[-1] - t[last])
-    left = pen.left[(pen.left > first) & (pen.left < last)] - first
-    return Take(pen, t[part], filled, is_seen, frames[part], unseen, left, table.faults)
+    frames = np.arange(seen[0], seen[-1] + 1)
+    position = interpolate_points(t[frames], t[seen][on_way], points[on_way])
+    position[seen - seen[0]] = points
+    return Take(table, pen, int(seen[0]), position, np.isin(frames, seen))

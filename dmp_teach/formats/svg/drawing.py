@@ -20,16 +20,14 @@ from dmp_teach.formats.svg.frames import (
     translation,
     view_box,
 )
-from dmp_teach.formats.svg.look import Look, Styles, colour
+from dmp_teach.formats.svg.look import Look, apply_styles, check_followed, colour
 from dmp_teach.formats.svg.seen import BESIDE, CUT, Clip, Outline
 from dmp_teach.formats.svg.shapes import SHAPES, path_of_shape, path_strokes
 from dmp_teach.trajectory import Array
 
-GROUPS = {"g", "a", "switch"}
 VIEWS = {"svg", "symbol"}
 NO_LINES = {"image", "text"}
-KNOWN = {*GROUPS, *VIEWS, *SHAPES, *NO_LINES, "use"}
-OWN_BOX = "objectBoundingBox"
+KNOWN = {"g", "a", "switch", "use", *VIEWS, *SHAPES, *NO_LINES}
 HREFS = ("href", "{http://www.w3.org/1999/xlink}href")
 MOST_CLONES = 1000
 DEEPEST_CLONE = 10  # clones of clones
@@ -83,13 +81,13 @@ class ShapeFinder:
     """
 
     def __init__(self, root: Element) -> None:
-        self._styles, self._root = Styles(root), root
+        apply_styles(root)
+        self._root = root
         self._named = {each.get("id"): each for each in root.iter()}
         self._clones = 0
         self._clips: dict[tuple[int, bytes], Clip] = {}
         self.others: set[str] = set()
-        said = self._styles.look(root, None).own
-        text = said.get("background-color", said.get("background", ""))
+        text = root.get("background-color", root.get("background", ""))
         paper = colour(text) if PLAIN_COLOUR.fullmatch(text) else np.ones(4)
         self.paper = paper if paper[3] == 1 else np.ones(4)
 
@@ -99,46 +97,38 @@ class ShapeFinder:
         place = Place(UPWARD, view)
         if page is not None:
             place = place.cut(BESIDE, 0.0, 0.0, page)
-        yield from self._shapes(self._root, None, place.moved(matrix))
+        yield from self._shapes(self._root, Look({}, 1.0), place.moved(matrix))
 
     def _shapes(
         self,
         element: Element,
-        above: Look | None,
+        above: Look,
         place: Place,
         depth: int = 0,
-        clone: Element | None = None,
+        use: Element | None = None,
     ) -> Iterator[Shape]:
-        """Yield every shape in an element.
+        """Yield every shape in an element, which is in so many clones, the nearest of them `use`.
 
-        Args:
-            element: Any.
-            above: How what holds it looks; None for the root.
-            place: Where what holds it is.
-            depth: How many clones it is in.
-            clone: Of which it is.
+        How what holds it looks is `above`, and where that is, `place`.
         """
-        kind = local_tag(element)
-        if kind not in KNOWN:
-            return
-        look = self._styles.look(element, above)
-        if look.is_gone:
+        kind, look = local_tag(element), above.within(element)
+        if kind not in KNOWN or look.opacity <= 0:
             return
         if kind in NO_LINES:
             self.others.add(kind)
             return
-        look.check_followed()
-        place = place.moved(transform_matrix(look.own.get("transform", "none")))
-        place = self._clipped(look, place, depth + 1)
+        check_followed(element)
+        place = place.moved(transform_matrix(element.get("transform")))
+        place = self._clipped(element, place, depth + 1)
         if kind == "use":
             yield from self._clone(element, look, place, depth + 1)
         elif kind in SHAPES:
             path = path_of_shape(element, place.view)
             if path is not None:
                 yield Shape(path, look, place)
-        elif kind != "symbol" or clone is not None:
+        elif kind != "symbol" or use is not None:
             if kind in VIEWS and element is not self._root:
-                place = _inner_view(element, element if clone is None else clone, look, place)
+                place = _inner_view(element, element if use is None else use, place)
             shown = [child for child in element if local_tag(child) in KNOWN]
             for child in shown[:1] if kind == "switch" else shown:
                 yield from self._shapes(child, look, place, depth)
@@ -162,30 +152,31 @@ class ShapeFinder:
                 f"{UNLINK}"
             )
 
-    def _clipped(self, look: Look, place: Place, depth: int) -> Place:
+    def _clipped(self, element: Element, place: Place, depth: int) -> Place:
         """Return a place with the clip of the element there."""
-        text = look.own.get("clip-path", "none")
+        text = element.get("clip-path", "none")
         if text == "none":
             return place
         link = LINK.fullmatch(text)
         clip = self._named.get(link[1]) if link else None
-        if clip is None or local_tag(clip) != "clipPath" or clip.get("clipPathUnits") == OWN_BOX:
+        is_plain = clip is not None and clip.get("clipPathUnits") != "objectBoundingBox"
+        if clip is None or not is_plain or local_tag(clip) != "clipPath":
             raise RecordingError(
                 "has the style clip-path, which is not followed here; apply it in your drawing "
                 "program."
             )
         if depth > 1:
             self._count_clone(depth)
-        own = self._styles.look(clip, None)
-        within = self._clipped(own, replace(place, clips=()), depth + 1)
-        within = within.moved(transform_matrix(own.own.get("transform", "none")))
+        within = self._clipped(clip, replace(place, clips=()), depth + 1)
+        within = within.moved(transform_matrix(clip.get("transform")))
         key = (id(clip), within.matrix.tobytes())
         if key not in self._clips:
-            shapes = [each for child in clip for each in self._shapes(child, own, within, depth)]
+            look = Look({}, 1.0).within(clip)
+            shapes = [each for child in clip for each in self._shapes(child, look, within, depth)]
             outlines = [
                 Outline(
                     path_strokes(shape.path, shape.place.matrix, CLIP_POINTS),
-                    shape.look.inherited.get("clip-rule") == "evenodd",
+                    shape.look.said.get("clip-rule") == "evenodd",
                 )
                 for shape in shapes
             ]
@@ -193,7 +184,7 @@ class ShapeFinder:
         return replace(place, clips=(*place.clips, *within.clips, self._clips[key]))
 
 
-def _inner_view(element: Element, sized: Element, look: Look, place: Place) -> Place:
+def _inner_view(element: Element, sized: Element, place: Place) -> Place:
     """Return the place in a drawing within the drawing, or in a symbol; `sized` says its size."""
 
     def said(name: str, usual: float) -> float:
@@ -203,7 +194,7 @@ def _inner_view(element: Element, sized: Element, look: Look, place: Place) -> P
     x, y = (coordinate(element, axis, place.view) or 0.0 for axis in "xy")
     size = np.array([said("width", place.view[0]), said("height", place.view[1])])
     box = view_box(element)
-    if look.own.get("overflow", "hidden") not in ("visible", "auto"):
+    if element.get("overflow", "hidden") not in ("visible", "auto"):
         place = place.cut(CUT, x, y, size)
     place = replace(place.moved(translation(x, y)), view=size)
     if box is None:

@@ -11,11 +11,10 @@ import numpy as np
 from svgelements import Matrix
 
 from dmp_teach.errors import RecordingError
+from dmp_teach.formats.units import METRES, PIXEL
 from dmp_teach.trajectory import Array
 
-UNITS = {"": 0.0254 / 96, "px": 0.0254 / 96, "in": 0.0254, "cm": 0.01, "mm": 0.001, "q": 0.00025}
-UNITS |= {"pt": 0.0254 / 72, "pc": 0.0254 / 6}
-PIXEL = UNITS["px"]
+UNITS = {"in", "cm", "mm", "q", "pt", "pc"}  # that all programs agree about
 USUAL_VIEW = 1000.0  # how large a view is that nothing says [px]
 NUMBER = r"[+-]?(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][+-]?\d+)?"
 LENGTH = re.compile(rf"({NUMBER}) ?([a-zA-Z]*|%)")
@@ -27,10 +26,10 @@ LONGEST_TRANSFORM = 1000  # [characters]
 def length(text: str | None, whole: float) -> float | None:
     """Return a length in the user's units, of which % is a share of `whole`; None for no length."""
     match = LENGTH.fullmatch((text or "").strip())
-    unit = match[2].lower() if match else ""
-    if not match or unit not in (*UNITS, "%"):
+    unit = match[2].lower() or "px" if match else ""
+    if match is None or unit not in (*UNITS, "px", "%"):
         return None
-    return float(match[1]) * (whole / 100 if unit == "%" else UNITS[unit] / PIXEL)
+    return float(match[1]) * (whole / 100 if unit == "%" else METRES[unit] / PIXEL)
 
 
 def coordinate(element: Element, name: str, view: Array) -> float | None:
@@ -69,19 +68,19 @@ def view_box(element: Element) -> Array | None:
     box = element.get("viewBox")
     if box is None:
         return None
-    numbers = box.replace(",", " ").split()
-    good = len(numbers) == 4 and all(re.fullmatch(NUMBER, number) for number in numbers)
-    x, y, wide, high = map(float, numbers) if good else (0.0, 0.0, 0.0, 0.0)
-    if not (max(abs(x), abs(y)) < math.inf and 0 < wide < math.inf and 0 < high < math.inf):
+    numbers = np.full(4, np.nan)
+    with suppress(ValueError):
+        numbers[:] = [float(word) for word in box.replace(",", " ").split()]
+    if not np.isfinite(numbers).all() or not (numbers[2:] > 0).all():
         raise RecordingError(
             f"viewBox is {box[:60]!r}, but must be four numbers, the last two positive."
         )
-    return np.array([x, y, wide, high])
+    return numbers
 
 
 def fitted(element: Element, box: Array, size: Array) -> Array:
     """Return the matrix (3, 3) that fits the view `box` of an element into its size (2,)."""
-    align, *how = (element.get("preserveAspectRatio") or "xMidYMid").split() or ["xMidYMid"]
+    align, *how = (element.get("preserveAspectRatio") or "").split() or ["xMidYMid"]
     scale = size / box[2:]
     if align != "none":
         scale = np.full(2, scale.max() if "slice" in how else scale.min())
@@ -95,19 +94,19 @@ def _page_length(svg: Element, name: str) -> float | None:
     text = svg.get(name, "auto").strip()
     if text == "auto" or text.endswith(("%", "em", "ex")):
         return None
-    value = length(text, math.nan)
-    if value is None or not 0 < value < math.inf:
+    value = length(text, math.nan) or 0.0
+    if not 0 < value < math.inf:
         raise RecordingError(
-            f"{name} is {text[:60]!r}, but must be a length such as '210mm', in "
-            f"{', '.join(UNITS)[2:]}."
+            f"{name} is {text[:60]!r}, but must be a length such as '210mm', in px, "
+            f"{', '.join(sorted(UNITS))}."
         )
     return value * PIXEL
 
 
 def has_unit(svg: Element) -> bool:
     """Tell whether a drawing says how large it is in a unit that all programs agree about."""
-    units = tuple({*UNITS} - {"", "px"})
-    return any((svg.get(name) or "").strip().endswith(units) for name in ("width", "height"))
+    sizes = [(svg.get(name) or "").strip() for name in ("width", "height")]
+    return any(size.endswith(tuple(UNITS)) for size in sizes)
 
 
 def translation(x: float, y: float) -> Array:
@@ -115,9 +114,9 @@ def translation(x: float, y: float) -> Array:
     return np.array([[1.0, 0.0, x], [0.0, 1.0, y], [0.0, 0.0, 1.0]])
 
 
-def transform_matrix(text: str) -> Array:
+def transform_matrix(text: str | None) -> Array:
     """Return what a `transform` does, shape (3, 3)."""
-    if text == "none":
+    if text is None or text == "none":
         return np.eye(3)
     numbers = [math.nan] * 6
     if len(text) < LONGEST_TRANSFORM and TRANSFORM.fullmatch(text):

@@ -21,11 +21,10 @@ from dmp_teach.trajectory import Array
 INHERITED = {"visibility", "color", "stroke", "stroke-width", "stroke-opacity"}
 INHERITED |= {"fill", "fill-opacity", "fill-rule", "clip-rule"}
 NOT_FOLLOWED = {"mask", "mask-image", "-webkit-mask", "-webkit-mask-image"}
-NOT_FOLLOWED |= {"transform-origin", "transform-box"}
-SIZES = {"x", "y", "cx", "cy", "r", "rx", "ry", "width", "height"}
-NOT_FOLLOWED_IN_STYLES = {*NOT_FOLLOWED, *SIZES, "translate", "rotate", "scale", "d"}
-ATTRIBUTES = {"display", "opacity", "transform", "clip-path", "overflow", *INHERITED, *NOT_FOLLOWED}
-PROPERTIES = {*ATTRIBUTES, *NOT_FOLLOWED_IN_STYLES, "background", "background-color"}
+NOT_FOLLOWED |= {"transform-origin", "transform-box", "translate", "rotate", "scale"}
+PROPERTIES = {"display", "opacity", "transform", "clip-path", "overflow", *INHERITED, *NOT_FOLLOWED}
+PROPERTIES |= {"x", "y", "cx", "cy", "r", "rx", "ry", "width", "height", "d"}
+PROPERTIES |= {"background", "background-color"}
 SELECTOR = re.compile(r"\*|:root|[A-Za-z][\w-]*|#[\w-]+|(?:[A-Za-z][\w-]*)?\.[\w-]+")
 NESTED = re.compile(r"\{[^{}]*\{")
 LIGHT_OF_TWO = re.compile(r"light-dark\(\s*([^(),]+(?:\([^()]*\))?)\s*,.*", re.DOTALL)
@@ -39,23 +38,20 @@ class Look:
     """How an element looks, as far as it decides whether there is ink.
 
     Args:
-        own: Its own properties.
-        inherited: Those that it hands down to what is in it.
-        opacity: The share of it that is seen, with all that it is in.
+        said: What it and all that it is in say, of properties that are handed down.
+        opacity: The share of it that is seen, with all that it is in; 0 where it is not shown.
     """
 
-    own: Properties
-    inherited: Properties
+    said: Properties
     opacity: float
 
-    @property
-    def is_gone(self) -> bool:
-        """Whether neither it nor anything in it is shown."""
-        return self.own.get("display") == "none" or self.opacity <= 0
-
-    def says(self, *names: str) -> bool:
-        """Tell whether anything says one of these properties of it."""
-        return bool(self.inherited.keys() & {*names})
+    def within(self, element: Element) -> Look:
+        """Return how an element looks in what looks so."""
+        own = {name: text.strip().lower() for name, text in element.items() if name in INHERITED}
+        is_gone = element.get("display") == "none"
+        return Look(
+            self.said | own, 0.0 if is_gone else self.opacity * share(element.get("opacity"))
+        )
 
     @property
     def fill(self) -> Array | None:
@@ -70,96 +66,81 @@ class Look:
     @property
     def width(self) -> float:
         """How wide its line is, in the user's units."""
-        said = length(self.inherited.get("stroke-width"), 100.0)
+        said = length(self.said.get("stroke-width"), 100.0)
         return 1.0 if said is None else said
-
-    def check_followed(self) -> None:
-        """Raise a RecordingError where a style moves or cuts it in a way that is not followed."""
-        for name in sorted(self.own.keys() & NOT_FOLLOWED_IN_STYLES):
-            if self.own[name] not in ("none", "auto", "100%"):
-                raise RecordingError(
-                    f"has the style {name}, which is not followed here; apply it in your "
-                    "drawing program."
-                )
 
     def _paint(self, name: str, usual: str) -> Array | None:
         """Return the colour of a stroke or a fill; None where nobody sees it."""
-        said = self.inherited
-        text = said.get(name, usual)
-        text = said.get("color", "black") if text == "currentcolor" else text
-        if text == "none" or said.get("visibility") in ("hidden", "collapse"):
+        text = self.said.get(name, usual)
+        text = self.said.get("color", "black") if text == "currentcolor" else text
+        if text == "none" or self.said.get("visibility") in ("hidden", "collapse"):
             return None
         paint = colour(text)
-        paint[3] *= self.opacity * share(said.get(f"{name}-opacity"))
+        paint[3] *= self.opacity * share(self.said.get(f"{name}-opacity"))
         return paint if paint[3] > 0 else None
 
 
-class Styles:
-    """The style sheets of a drawing."""
+def apply_styles(root: Element) -> None:
+    """Write what styles say of each element of a drawing into its attributes."""
+    rules: dict[str, tuple[int, Properties]] = {}
+    for sheet in root.iter():
+        if local_tag(sheet) == "style" and sheet.get("media", "all") in ("", "all", "screen"):
+            _read_sheet(COMMENT.sub(" ", "".join(sheet.itertext())), rules)
 
-    def __init__(self, root: Element) -> None:
-        self._rules: dict[str, tuple[int, Properties]] = {}
-        for sheet in root.iter():
-            if local_tag(sheet) == "style" and sheet.get("media", "all") in ("", "all", "screen"):
-                self._read(COMMENT.sub(" ", "".join(sheet.itertext())))
+    def strength(name: str) -> tuple[bool, bool, bool, int]:
+        return name[0] == "#", "." in name, name[0] not in ".*", rules[name][0]
 
-    def look(self, element: Element, above: Look | None) -> Look:
-        """Return how an element looks in what holds it, None for the root."""
-        said = {name: value for name in ATTRIBUTES if (value := element.get(name)) is not None}
-        for rule in self._rules_of(element, above is None):
-            said |= rule
-        said |= _declarations(COMMENT.sub(" ", element.get("style") or ""))
-        own = {name: value.strip() for name, value in said.items() if value.strip() != "inherit"}
-        passed = {name: value.lower() for name, value in own.items() if name in INHERITED}
-        opacity = share(own.get("opacity"))
-        if above is None:
-            return Look(own, passed, opacity)
-        return Look(own, above.inherited | passed, above.opacity * opacity)
-
-    def _read(self, text: str) -> None:
-        """Read a sheet without comments: of several rules for one selector the later one holds."""
-        if NESTED.search(text):
-            raise RecordingError(
-                f"has style rules inside others, which are not followed here; {STYLE_CURE}"
-            )
-        for block in text.split("}"):
-            before, _, inside = block.partition("{")
-            declared = _declarations(inside)
-            for selector in map(
-                str.strip, before.rpartition(";")[2].split(",") if declared else ()
-            ):
-                if not SELECTOR.fullmatch(selector):
-                    raise RecordingError(
-                        f"has the style rule {selector[:40]!r}, which is not followed here; "
-                        f"{STYLE_CURE}"
-                    )
-                _, old = self._rules.get(selector, (0, {}))
-                self._rules[selector] = (len(self._rules), old | declared)
-
-    def _rules_of(self, element: Element, is_root: bool) -> list[Properties]:
-        """Return the rules that mean an element, the weakest first."""
+    for element in root.iter():
         tag, classes = local_tag(element), (element.get("class") or "").split()
-        names = {"*", tag, f"#{element.get('id')}", ":root" if is_root else tag}
+        names = {"*", tag, f"#{element.get('id')}", ":root" if element is root else tag}
         names |= {f"{before}.{name}" for name in classes for before in ("", tag)}
+        said = {name: text for name, text in element.items() if name in PROPERTIES}
+        for name in sorted(names & rules.keys(), key=strength):
+            said |= rules[name][1]
+        said |= _declarations(COMMENT.sub(" ", element.get("style") or ""))
+        said |= {name[1:]: text for name, text in said.items() if name[0] == "!"}
+        for name, text in said.items():
+            element.set(name, text.strip())
+            if text.strip() == "inherit":
+                del element.attrib[name]
 
-        def strength(name: str) -> tuple[bool, bool, bool, int]:
-            return name[0] == "#", "." in name, name[0] not in ".*", self._rules[name][0]
 
-        return [self._rules[name][1] for name in sorted(names & self._rules.keys(), key=strength)]
+def check_followed(element: Element) -> None:
+    """Raise a RecordingError where an element is moved or cut in a way that is not followed."""
+    for name in sorted(NOT_FOLLOWED & {*element.keys()}):
+        if element.get(name) not in ("none", "auto", "100%"):
+            raise RecordingError(
+                f"has the style {name}, which is not followed here; apply it in your drawing "
+                "program."
+            )
+
+
+def _read_sheet(text: str, rules: dict[str, tuple[int, Properties]]) -> None:
+    """Add the rules of a sheet without comments, by selector; of two for one the later holds."""
+    if NESTED.search(text):
+        raise RecordingError(
+            f"has style rules inside others, which are not followed here; {STYLE_CURE}"
+        )
+    for block in text.split("}"):
+        before, _, inside = block.partition("{")
+        declared = _declarations(inside)
+        for selector in before.rpartition(";")[2].split(",") if declared else ():
+            name = selector.strip()
+            if not SELECTOR.fullmatch(name):
+                raise RecordingError(
+                    f"has the style rule {name[:40]!r}, which is not followed here; {STYLE_CURE}"
+                )
+            rules[name] = (len(rules), rules.get(name, (0, {}))[1] | declared)
 
 
 def _declarations(text: str) -> Properties:
-    """Return what a `style` says of the properties that matter here."""
+    """Return what a `style` says of the properties that matter here; `!x` for an important x."""
     said: Properties = {}
     for declaration in text.split(";"):
         name, colon, value = declaration.partition(":")
         if colon and name.strip().lower() in PROPERTIES:
-            said[name.strip().lower()] = value.strip()
-            if "!" in value:
-                raise RecordingError(
-                    f"has the style {declaration.strip()[:40]!r}, which is not followed here; "
-                    f"{STYLE_CURE}"
-                )
+            value, mark, _ = value.partition("!")
+            said[mark + name.strip().lower()] = value.strip()
     return said
 
 

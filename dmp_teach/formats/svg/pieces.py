@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from itertools import islice, pairwise
+from itertools import pairwise
 
 import numpy as np
 import scipy
@@ -29,9 +29,8 @@ def unrepeated(strokes: Sequence[Array]) -> list[Array]:
         [interpolate_points(shares * s[-1], s, way) for s, way in zip(along, strokes, strict=True)]
     )
     lengths = np.ptp(even, axis=1).max(axis=1)
-    is_back = (lengths > PIECE * np.ptp(even, axis=(0, 1)).max()) & (
-        (even[:, -1] - even[:, 0]) @ FORWARD < 0
-    )
+    is_long = lengths > PIECE * np.ptp(even, axis=(0, 1)).max()
+    is_back = is_long & ((even[:, -1] - even[:, 0]) @ FORWARD < 0)
     even[is_back] = even[is_back, ::-1]
     slacks = REPEATED * lengths + 1e-6
     marks = even[:, [0, COMPARED // 2, -1]].reshape(-1, 6)
@@ -55,43 +54,42 @@ def joined(strokes: Sequence[Array]) -> tuple[list[Array], int]:
         The strokes, and how many begin where the one before ends, with a bend.
     """
     slack = MEETING * np.ptp(np.concatenate(strokes), axis=0).max()
-    rows = [[strokes[0]]]
-    for before, way in pairwise(strokes):
-        if not _meet(before, way, slack):
-            rows.append([])
-        rows[-1].append(way)
-    whole = [way for row in rows for way in ([np.concatenate(row)] if _goes_on(row) else row)]
-    return _joined_either_way(whole, slack), sum(len(row) - 1 for row in rows if not _goes_on(row))
+    whole, bends = [], 0
+    for row, own in _rows(strokes, slack, may_turn=False):
+        whole += [np.concatenate(row)] if _goes_on(row) else own
+        bends += 0 if _goes_on(row) else len(row) - 1
+    turned = []
+    for row, own in _rows(whole, slack, may_turn=True):
+        turned += [np.concatenate(row)] if len(row) >= FEWEST_TURNED and _goes_on(row) else own
+    return turned, bends
 
 
-def _joined_either_way(strokes: Sequence[Array], slack: float) -> list[Array]:
-    """Return strokes (K, 2) with those in one that do where each may be turned round."""
-    rows = [[strokes[0]]]
+def _rows(
+    strokes: Sequence[Array], slack: float, *, may_turn: bool
+) -> list[tuple[list[Array], list[Array]]]:
+    """Return rows of strokes (K, 2) that meet end to end: as they go on, and as they were."""
+    turns = (1, -1) if may_turn else (1,)
+    rows: list[tuple[list[Array], list[Array]]] = [([strokes[0]], [strokes[0]])]
     for way in strokes[1:]:
-        last = rows[-1][-1]
+        row, own = rows[-1]
         pairs = [
             (before, after)
-            for before in ([last] if len(rows[-1]) > 1 else [last, last[::-1]])
-            for after in (way, way[::-1])
+            for before in [row[-1][::turn] for turn in (turns if len(row) == 1 else (1,))]
+            for after in [way[::turn] for turn in turns]
             if _meet(before, after, slack)
         ]
         if pairs:
-            rows[-1][-1:] = pairs[0]
+            row[-1:] = pairs[0]
+            own.append(way)
         else:
-            rows.append([way])
-    whole: list[Array] = []
-    kept = iter(strokes)
-    for row in rows:
-        own = list(islice(kept, len(row)))
-        is_one = len(row) >= FEWEST_TURNED and _goes_on(row)
-        whole += [np.concatenate(row)] if is_one else own
-    return whole
+            rows.append(([way], [way]))
+    return rows
 
 
 def _meet(before: Array, after: Array, slack: float) -> bool:
     """Tell whether a way (K, 2) begins where another ends, and neither is a dot."""
-    is_dot = not min(path_length(after), path_length(before)) > 0
-    return not is_dot and bool(np.abs(after[0] - before[-1]).max() <= slack)
+    is_near = np.abs(after[0] - before[-1]).max() <= slack
+    return bool(is_near) and min(path_length(after), path_length(before)) > 0
 
 
 def _goes_on(row: Sequence[Array]) -> bool:

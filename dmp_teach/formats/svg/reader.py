@@ -14,10 +14,12 @@ from __future__ import annotations
 import re
 import unicodedata
 from collections.abc import Iterator
+from dataclasses import replace
 from functools import partial
 from xml.etree.ElementTree import Element
 
 import numpy as np
+from svgelements import Close
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.formats.flat_ink import (
@@ -27,8 +29,7 @@ from dmp_teach.formats.flat_ink import (
     check_size,
     flat_recordings,
     label_from,
-    lengths_in_mm,
-    own_label,
+    labelled,
     pseudonym_from,
 )
 from dmp_teach.formats.registry import CaptureOptions, Format
@@ -37,7 +38,7 @@ from dmp_teach.formats.svg.drawing import Shape, ShapeFinder
 from dmp_teach.formats.svg.frames import has_unit
 from dmp_teach.formats.svg.pieces import area_of, is_outline, joined, unrepeated
 from dmp_teach.formats.svg.seen import WHY_UNSEEN, Outline, Painted, is_seen, look_at
-from dmp_teach.formats.svg.shapes import is_closed, path_strokes
+from dmp_teach.formats.svg.shapes import path_strokes
 from dmp_teach.formats.svg.writer import write_svg
 from dmp_teach.ink import Recording
 from dmp_teach.trajectory import Array, path_length
@@ -65,19 +66,14 @@ def read_svg(data: bytes, _name: str, _: CaptureOptions) -> tuple[Recording, ...
             read, or that is not followed.
     """
     root = parse_xml(data, "svg", "a drawing")
-    origin = lengths_in_mm(root.get("data-origin"), 2)
-    baseline = lengths_in_mm(root.get("data-baseline"), 1)
+    is_ours = root.get("data-origin") is not None
     with np.errstate(all="ignore"):  # what is no number is refused below
-        strokes, notes = _strokes(root, is_ours=origin is not None)
-    character, writer = _labels(root)
-    letter = FlatLetter(
-        [FlatStroke(xy) for xy in strokes],
-        character,
-        writer,
-        None if origin is None else origin * [1, -1],
-        None if baseline is None or origin is None else float(baseline[0]),
-        tuple(notes),
-    )
+        strokes, notes = _strokes(root, is_ours)
+    letter = FlatLetter([FlatStroke(xy) for xy in strokes], notes=tuple(notes))
+    said = root.get("data-origin"), root.get("data-baseline")
+    letter = labelled(letter, *_labels(root), *said)
+    if letter.origin is not None:  # it stands in the file with y up
+        letter = replace(letter, origin=letter.origin * [1, -1])
     return flat_recordings([letter])
 
 
@@ -116,25 +112,23 @@ def _strokes(root: Element, is_ours: bool) -> tuple[list[Array], list[str]]:
 
 
 def _painted(shape: Shape, count: int, paper: Array) -> Iterator[Painted]:
-    """Yield the area and the line of a shape.
+    """Yield the area and the line of a shape on a page of a colour (4,).
 
-    Args:
-        shape: Any.
-        count: How many points a curve gets.
-        paper: The colour of the page, shape (4,).
+    A curve gets `count` points.
     """
-    look, place, closed = shape.look, shape.place, is_closed(shape.path)
+    look, place = shape.look, shape.place
+    closed = any(isinstance(segment, Close) for segment in shape.path)
     fill, stroke = look.fill, look.stroke
-    if not look.says("fill", "stroke") and not closed:
+    if not look.said.keys() & {"fill", "stroke"} and not closed:
         fill, stroke = None, fill
     elif stroke is not None and fill is not None:
-        if not look.says("fill"):
+        if "fill" not in look.said:
             fill = None
         elif is_seen(fill, paper) and (closed or np.array_equal(fill, stroke)):
             stroke = None  # the edge of an area
     parts = [] if fill is stroke is None else path_strokes(shape.path, place.matrix, count)
     if fill is not None and parts:
-        area = Outline(parts, look.inherited.get("fill-rule") == "evenodd")
+        area = Outline(parts, look.said.get("fill-rule") == "evenodd")
         yield Painted(_dots(area), fill, place.clips, area=area)
     if stroke is not None and parts:
         width = look.width * float(np.sqrt(abs(np.linalg.det(place.matrix[:2, :2]))))
@@ -180,14 +174,14 @@ def _why_no_line(root: Element, has_areas: bool) -> str:
 
 
 def _labels(root: Element) -> tuple[str | None, str | None]:
-    """Return letter and pseudonym: as we wrote them, or from a title of one sign or "a by w01"."""
+    """Return letter and writer: as we wrote them, or from a title of one sign or "a by w01"."""
     said = root.get("data-character"), root.get("data-writer")
     if said != (None, None):
-        return own_label(said[0]), pseudonym_from(said[1])
+        return said
     title = label_from(next((each.text for each in root if local_tag(each) == "title"), None))
     match = TITLE.fullmatch(title or "")
-    if match and (writer := pseudonym_from(match[2])):
-        return label_from(match[1]), writer
+    if match and pseudonym_from(match[2]):
+        return match[1], match[2]
     label = unicodedata.normalize("NFC", title or "")
     return (label if len(label) == 1 else None), None
 

@@ -6,14 +6,14 @@ import re
 from xml.etree.ElementTree import Element
 
 import numpy as np
-from svgelements import Circle, Close, Ellipse, Linear, Move, Path, PathSegment, Rect, SimpleLine
+from svgelements import Circle, Ellipse, Linear, Move, Path, Rect, SimpleLine
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.formats.safe_xml import local_tag
 from dmp_teach.formats.svg.frames import coordinate
 from dmp_teach.trajectory import Array
 
-PATH_SIGNS = re.compile(r"[MmLlHhVvCcSsQqTtAaZz0-9eE+\-.,\s]*")
+PATH_SIGNS = re.compile(r"\s*(?:[Mm][MmLlHhVvCcSsQqTtAaZz0-9eE+\-.,\s]*)?")
 LONGEST_PATH = 4_000_000  # [characters]
 # What makes each, its coordinates, and those without which it is nothing.
 SIZED_SHAPES = {
@@ -40,21 +40,16 @@ def path_of_shape(element: Element, view: Array) -> Path | None:
     return Path(make(said)) if all(said.get(name, 0.0) > 0 for name in sizes) else None
 
 
-def is_closed(path: Path) -> bool:
-    """Tell whether a part of a path is closed."""
-    return any(isinstance(segment, Close) for segment in path)
-
-
 def _parsed_path(text: str) -> Path:
     """Return a path from its description."""
     if len(text) > LONGEST_PATH:
         raise RecordingError(
             f"has a path of {len(text)} characters, but a letter needs fewer than {LONGEST_PATH}."
         )
+    reason = "it must begin with M and have only the commands of a path"
     try:
-        if PATH_SIGNS.fullmatch(text) and (not text.strip() or text.strip()[0] in "Mm"):
+        if PATH_SIGNS.fullmatch(text):
             return Path(text)
-        reason = "it must begin with M and have only the commands of a path"
     except (ValueError, ArithmeticError, TypeError, IndexError, AttributeError) as error:
         reason = str(error) or "a number is missing"
     raise RecordingError(
@@ -74,17 +69,13 @@ def path_strokes(path: Path, matrix: Array, count: int) -> list[Array]:
     for segment in path:
         if isinstance(segment, Move) or not strokes:
             strokes.append([])
-        if not isinstance(segment, Move) and segment.end is not None:
-            strokes[-1].append(_segment_points(segment, count))
+        if isinstance(segment, Move) or segment.end is None:
+            continue
+        shares = np.linspace(0, 1, 2 if isinstance(segment, Linear) else count)
+        try:
+            strokes[-1].append(np.asarray(segment.npoint(shares), float))
+        except (ValueError, ArithmeticError, TypeError):
+            raise RecordingError(
+                "draws a curve that cannot be followed: its numbers are too large. Mend the path."
+            ) from None
     return [np.vstack(each) @ matrix[:2, :2].T + matrix[:2, 2] for each in strokes if each]
-
-
-def _segment_points(segment: PathSegment, count: int) -> Array:
-    """Return points along a segment, its ends among them, shape (K, 2)."""
-    shares = np.linspace(0, 1, 2 if isinstance(segment, Linear) else count)
-    try:
-        return np.asarray(segment.npoint(shares), float)
-    except (ValueError, ArithmeticError, TypeError):
-        raise RecordingError(
-            "draws a curve that cannot be followed: its numbers are too large. Mend the path."
-        ) from None
