@@ -1,8 +1,9 @@
 """Digital ink of the UNIPEN project (Guyon et al. 1994): text with a keyword or a point in a line.
 
-Components, from `.PEN_DOWN` or `.PEN_UP` to the next, are counted from 0; a `.SEGMENT CHARACTER`
-with a delineation such as `0-2,4` is a letter, and a file without any is one letter. Y points up.
-Times are those of the column T [ms], or the points' count and rate, or else a hand's.
+Components, from `.PEN_DOWN` or `.PEN_UP` to the next, are counted from 0. A `.SEGMENT CHARACTER`
+is a letter; its delineation, such as `0-2,4` or `0:3-1:10`, is of components, or of points in them.
+A file without any is one letter. Y points up. Times are those of the column T [ms], or the points'
+count and rate, or else a hand's.
 """
 
 from __future__ import annotations
@@ -18,13 +19,15 @@ from dmp_teach.formats.flat_ink import FlatLetter, FlatStroke, flat_recordings, 
 from dmp_teach.formats.registry import CaptureOptions, Format
 from dmp_teach.formats.safe_xml import finite_number
 from dmp_teach.ink import Recording
+from dmp_teach.trajectory import Array
 
 KEYWORD = re.compile(rb"(?:^|[\r\n])\.(?:VERSION|COORD|PEN_DOWN|SEGMENT)\b")
-COMPONENTS = re.compile(r"(\d{1,6})(?:-(\d{1,6}))?")
+PLACE = r"(\d{1,6})(?::(\d{1,6}))?"
+PARTS = re.compile(rf"{PLACE}(?:-{PLACE})?")
 MOST_UNIPEN_LINES = 200_000
 LONGEST_UNIPEN_LINE = 1000  # [characters]
-# A component: whether the pen is down, and its rows: the columns, and the points' counts.
-Component = tuple[bool, list[list[float]]]
+Segment = tuple[str | None, list[tuple[int, slice]]]
+"""A letter, and of which components, and which points of them, it is."""
 
 
 def has_unipen_keyword(data: bytes) -> bool:
@@ -45,31 +48,51 @@ def read_unipen(data: bytes, _name: str, _: CaptureOptions) -> tuple[Recording, 
     columns = [name.upper() for name in said.get(".COORD", ["X", "Y"])]
     if not {"X", "Y"} <= set(columns):
         raise RecordingError(f"has the columns {' '.join(columns)[:60]}, but must have X and Y.")
-    components, segments, faults = _components(lines, len(columns))
+    components, broken, faults = _components(lines, len(columns))
+    segments: list[Segment] = []
+    total = 0
+    for number, line in enumerate(lines, start=1):
+        if line.startswith(".SEGMENT"):
+            try:
+                segments.append(_segment(line, number, len(components)))
+                total += len(segments[-1][1])
+            except RecordingError as error:
+                faults.append(str(error))
+        if total > MOST_UNIPEN_LINES:
+            raise RecordingError(
+                f"has more than {MOST_UNIPEN_LINES} components in its segments; cut it."
+            )
+    segments = [each for each in segments if each[1]]
     if not segments and not faults:
-        segments = [(None, range(len(components)))]
-    strokes = [_stroke(part, columns, said) for part in components]
+        segments = [(None, [(k, slice(None)) for k in range(len(components))])]
     letters = [
-        FlatLetter([stroke for k in places if (stroke := strokes[k])], label)
-        for label, places in segments
+        FlatLetter(
+            [
+                _stroke(rows, columns, said)
+                for k, points in parts
+                if len(rows := components[k][points])
+            ],
+            label,
+        )
+        for label, parts in segments
+        if broken.isdisjoint(k for k, _ in parts)
     ]
     return flat_recordings(letters, _metres(said, "X"), faults)
 
 
-def _components(
-    lines: Sequence[str], width: int
-) -> tuple[list[Component], list[tuple[str | None, Sequence[int]]], list[str]]:
-    """Return all components, each character with the numbers of its components, and faults."""
-    components: list[Component] = []
-    segments, faults = [], []
-    broken: set[int] = set()
-    count = 0
+def _components(lines: Sequence[str], width: int) -> tuple[list[Array], set[int], list[str]]:
+    """Return the points of all components, empty where the pen is up, and what is wrong in which.
+
+    A row has the columns, and the points' count.
+    """
+    components: list[list[list[float]]] = []
+    broken, faults = set(), []
+    count, is_down = 0, False
     for number, line in enumerate(lines, start=1):
         words = line.split()
         if words and words[0] in (".PEN_DOWN", ".PEN_UP"):
-            components.append((words[0] == ".PEN_DOWN", []))
-        elif words and words[0] == ".SEGMENT":
-            segments.append((number, line))
+            components.append([])
+            is_down = words[0] == ".PEN_DOWN"
         elif words and components and not words[0].startswith("."):
             row = [value for word in words if (value := finite_number(word)) is not None]
             if len(words) != width or len(row) != width:
@@ -78,56 +101,38 @@ def _components(
                 )
                 broken.add(len(components) - 1)
                 continue
-            components[-1][1].append([*row, float(count)])
+            components[-1] += [[*row, float(count)]] if is_down else []
             count += 1
-    letters: list[tuple[str | None, Sequence[int]]] = []
-    total = 0
-    for number, line in segments:
-        try:
-            letter = _segment(line, number, len(components))
-        except RecordingError as error:
-            faults.append(str(error))
-            continue
-        if letter is not None:
-            total += len(letter[1])
-            letters += [letter] if broken.isdisjoint(letter[1]) else []
-        if total > MOST_UNIPEN_LINES:
-            raise RecordingError(
-                f"has more than {MOST_UNIPEN_LINES} components in its segments; cut it."
-            )
-    return components, letters, faults
+    return [np.reshape(rows, (-1, width + 1)) for rows in components], broken, faults
 
 
-def _segment(line: str, number: int, count: int) -> tuple[str | None, list[int]] | None:
-    """Return a character's label and components; None for a segment of another level."""
+def _segment(line: str, number: int, count: int) -> Segment:
+    """Return a character, without parts for a segment of another level."""
     try:
         words = shlex.split(line)
     except ValueError:
         words = []
     if len(words) > 1 and words[1].upper() != "CHARACTER":
-        return None
-    places: list[int] = []
-    for part in words[2].split(",") if len(words) > 2 else ["nothing"]:
-        match = COMPONENTS.fullmatch(part)
-        first, last = (int(match[1]), int(match[2] or match[1])) if match else (0, count)
+        return None, []
+    parts: list[tuple[int, slice]] = []
+    for text in words[2].split(",") if len(words) > 2 else ["nothing"]:
+        match = PARTS.fullmatch(text)
+        a, i, b, j = match.groups() if match else (None,) * 4
+        first, last = (int(a), int(b or a)) if a else (0, count)
         if not first <= last < count:
             raise RecordingError(
-                f"row {number} is {line[:40]!r}, but a segment must be of whole components, from "
-                f"0 to {count - 1}."
+                f"row {number} is {line[:40]!r}, but a segment must be of components, from 0 to "
+                f"{count - 1}, or of points in them, such as 0:3-1:10."
             )
-        places += range(first, last + 1)
-    return label_from(words[4] if len(words) > 4 else None), places
+        whole = [[0, None] for _ in range(first, last + 1)]
+        whole[0][0], whole[-1][1] = int(i or 0), int(j) + 1 if j else None
+        parts += [(first + k, slice(*ends)) for k, ends in enumerate(whole)]
+    return label_from(words[4] if len(words) > 4 else None), parts
 
 
-def _stroke(
-    component: Component, columns: Sequence[str], said: dict[str, list[str]]
-) -> FlatStroke | None:
-    """Return a component as a stroke; None where the pen is up."""
-    is_down, rows = component
-    if not is_down or not rows:
-        return None
-    values, t = np.array(rows), None
-    rate = _first_number(said, ".POINTS_PER_SECOND")
+def _stroke(values: Array, columns: Sequence[str], said: dict[str, list[str]]) -> FlatStroke:
+    """Return points (K, C) as a stroke."""
+    t, rate = None, _first_number(said, ".POINTS_PER_SECOND")
     if "T" in columns:
         t = values[:, columns.index("T")] / 1000
     elif rate is not None and 1 <= rate <= 1e5:

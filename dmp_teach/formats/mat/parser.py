@@ -20,7 +20,6 @@ from dmp_teach.trajectory import Array
 
 MOST_BYTES = 128_000_000  # an unpacked file and the numbers in it have fewer [bytes]
 DEEPEST_CELL = 12  # cells and structs inside one another
-LONGEST_TEXT = 10_000  # signs in a text
 MOST_CELLS = 200_000  # in a file
 NUMBERS = {1: "i1", 2: "u1", 3: "i2", 4: "u2", 5: "i4", 6: "u4", 7: "f4", 9: "f8", 12: "i8"}
 NUMBERS |= {13: "u8", 16: "u1", 17: "u2", 18: "u4"}
@@ -51,7 +50,7 @@ def parse_mat(data: bytes) -> dict[str, MatValue]:
         raise RecordingError(f"is not a MATLAB file of version 5 to 7. {MAT_CURE}")
     file = _MatFile(order)
     parts: list[Element] = []
-    for kind, content in file.elements(data[128:]):
+    for kind, content in file.elements(memoryview(data)[128:]):
         packed = kind == COMPRESSED
         parts += file.elements(file.unpacked(content)) if packed else [(kind, content)]
     return dict(file.matrix(content, 0) for kind, content in parts if kind == MATRIX)
@@ -64,89 +63,68 @@ class _MatFile:
         self.order: Literal["<", ">"] = order
         self.room, self.cells = MOST_BYTES, MOST_CELLS
 
-    def elements(self, data: bytes | memoryview) -> list[Element]:
+    def elements(self, data: memoryview) -> list[Element]:
         """Return the elements that lie side by side."""
         found: list[Element] = []
-        at, data = 0, memoryview(data)
+        at = 0
         while len(data) - at >= 8:
             kind, size = struct.unpack(self.order + "II", data[at : at + 8])
+            begin = at + 8
             # In a small element size and type share one word, and the content is the other.
             if kind >> 16:
-                kind, size, begin, at = kind & 0xFFFF, kind >> 16, at + 4, at + 8
+                kind, size, begin = kind & 0xFFFF, kind >> 16, at + 4
                 _require(size <= 4, "a small element of more than 4 bytes")
-            else:
-                begin = at + 8
-                at = begin + size + (0 if kind == COMPRESSED else -size % 8)
-            _require(
-                begin + size <= len(data),
-                f"it is broken off: {size} bytes should follow, but there are fewer",
-            )
+            at = begin + size + (0 if kind == COMPRESSED else -(begin + size) % 8)
+            _require(begin + size <= len(data), f"it is broken off: {size} bytes should follow")
             found.append((kind, data[begin : begin + size]))
-            _require(
-                len(found) <= MOST_CELLS, f"it has more than {MOST_CELLS} elements side by side"
-            )
+            _require(len(found) <= MOST_CELLS, f"it has more than {MOST_CELLS} elements in a row")
         return found
 
-    def unpacked(self, data: memoryview) -> bytes:
+    def unpacked(self, data: memoryview) -> memoryview:
         """Unpack a compressed element as far as there is room."""
         stream = zlib.decompressobj()
         try:
             content = stream.decompress(data, self.room + 1)
-        except zlib.error as error:
-            raise RecordingError(
-                f"cannot be unpacked: {error}. Copy or download it again."
-            ) from None
-        self._takes(len(content))
-        _require(stream.eof, "it is broken off inside a packed part")
-        return content
+        except zlib.error:
+            content = b""
+        self._take(len(content))
+        _require(stream.eof, "a packed part is damaged, or broken off")
+        return memoryview(content)
 
     def matrix(self, data: memoryview, depth: int) -> tuple[str, MatValue]:
         """Return the name and the value of one array."""
         if not len(data):
             return "", np.empty((0, 0))
-        _require(depth <= DEEPEST_CELL, f"cells and structs lie more than {DEEPEST_CELL} deep")
         parts = self.elements(data)
-        _require(
-            len(parts) >= 3 and parts[0][0] == 6 and len(parts[0][1]) >= 4, "an array has no head"
-        )
+        has_head = len(parts) > 2 and len(parts[0][1]) >= 4 and parts[1][0] == 5
+        _require(has_head, "an array has no head")
+        _require(depth <= DEEPEST_CELL, f"cells and structs lie more than {DEEPEST_CELL} deep")
         kind = struct.unpack(self.order + "I", parts[0][1][:4])[0] & 0xFF
-        _require(parts[1][0] == 5 and 0 < len(parts[1][1]) <= 64, "an array has no shape")
-        shape = tuple(int(size) for size in self.numbers(parts[1:]))
-        _require(min(shape) >= 0, "an array has no shape")
+        shape = tuple(self.numbers(parts[1:]).tolist())
+        _require(0 < len(shape) <= 16 and min(shape) >= 0, "an array has no shape")
         name, rest, count = bytes(parts[2][1]).decode("latin-1"), parts[3:], math.prod(shape)
         if kind in NUMERIC:
             values = self.numbers(rest)  # without their imaginary part
             _require(len(values) == count, f"an array of shape {shape} has {len(values)} numbers")
-            self._takes(8 * count)
+            self._take(8 * count)
             return name, values.astype(float).reshape(shape, order="F")
+        if kind == TEXT and rest and rest[0][0] == UTF8:
+            return name, bytes(rest[0][1]).decode("utf-8", errors="replace")
         if kind == TEXT:
-            return name, self._text(rest)
+            codes = self.numbers(rest)
+            self._take(4 * len(codes))
+            return name, codes.astype("<u4").tobytes().decode("utf-32-le", errors="replace")
         if kind == CELL:
             return name, self._values(count, rest, depth)
         return name, self._struct(count, rest, depth) if kind == STRUCT else None
 
     def numbers(self, parts: list[Element]) -> np.ndarray:
         """Return the numbers of the first of some elements, shape (K,)."""
-        if not parts:
-            return np.empty(0)
-        kind, content = parts[0]
+        kind, content = parts[0] if parts else (2, b"")
         _require(kind in NUMBERS, f"its numbers are of the unknown kind {kind}")
         dtype = np.dtype(NUMBERS[kind]).newbyteorder(self.order)
         _require(len(content) % dtype.itemsize == 0, "its numbers are broken off")
         return np.frombuffer(content, dtype)
-
-    def _text(self, parts: list[Element]) -> str:
-        """Return text in one line."""
-        codes = self.numbers(parts)
-        _require(len(codes) <= LONGEST_TEXT, f"it has text of more than {LONGEST_TEXT} signs")
-        if parts and parts[0][0] == UTF8:
-            return bytes(parts[0][1]).decode("utf-8", errors="replace")
-        return "".join(chr(int(code)) if 0 <= code < 0xD800 else "?" for code in codes)
-
-    def _takes(self, size: int) -> None:
-        """Raise if there is no room for so many more bytes."""
-        self.room -= size
-        _require(self.room >= 0, f"it is larger than {MOST_BYTES / 1e6:.0f} MB inside")
 
     def _values(self, count: int, parts: list[Element], depth: int) -> list[MatValue]:
         """Return the values of so many arrays."""
@@ -158,19 +136,18 @@ class _MatFile:
 
     def _struct(self, count: int, parts: list[Element], depth: int) -> MatValue:
         """Return a struct as a dictionary, a struct array as a list of them."""
-        _require(
-            len(parts) >= 2 and parts[0][0] == 5 and len(parts[0][1]) == 4, "a struct has no names"
-        )
-        width, text = int(self.numbers(parts)[0]), bytes(parts[1][1])
-        sound = 0 < width <= 256 and len(text) > 0 and len(text) % width == 0
-        _require(sound, "the names of a struct have no length")
-        names = [
-            text[k : k + width].split(b"\0")[0].decode("latin-1")
-            for k in range(0, len(text), width)
-        ]
+        width, text = int(self.numbers(parts).sum()), bytes(parts[1][1]) if len(parts) > 1 else b""
+        _require(0 < width <= 256 and len(text) >= width, "a struct has no names")
+        starts = range(0, len(text), width)
+        names = [text[k : k + width].split(b"\0")[0].decode("latin-1") for k in starts]
         values = iter(self._values(count * len(names), parts[2:], depth))
         rows: list[MatValue] = [{name: next(values) for name in names} for _ in range(count)]
         return rows[0] if count == 1 else rows
+
+    def _take(self, size: int) -> None:
+        """Raise if there is no room for so many more bytes."""
+        self.room -= size
+        _require(self.room >= 0, f"it is larger than {MOST_BYTES / 1e6:.0f} MB inside")
 
 
 def _require(holds: bool, fault: str) -> None:

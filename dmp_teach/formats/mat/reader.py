@@ -8,13 +8,14 @@ unit.
 
 *LASA handwriting* (S. M. Khansari-Zadeh, A. Billard 2011): the cell array `demos` holds a struct
 for each demonstration, `pos` (2 x T) [mm], `t` (1 x T) [s] or `dt` [s], or neither. A shape such as
-`GShape` is the letter G.
+`GShape`, or a part of its name such as `2_G`, is the letter G.
 """
 
 from __future__ import annotations
 
 import re
 from collections.abc import Callable, Sequence
+from functools import partial
 from pathlib import Path
 
 import numpy as np
@@ -30,7 +31,7 @@ from dmp_teach.trajectory import Array
 UCI_RATE = 200.0  # [1/s]
 MOST_SAMPLES = 100_000  # in one letter
 FEWEST_SAMPLES = 5
-LASA_SHAPE = re.compile(r"([A-Z])(?:_.*|[Ss]hape.*)?")
+LASA_SHAPE = re.compile(r"(?:.*_)?([A-Za-z])(?:_.*|[Ss]hape.*)?")
 
 
 def begins_like_mat(data: bytes) -> bool:
@@ -51,14 +52,11 @@ def read_sets(data: bytes, name: str, options: CaptureOptions) -> tuple[Recordin
         letters = [FlatLetter(stroke, label) for stroke, label in zip(strokes, labels, strict=True)]
         return flat_recordings(letters, None, faults)
     if "demos" in variables:
-        shape = variables.get("name")
+        shape, dt = variables.get("name"), variables.get("dt")
         match = LASA_SHAPE.fullmatch(shape if isinstance(shape, str) else Path(name).stem)
-        character = match[1] if match else None
-        dt = variables.get("dt")
-        strokes, faults = _strokes(
-            "demos", variables["demos"], lambda cell: _demonstration(cell, dt)
-        )
-        letters = [FlatLetter(stroke, character) for stroke in strokes]
+        make = partial(_demonstration, usual_step=dt)
+        strokes, faults = _strokes("demos", variables["demos"], make)
+        letters = [FlatLetter(stroke, match[1] if match else None) for stroke in strokes]
         return flat_recordings(letters, 0.001, faults)
     structs = [each for each in variables.values() if isinstance(each, dict)]
     arrays = {
@@ -93,20 +91,29 @@ def _strokes(
     return strokes, faults
 
 
+def _matrix(value: MatValue, what: str, *rows: int) -> Array:
+    """Return a matrix that can be a letter, with one of so many rows, shape (D, T)."""
+    shape = value.shape if isinstance(value, np.ndarray) else ()
+    if not isinstance(value, np.ndarray) or len(shape) != 2 or shape[0] not in rows:
+        is_what = f"of shape {shape}" if shape else "no matrix"
+        raise RecordingError(f"{what} is {is_what}, but must be {rows[-1]} x T.")
+    if not FEWEST_SAMPLES <= shape[1] <= MOST_SAMPLES or not (np.abs(value) < 1e100).all():
+        raise RecordingError(
+            f"{what} must have {FEWEST_SAMPLES} to {MOST_SAMPLES} samples, each of them finite and "
+            "below 1e100."
+        )
+    return value
+
+
 def _pen_speeds(cell: MatValue) -> FlatStroke:
     """Return one character: its rows are speeds and force, with zeros before and after."""
-    if not isinstance(cell, np.ndarray) or cell.ndim != 2 or cell.shape[0] not in (2, 3):
-        shape = getattr(cell, "shape", None)
-        raise RecordingError(
-            f"is {'no matrix' if shape is None else f'of shape {shape}'}, but must be 3 x T."
-        )
-    _check_matrix(cell)
-    moving = np.flatnonzero(cell[:2].any(axis=0))
+    speed = _matrix(cell, "its value", 2, 3)
+    moving = np.flatnonzero(speed[:2].any(axis=0))
     if len(moving) < FEWEST_SAMPLES:
         raise RecordingError(
             f"moves in {len(moving)} samples, but a letter needs {FEWEST_SAMPLES}."
         )
-    speed = cell[:, moving[0] : moving[-1] + 1]
+    speed = speed[:, moving[0] : moving[-1] + 1]
     xy = np.cumsum(speed[:2], axis=1).T / UCI_RATE
     return FlatStroke(xy, np.arange(len(xy)) / UCI_RATE, _pressure(speed[2:].ravel()))
 
@@ -142,31 +149,18 @@ def _character_labels(consts: MatValue, count: int) -> Sequence[str | None]:
 
 
 def _demonstration(cell: MatValue, usual_step: MatValue) -> FlatStroke:
-    """Return one demonstration."""
+    """Return one demonstration, of places [mm]."""
     cell = cell if isinstance(cell, dict) else {"pos": cell}
     pos = cell.get("pos")
-    if isinstance(pos, np.ndarray) and pos.ndim == 2 and pos.shape[1] == 2:
+    if isinstance(pos, np.ndarray) and pos.shape[1:] == (2,):
         pos = pos.T
-    if not isinstance(pos, np.ndarray) or pos.shape[:1] != (2,):
-        raise RecordingError("has no matrix 'pos' of 2 x T [mm].")
-    _check_matrix(pos)
+    pos = _matrix(pos, "'pos'", 2)
     t, dt = cell.get("t"), cell.get("dt", usual_step)
     if isinstance(t, np.ndarray) and t.size == pos.shape[1] and np.isfinite(t).all():
         return FlatStroke(pos.T, t.ravel())
     step = float(dt.flat[0]) if isinstance(dt, np.ndarray) and dt.size == 1 else 0.0
     times: Array = np.arange(pos.shape[1], dtype=float) * step
     return FlatStroke(pos.T, times if 1e-5 < step < 10 else None)
-
-
-def _check_matrix(matrix: Array) -> None:
-    """Raise where a matrix (D, T) cannot be a letter."""
-    if matrix.ndim != 2 or not FEWEST_SAMPLES <= matrix.shape[1] <= MOST_SAMPLES:
-        raise RecordingError(
-            f"is of shape {matrix.shape}, but a letter has {FEWEST_SAMPLES} to {MOST_SAMPLES} "
-            "samples."
-        )
-    if not (np.abs(matrix) < 1e100).all():
-        raise RecordingError("has a number that is not finite, or far too large.")
 
 
 FORMAT = Format("MATLAB", (".mat",), begins_like_mat, read_sets)
