@@ -22,11 +22,11 @@ from dmp_teach.ink import Recording
 from dmp_teach.trajectory import Array
 
 KEYWORD = re.compile(rb"(?:^|[\r\n])\.(?:VERSION|COORD|PEN_DOWN|SEGMENT)\b")
-PLACE = r"(\d{1,6})(?::(\d{1,6}))?"
-PARTS = re.compile(rf"{PLACE}(?:-{PLACE})?")
+POINT = r"(\d{1,6})(?::(\d{1,6}))?"
+DELINEATION = re.compile(rf"{POINT}(?:-{POINT})?")
 MOST_UNIPEN_LINES = 200_000
 LONGEST_UNIPEN_LINE = 1000  # [characters]
-Segment = tuple[str | None, list[tuple[int, slice]]]
+LetterParts = tuple[str | None, list[tuple[int, slice]]]
 """A letter, and of which components, and which points of them, it is."""
 
 
@@ -49,7 +49,7 @@ def read_unipen(data: bytes, _name: str, _: CaptureOptions) -> tuple[Recording, 
     if not {"X", "Y"} <= set(columns):
         raise RecordingError(f"has the columns {' '.join(columns)[:60]}, but must have X and Y.")
     components, broken, faults = _components(lines, len(columns))
-    segments: list[Segment] = []
+    segments: list[LetterParts] = []
     total = 0
     for number, line in enumerate(lines, start=1):
         if line.startswith(".SEGMENT"):
@@ -106,7 +106,7 @@ def _components(lines: Sequence[str], width: int) -> tuple[list[Array], set[int]
     return [np.reshape(rows, (-1, width + 1)) for rows in components], broken, faults
 
 
-def _segment(line: str, number: int, count: int) -> Segment:
+def _segment(line: str, number: int, count: int) -> LetterParts:
     """Return a character, without parts for a segment of another level."""
     try:
         words = shlex.split(line)
@@ -116,7 +116,7 @@ def _segment(line: str, number: int, count: int) -> Segment:
         return None, []
     parts: list[tuple[int, slice]] = []
     for text in words[2].split(",") if len(words) > 2 else ["nothing"]:
-        match = PARTS.fullmatch(text)
+        match = DELINEATION.fullmatch(text)
         a, i, b, j = match.groups() if match else (None,) * 4
         first, last = (int(a), int(b or a)) if a else (0, count)
         if not first <= last < count:
