@@ -24,4 +24,8 @@ from .simulation.run import BREAKING_FORCE as BREAKING_FORCE
 from .simulation.run import FORCE_BAND as FORCE_BAND
 from .simulation.run import Run as Run
 from .simulation.simulate import simulate as simulate
+from .simulation.simulate import simulate_in_slices as simulate_in_slices
 from .simulation.world import PENS as PENS
+from .slices import Progress as Progress
+from .slices import Slices as Slices
+from .slices import run_through as run_through

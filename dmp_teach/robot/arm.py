@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -11,6 +11,7 @@ import numpy as np
 from dmp_teach.robot.model.kinematics import Model
 from dmp_teach.robot.model.proximity import Proximity
 from dmp_teach.robot.pen_path import MOTION_RATE
+from dmp_teach.robot.slices import Slices
 from dmp_teach.trajectory import Array
 
 JOINTS = (
@@ -139,13 +140,12 @@ class Solver(ABC):
         start: Array,
         normal: Array,
         path: Array,
-        report: Callable[[str, float], object],
         solves: int = 1,
-    ) -> Array:
+    ) -> Slices[Array]:
         """Solve for the joints along a path (T, 3) in the world, shape (T, J) [rad, m], unwrapped.
 
         The arm stands at `start` before, its torso stays, and the pen looks against `normal`; every
-        sample gets so many `solves`. `report` is called with "joints" and how much is done.
+        sample gets so many `solves`. In slices, which yield "joints" and how much is done.
         """
         self.stand(start, normal, torso=False)
         self.glide(path[0])
@@ -153,9 +153,9 @@ class Solver(ABC):
         q = np.empty((len(path), len(JOINTS)))
         for row, target in enumerate(path):
             if row % 60 == 0:
-                report("joints", row / len(path))
+                yield "joints", row / len(path)
             self.go(target, solves)
             q[row] = self.joints()
-        report("joints", 1.0)
+        yield "joints", 1.0
         q[:, self.turning] = np.unwrap(q[:, self.turning], axis=0)
         return q

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from contextlib import suppress
 from dataclasses import replace
 
@@ -14,12 +14,14 @@ from dmp_teach.errors import ReachError, ReachWarning
 from dmp_teach.robot.arm import JOINTS, Solver
 from dmp_teach.robot.clearance import describe_collision, describe_thin_margin, find_nearest
 from dmp_teach.robot.layout import lay_out
+from dmp_teach.robot.model.kinematics import Model
 from dmp_teach.robot.motion import Motion, describe_overloads
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.pen_path import PenPlan, connect_strokes
 from dmp_teach.robot.reach.check import Unreachable, check_reach
 from dmp_teach.robot.reach.posture import PEN_TILT_TOLERANCE, TIP_TOLERANCE, find_posture
 from dmp_teach.robot.reach.suggest import list_other_pages, suggest_page
+from dmp_teach.robot.slices import Progress, Slices, run_through
 from dmp_teach.robot.solvers import get_solver
 from dmp_teach.robot.time_scaling import TimeScaling
 from dmp_teach.trajectory import Array, Trajectory, all_points
@@ -33,11 +35,6 @@ _LAG = 3e-5
 _FORESEEN = 0.03
 
 PlacedStrokes = tuple[Trajectory, ...]
-PlanProgress = Callable[[str, float], object]
-
-
-def _silent(step: str, fraction: float) -> None:
-    """Report nothing."""
 
 
 class Fetch:
@@ -50,7 +47,7 @@ class Fetch:
     joint_names = JOINTS
 
     def __init__(self) -> None:
-        self.model = get_solver().model
+        self.model = Model.load()
 
     def __eq__(self, other: object) -> bool:
         return type(self) is type(other)
@@ -68,7 +65,7 @@ class Fetch:
         page: Page,
         at: ArrayLike | None = None,
         size: float | None = None,
-        progress: PlanProgress | None = None,
+        progress: Progress | None = None,
     ) -> Motion:
         """Plan how the pen in the gripper writes strokes on a page.
 
@@ -95,24 +92,37 @@ class Fetch:
                 lies on; says where, by how much, and which page works.
         """
         placed = lay_out(strokes, page, at, size)
-        solver = get_solver()
-        try:
-            motion, warning = _plan(solver, page, placed, progress or _silent)
-        except Unreachable as error:
-            raise _refusal(solver, page, placed, error) from None
+        motion, warning = run_through(_write(get_solver(), page, placed), progress)
         if warning:
             warn_caller(warning, ReachWarning)
         return motion
 
+    def write_in_slices(
+        self, strokes: Sequence[Trajectory], page: Page, size: float | None = None
+    ) -> Slices[Motion]:
+        """Plan as `write` does, in slices, which yield what `progress` is told; without warnings.
 
-def _plan(
-    solver: Solver, page: Page, strokes: PlacedStrokes, report: PlanProgress = _silent
-) -> tuple[Motion, str]:
+        `Motion.notes` have what they say.
+        """
+        placed = lay_out(strokes, page, None, size)
+        motion, _ = yield from _write(get_solver("in slices"), page, placed)
+        return motion
+
+
+def _write(solver: Solver, page: Page, strokes: PlacedStrokes) -> Slices[tuple[Motion, str]]:
+    """Return what `_plan` returns, or raise a ReachError that says what would work."""
+    try:
+        return (yield from _plan(solver, page, strokes))
+    except Unreachable as error:
+        raise (yield from _refusal(solver, page, strokes, error)) from None
+
+
+def _plan(solver: Solver, page: Page, strokes: PlacedStrokes) -> Slices[tuple[Motion, str]]:
     """Return the motion, and a warning where the arm is nearly stretched; or raise Unreachable."""
-    report("reach", 0.0)
+    yield "reach", 0.0
     start, known, warning = check_reach(solver, page, all_points(strokes))
-    report("reach", 1.0)
-    plan, q, X_world_tip, slowed = _follow(solver, start, page, strokes, report)
+    yield "reach", 1.0
+    plan, q, X_world_tip, slowed = yield from _follow(solver, start, page, strokes)
     _check_tip(X_world_tip, plan, page)
     first, closest = find_nearest(q, JOINTS, page)
     if first is not None:
@@ -133,7 +143,9 @@ def _plan(
     return replace(motion, notes=notes), warning
 
 
-def _refusal(solver: Solver, page: Page, strokes: PlacedStrokes, error: Unreachable) -> ReachError:
+def _refusal(
+    solver: Solver, page: Page, strokes: PlacedStrokes, error: Unreachable
+) -> Slices[ReachError]:
     """Return what is wrong, and the first page on which the same ink has been planned."""
     ink = all_points(strokes)
     area = ink.min(axis=0), ink.max(axis=0)
@@ -148,7 +160,8 @@ def _refusal(solver: Solver, page: Page, strokes: PlacedStrokes, error: Unreacha
             continue
         with suppress(Unreachable):
             typed = other.rounded()
-            if not _plan(solver, typed, strokes)[1]:
+            _, warning = yield from _plan(solver, typed, strokes)
+            if not warning:
                 return ReachError(f"{problem} Try {typed!r}.", cure=typed)
             strained.append(typed)
     if strained:
@@ -158,22 +171,22 @@ def _refusal(solver: Solver, page: Page, strokes: PlacedStrokes, error: Unreacha
 
 
 def _follow(
-    solver: Solver, start: Array, page: Page, strokes: PlacedStrokes, report: PlanProgress
-) -> tuple[PenPlan, Array, Array, tuple[str, ...]]:
+    solver: Solver, start: Array, page: Page, strokes: PlacedStrokes
+) -> Slices[tuple[PenPlan, Array, Array, tuple[str, ...]]]:
     """Return the plan, slowed where a joint could not follow, joints (T, J), tip (T, 4, 4), notes.
 
     The solver knows no speed limits here: with them it would lag in silence, as it does where the
     arm is nearly straight. There it is given more solutions a sample.
     """
-    report("plan", 0.0)
+    yield "plan", 0.0
     path = connect_strokes(strokes)
     scaling = TimeScaling(path, JOINTS)
-    report("plan", 1.0)
+    yield "plan", 1.0
     solves = 1
     for _ in range(_ROUNDS):
         plan = path.plan(scaling.samples)
         target = page.to_world(plan.position)
-        q = solver.follow(start, page.normal, target, report, solves)
+        q = yield from solver.follow(start, page.normal, target, solves)
         if scaling.slow_down(solver.speeds(q)):
             continue
         X_world_tip = solver.model.frame("pen_tip", q, JOINTS)
@@ -208,7 +221,7 @@ def _foreseen_collision(solver: Solver, page: Page, strokes: PlacedStrokes) -> s
     ink = all_points(strokes)
     posture = find_posture(solver, page, ink.min(axis=0), ink.max(axis=0))
     plan = connect_strokes(strokes).plan()
-    q = solver.follow(posture.q, page.normal, page.to_world(plan.position), _silent)
+    q = run_through(solver.follow(posture.q, page.normal, page.to_world(plan.position)))
     first, closest = find_nearest(q, JOINTS, page, _FORESEEN)
     near = first or closest
     return "" if near is None else describe_collision(near)

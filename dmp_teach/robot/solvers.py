@@ -11,16 +11,19 @@ from dmp_teach.robot.numpy_arm import NumpySolver
 _here = threading.local()
 
 
-def get_solver() -> Solver:
+def get_solver(use: str = "") -> Solver:
     """Return the solver of this thread: PlaCo's must not be shared, and each one leaks 0.35 MB.
+
+    What works in slices has a `use` of its own: between two of them others may move their arm.
 
     `DMP_TEACH_SOLVER=NumPy` in the environment asks for ours where there is PlaCo, too.
     """
     wanted = os.environ.get("DMP_TEACH_SOLVER", "").lower()
     solvers = _here.__dict__
-    if wanted not in solvers:
-        solvers[wanted] = NumpySolver() if wanted == "numpy" else build_solver()
-    return solvers[wanted]
+    key = f"{wanted} {use}"
+    if key not in solvers:
+        solvers[key] = NumpySolver() if wanted == "numpy" else build_solver()
+    return solvers[key]
 
 
 def build_solver() -> Solver:

@@ -15,6 +15,7 @@ import numpy as np
 import dmp_teach as teach
 from dmp_teach.robot.model.kinematics import Model
 from dmp_teach.robot.motion import Motion
+from dmp_teach.robot.slices import run_through
 from dmp_teach.robot.solvers import get_solver
 from dmp_teach.trajectory import Array
 from dmp_teach.views.scene.commands import record_stage
@@ -70,9 +71,7 @@ def _tasks(strokes: Any, pink: dict[str, Callable]) -> tuple[Motion, dict[str, C
     return motion, {
         "planning, new page": anew,
         "planning, same page again": lambda: fetch.write(strokes, page),
-        "joints alone": lambda: solver.follow(
-            motion.q[0], page.normal, motion.target, lambda step, part: None
-        ),
+        "joints alone": lambda: run_through(solver.follow(motion.q[0], page.normal, motion.target)),
         **{name: arm(motion).follow for name, arm in pink.items()},
         "physics, ideal motors": lambda: teach.simulate(motion),
         "physics, real motors": lambda: teach.simulate(motion, motors="real"),

@@ -1,6 +1,7 @@
 """The start panel, by setting its values."""
 
 import asyncio
+import threading
 from pathlib import Path
 
 import numpy as np
@@ -179,7 +180,7 @@ def test_without_placo_the_panel_goes_on_and_says_what_works(panel, monkeypatch)
     def missing(*_, **__):
         raise dmp_teach.errors.MissingPartError("PlaCo is not here. Letters can still be learned.")
 
-    monkeypatch.setattr(dmp_teach.Fetch, "write", missing)
+    monkeypatch.setattr(dmp_teach.Fetch, "write_in_slices", missing)
     panel.write()
     assert panel.work["strong"] == "PlaCo is not here."
     panel.n_kernels = 20
@@ -199,27 +200,66 @@ def test_stop_ends_the_planning_and_the_next_letter_is_written(panel):
     assert panel.motion is not None
 
 
-def test_a_job_tells_the_thread_that_asked():
-    heard = []
+def slices(result, heard):
+    heard.append(threading.current_thread())
+    yield "step", 0.5
+    return result()
+
+
+@pytest.mark.parametrize("threads", [True, False])
+def test_a_job_tells_the_thread_that_asked(threads):
+    heard, where = [], []
 
     async def ask():
         ended = asyncio.Event()
         Job(
-            lambda report: report("step", 0.5) or "result",
-            lambda *p: heard.append(p),
+            slices(lambda: "result", where),
+            lambda *p: heard.append((*p, threading.current_thread())),
             lambda r: (heard.append(r), ended.set()),
+            threads=threads,
         )
         await ended.wait()
 
     asyncio.run(ask())
-    assert heard == [("step", 0.5), "result"]
+    here = threading.current_thread()
+    assert heard == [("step", 0.5, here), "result"]
+    assert (where == [here]) is not threads
+
+
+def test_without_threads_stop_is_heard_between_two_slices_and_jobs_wait_for_each_other():
+    heard = []
+
+    def forever(name):
+        while True:
+            heard.append(name)
+            yield "step", 0.5
+
+    async def ask():
+        ended = asyncio.Event()
+        first = Job(forever("first"), lambda *p: None, heard.append, threads=False)
+        second = Job(
+            slices(lambda: 1 / 0, []),
+            lambda *p: None,
+            lambda r: (heard.append(r), ended.set()),
+            threads=False,
+        )
+        for _ in range(5):
+            await asyncio.sleep(0)
+        first.stop()
+        await ended.wait()
+        return second
+
+    asyncio.run(ask())
+    *turns, stopped, failed = heard
+    assert len(turns) > 3
+    assert isinstance(stopped, StopPressed)
+    assert isinstance(failed, ZeroDivisionError)
 
 
 def test_what_a_job_raises_is_its_result():
     heard = []
-    Job(lambda report: 1 / 0, print, heard.append)
+    Job(slices(lambda: 1 / 0, []), print, heard.append)
     assert isinstance(heard[0], ZeroDivisionError)
-    assert issubclass(StopPressed, Exception)
 
 
 def test_a_recording_of_ones_own_stands_beside_the_letters(panel, tmp_path):

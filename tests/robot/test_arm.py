@@ -13,6 +13,7 @@ from dmp_teach.robot.arm import JOINTS
 from dmp_teach.robot.fetch import Fetch
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.pen_path import MOTION_RATE, connect_strokes
+from dmp_teach.robot.slices import run_through
 from dmp_teach.robot.solvers import build_solver, get_solver
 from dmp_teach.trajectory import Trajectory
 from tests.recordings import RECORDINGS, needs_recordings
@@ -204,7 +205,7 @@ def test_joints_that_turn_for_ever_do_not_jump_at_half_a_turn():
     solver.stand(start, np.array([0.0, 0, 1]), torso=False)
     X = solver.pen().copy()
     path = X[:3, 3] + np.linspace(0, 1, 240)[:, None] * [0, -0.1, 0]
-    q = solver.follow(start, -X[:3, 2], path, lambda step, part: None)
+    q = run_through(solver.follow(start, -X[:3, 2], path))
     assert q[:, roll].min() < -np.pi < q[:, roll].max()
     assert np.abs(np.diff(q, axis=0)).max() < 0.05
 

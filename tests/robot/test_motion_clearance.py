@@ -87,7 +87,7 @@ def go_wrong(monkeypatch, what):
         first[:] = first or [path[0]]
         on_first[:] = [np.allclose(path[0], first[0])]
         wrong = 0.01 if what == "tip" and on_first[0] else 0.0
-        return follow(solver, q, normal, path, *rest) + wrong
+        return (yield from follow(solver, q, normal, path, *rest)) + wrong
 
     def slowed(scaling, speeds):
         return (what == "hurry" and on_first[0]) or slow_down(scaling, speeds)

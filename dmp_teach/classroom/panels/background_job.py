@@ -1,16 +1,21 @@
-"""The robot works in a thread of its own, so that the panel stays awake and *Stop* is heard."""
+"""The robot works beside the panel, which stays awake, and *Stop* is heard.
+
+In a thread of its own; in a browser, which has none, in turns with all else.
+"""
 
 from __future__ import annotations
 
 import asyncio
+import sys
 import threading
 from collections.abc import Callable
-from concurrent.futures import Future, ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor
 
-Report = Callable[[str, float], None]
-"""Takes the name of a step, and the fraction of it that is done, 0 to 1."""
+from dmp_teach.robot import Progress, Slices, run_through
 
 _ROBOT_THREAD = ThreadPoolExecutor(max_workers=1, thread_name_prefix="robot")
+_ONE_AT_A_TIME = asyncio.Lock()
+_HAS_THREADS = sys.platform != "emscripten"
 
 
 class StopPressed(Exception):  # noqa: N818 (not an error)
@@ -21,35 +26,57 @@ class Job:
     """One piece of work, whose progress and end are told to the thread that started it.
 
     Args:
-        work: Called in the robot's thread with `report`; what it returns is the result.
-        on_progress: Called with what `report` is called with.
+        work: Done here and now where no event loop runs.
+        on_progress: Called with what the work yields.
         on_end: Called once, with the result or with the exception.
+        threads: Whether the work gets a thread.
     """
 
     def __init__(
         self,
-        work: Callable[[Report], object],
-        on_progress: Report,
+        work: Slices[object],
+        on_progress: Progress,
         on_end: Callable[[object], None],
+        threads: bool = _HAS_THREADS,
     ):
         self._stop = threading.Event()
         self._on_progress = on_progress
         self._on_end = on_end
-        self._loop = _find_running_loop()
-        future = _ROBOT_THREAD.submit(work, self._report)
-        if self._loop is None:
-            self._pass_on(future)
+        loop = _find_running_loop()
+        self._call = loop.call_soon_threadsafe if loop and threads else _call_now
+        if loop is None:
+            self._end(self._do_all(work))
+        elif threads:
+            future = _ROBOT_THREAD.submit(self._do_all, work)
+            future.add_done_callback(lambda done: self._call(self._end, done.result()))
         else:
-            future.add_done_callback(lambda done: self._call(self._pass_on, done))
+            # The loop itself keeps no task alive.
+            self._task = loop.create_task(self._take_turns(work))
 
     def stop(self) -> None:
         """End the work at its next report; its result is dropped."""
         self._stop.set()
 
-    def _pass_on(self, done: Future[object]) -> None:
-        """Pass on the result of the work or what it raised, unless *Stop* was pressed since."""
-        result = done.exception() or done.result()
-        self._on_end(StopPressed() if self._stop.is_set() else result)
+    def _do_all(self, work: Slices[object]) -> object:
+        """Return the result of the work, or what it raised."""
+        try:
+            return run_through(work, self._report)
+        except Exception as error:
+            return error
+
+    async def _take_turns(self, work: Slices[object]) -> None:
+        """Do the work, and hear all else between two slices."""
+        result: object
+        async with _ONE_AT_A_TIME:
+            try:
+                while True:
+                    self._report(*next(work))
+                    await asyncio.sleep(0)
+            except StopIteration as end:
+                result = end.value
+            except Exception as error:
+                result = error
+        self._end(result)
 
     def _report(self, step: str, fraction: float) -> None:
         """Pass progress on; raise StopPressed where *Stop* was pressed."""
@@ -57,12 +84,14 @@ class Job:
             raise StopPressed
         self._call(self._on_progress, step, fraction)
 
-    def _call(self, callback: Callable[..., None], *values: object) -> None:
-        """Call back in the thread that started the job; without an event loop, here and now."""
-        if self._loop is None:
-            callback(*values)
-        else:
-            self._loop.call_soon_threadsafe(callback, *values)
+    def _end(self, result: object) -> None:
+        """Pass the result on, unless *Stop* was pressed since."""
+        self._on_end(StopPressed() if self._stop.is_set() else result)
+
+
+def _call_now(callback: Callable[..., object], *values: object) -> None:
+    """Call back here and now."""
+    callback(*values)
 
 
 def _find_running_loop() -> asyncio.AbstractEventLoop | None:

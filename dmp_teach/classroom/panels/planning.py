@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-import warnings
 from typing import Any
 
-from dmp_teach.classroom.panels.background_job import Report
-from dmp_teach.errors import ReachWarning
-from dmp_teach.robot import Motion, Page, Run, simulate
+from dmp_teach.robot import Motion, Page, Run, Slices, simulate_in_slices
 from dmp_teach.texts import gettext as _
 from dmp_teach.texts import marked
 from dmp_teach.trajectory import Trajectory
 
-# Any: arguments of `simulate`.
+# Any: arguments of `simulate_in_slices`.
 Physics = dict[str, Any]
-"""What `simulate` is called with, where a motion is to meet gravity."""
+"""What `simulate_in_slices` is called with, where a motion is to meet gravity."""
 
 _STEPS = {
     "wake": marked("Waking the robot"),
@@ -31,21 +28,15 @@ def name_steps(physics: Physics | None) -> dict[str, str]:
 
 
 def plan_motion(
-    strokes: tuple[Trajectory, ...],
-    page: Page,
-    size: float | None,
-    physics: Physics | None,
-    report: Report,
-) -> Motion | Run:
-    """Return the robot's motion, or what physics makes of it.
+    strokes: tuple[Trajectory, ...], page: Page, size: float | None, physics: Physics | None
+) -> Slices[Motion | Run]:
+    """Return the robot's motion, or what physics makes of it, in slices.
 
     The solver is built once, in the thread that uses it.
     """
     # PlaCo loads when a robot is wanted.
     from dmp_teach.robot import Fetch  # noqa: PLC0415
 
-    report("wake", 0.5)
-    # Warnings of this module's call are among the motion's notes, beside the robot.
-    warnings.filterwarnings("ignore", category=ReachWarning, module=__name__)
-    motion = Fetch().write(strokes, page, size=size, progress=report)
-    return motion if physics is None else simulate(motion, **physics, progress=report)
+    yield "wake", 0.5
+    motion = yield from Fetch().write_in_slices(strokes, page, size=size)
+    return motion if physics is None else (yield from simulate_in_slices(motion, **physics))

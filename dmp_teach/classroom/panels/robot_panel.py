@@ -156,7 +156,7 @@ class RobotPanel(UnsavedWidget):
         self._in_work = self._wanted
         strokes, size, page, physics = self._strokes, self._size, self.page, self._physics
         self._job = Job(
-            lambda report: plan_motion(strokes, page, size, physics, report),
+            plan_motion(strokes, page, size, physics),
             self._show_progress,
             self._show_result,
         )

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import contextlib
-from collections.abc import Callable
 
 import numpy as np
 
@@ -16,6 +15,7 @@ from dmp_teach.robot.simulation.bullet import open_world
 from dmp_teach.robot.simulation.motors import IdealMotors, RealMotors
 from dmp_teach.robot.simulation.run import Run
 from dmp_teach.robot.simulation.world import NIB_RADIUS, PENS, RIGID_PRESS, SLIDE_JOINT, World
+from dmp_teach.robot.slices import Progress, Slices, run_through
 from dmp_teach.trajectory import Array, Trajectory
 
 _MOTORS = ("ideal", "real")
@@ -42,7 +42,7 @@ def simulate(
     page_height_error: float = 0.0,
     page_tilt: float = 0.0,
     pen: str = "sprung",
-    progress: Callable[[str, float], object] | None = None,
+    progress: Progress | None = None,
 ) -> Run:
     """Simulate what happens when a motion meets gravity and paper.
 
@@ -67,6 +67,27 @@ def simulate(
         SettingError: Not a motion, or a setting out of its range.
         MissingPartError: pybullet is not installed.
     """
+    run = simulate_in_slices(
+        motion,
+        motors,
+        seed,
+        page_height_error=page_height_error,
+        page_tilt=page_tilt,
+        pen=pen,
+    )
+    return run_through(run, progress)
+
+
+def simulate_in_slices(
+    motion: Motion,
+    motors: str = "ideal",
+    seed: int = 0,
+    *,
+    page_height_error: float = 0.0,
+    page_tilt: float = 0.0,
+    pen: str = "sprung",
+) -> Slices[Run]:
+    """Simulate as `simulate` does, in slices, which yield what `progress` is told."""
     _check(motion)
     _check_known("motors", motors, _MOTORS)
     _check_known("pen", pen, tuple(PENS))
@@ -84,7 +105,7 @@ def simulate(
             moved = (
                 IdealMotors(world, motion) if motors == "ideal" else RealMotors(world, motion, rng)
             )
-            recorder.record(world, moved, progress or (lambda step, fraction: None))
+            yield from recorder.record(world, moved)
         except (KeyboardInterrupt, Exception) as error:
             if recorder.rows < 2:
                 raise
@@ -113,22 +134,20 @@ class _Recorder:
         self.force = np.zeros(length)
         self.rows = 1
 
-    def record(
-        self, world: World, motors: IdealMotors | RealMotors, report: Callable[[str, float], object]
-    ) -> None:
-        """Let the whole motion happen."""
+    def record(self, world: World, motors: IdealMotors | RealMotors) -> Slices[None]:
+        """Let the whole motion happen, in slices."""
         last = len(self.motion.t) - 1
         q, v = self.motion.q[0].tolist(), [0.0] * len(world.arm)
         for row in range(1, last + 1):
             if row % _OFTEN == 1:
-                report("physics", (row - 1) / last)
+                yield "physics", (row - 1) / last
             commanded = motors.push(row, q, v)
             q, v, effort, force = world.step()
             self.q[row] = q
             self.force[row] = force
             self.effort[row] = effort if commanded is None else commanded
             self.rows = row + 1
-        report("physics", 1.0)
+        yield "physics", 1.0
 
     def run(self, page: Page, pen: str, motors: str, stopped: bool) -> Run:
         """Return the run, as far as it went."""

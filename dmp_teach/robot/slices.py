@@ -1,0 +1,30 @@
+"""Long work in slices, between which other things are heard: *Stop*, or another panel."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Generator
+from typing import TypeVar
+
+Result = TypeVar("Result")
+
+Slices = Generator[tuple[str, float], None, Result]
+"""Yields the name of a step and the fraction of it that is done, 0 to 1; returns the result."""
+
+Progress = Callable[[str, float], object]
+"""Takes what slices yield."""
+
+
+def run_through(slices: Slices[Result], report: Progress | None = None) -> Result:
+    """Do all slices and return the result; what `report` raises is raised within them."""
+    try:
+        told = next(slices)
+        while True:
+            try:
+                if report is not None:
+                    report(*told)
+            except BaseException as error:
+                told = slices.throw(error)
+            else:
+                told = next(slices)
+    except StopIteration as end:
+        return end.value
