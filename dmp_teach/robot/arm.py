@@ -58,8 +58,8 @@ class Solver(ABC):
         self.verdicts: dict[object, Any] = {}
 
     @abstractmethod
-    def place(self, q: Array, normal: Array, torso: bool, upright: float) -> None:
-        """Take a posture and prefer it, as in `stand`."""
+    def place(self, q: Array, down: Array, torso: bool, upright: float) -> None:
+        """Take a posture and prefer it, as in `stand`; the pen looks along `down` (3,)."""
 
     @abstractmethod
     def prefer(self, weight: float) -> None:
@@ -94,10 +94,12 @@ class Solver(ABC):
     ) -> None:
         """Take a posture q (J,) [rad, m], and prefer it from now on.
 
-        The pen looks against `normal` (3,); `upright` says how much its axis weighs against 1 m of
+        The pen looks against `normal` (3,), turned by 1e-9 rad because there is no way from an axis
+        to its exact opposite; `upright` says how much its axis weighs against 1 m of
         its tip; the torso moves only where `torso` is set.
         """
-        self.place(np.asarray(q, dtype=float), np.asarray(normal), torso, upright)
+        down = 1e-9 * np.roll(normal, -1) - normal
+        self.place(np.asarray(q, dtype=float), down, torso, upright)
         self.prefer(_LIKING)
         self.bound(None)
 

@@ -9,14 +9,18 @@ from dmp_teach.robot.arm import JOINTS, STEP_COST, Solver
 from dmp_teach.robot.model.urdf import Joint
 from dmp_teach.trajectory import Array
 
-# A joint beyond its bound by less is at it [rad, m].
+# What PlaCo adds to the cost of a step.
+_PLACO_COST = 1e-8
+# A joint at its bound that pulls inwards by less may stay.
 _SLACK = 1e-12
+# So often joints are stopped or let go at most.
+_TURNS = 50
 
 
 class NumpySolver(Solver):
     """The chain from the root to the pen's tip, seen from frames that turn or slide along their z.
 
-    A step is a least-squares problem with bounds, of which those are held that would be broken.
+    A step is a least-squares problem with bounds.
     """
 
     name = "NumPy"
@@ -26,14 +30,15 @@ class NumpySolver(Solver):
         self._fixed, self._end = self._chain()
         self._slides = np.array([self.model.joint(name).type == "prismatic" for name in JOINTS])
         self._liking = 0.0
+        self._whole_turn = np.where(self.turning, 2 * np.pi, 0.0)
         self._poses: dict[str, Array] = {}
         self.bound(None)
-        self.place(np.zeros(len(JOINTS)), np.array([0.0, 0.0, 1.0]), True, 1.0)
+        self.place(np.zeros(len(JOINTS)), np.array([0.0, 0.0, -1.0]), True, 1.0)
 
-    def place(self, q: Array, normal: Array, torso: bool, upright: float) -> None:
+    def place(self, q: Array, down: Array, torso: bool, upright: float) -> None:
         self._q = q.copy()
         self._liked = q.copy()
-        self._down = -normal
+        self._down = down
         self._upright = np.sqrt(upright)
         self._free = slice(0 if torso else 1, None)
         self._update()
@@ -43,17 +48,16 @@ class NumpySolver(Solver):
 
     def bound(self, seconds: float | None) -> None:
         self._farthest = None if seconds is None else self.fastest * seconds
-        # Below 0 or above it: the joints that the last step brought to their bounds.
-        self._stopped = np.zeros(len(JOINTS))
 
     def go(self, target: Array, steps: int) -> None:
         for _ in range(steps):
             self._q[self._free] += self._step(target)
+            # As PlaCo keeps them: a posture half a turn away pulls from there, not all around.
+            self._q -= np.round(self._q / (2 * np.pi)) * self._whole_turn
             self._update()
 
     def joints(self) -> Array:
-        turned = np.remainder(self._q + np.pi, 2 * np.pi) - np.pi
-        return np.where(self.turning, turned, self._q)
+        return self._q.copy()
 
     def pen(self) -> Array:
         return self._tip.copy()
@@ -115,13 +119,13 @@ class NumpySolver(Solver):
         missing = np.concatenate([target - self._tip[:3, 3], across @ self._turn_down()])
         q = self._q[free]
         H = A.T @ A
-        H.flat[:: len(q) + 1] += STEP_COST + self._liking
+        H.flat[:: len(q) + 1] += STEP_COST + _PLACO_COST + self._liking
         g = missing @ A + self._liking * (self._liked[free] - q)
         low, high = self.lower[free] - q, self.upper[free] - q
         if self._farthest is not None:
             far = self._farthest[free]
             low, high = np.maximum(low, -far), np.minimum(high, far)
-        return _least(H, g, low, high, self._stopped[free])
+        return _least(H, g, low, high)
 
     def _turn_down(self) -> Array:
         """Return the rotation vector that turns the pen's axis to where it should look (3,)."""
@@ -135,33 +139,38 @@ class NumpySolver(Solver):
         return np.pi * self._tip[:3, 0] if cosine < 0 else np.zeros(3)
 
 
-def _least(H: Array, g: Array, low: Array, high: Array, stopped: Array) -> Array:
-    """Return the x (F,) within bounds that makes x H x / 2 - g x least.
+def _least(H: Array, g: Array, low: Array, high: Array) -> Array:
+    """Return the x (F,) within bounds, 0 among them, that makes x H x / 2 - g x least.
 
-    Those that leave their bounds are stopped there, the farthest first, and let go where that
-    lowers the cost again. It begins with those that are `stopped` (F,), low or high, and leaves
-    there what it has found.
+    By active sets (Nocedal and Wright 2006, algorithm 16.3): from 0 on x goes to where it would be
+    best until the first joint is at its bound, and those that pull inwards are let go.
     """
-    for _ in range(4 * len(g)):
-        held = stopped != 0
-        x = np.where(stopped > 0, high, low)
-        if held.any():
-            free = ~held
-            rest = g[free] - H[free][:, held] @ x[held]
-            x[free] = np.linalg.solve(H[free][:, free], rest)
-        else:
-            x = np.linalg.solve(H, g)
-        beyond = np.maximum(low - x, x - high)
-        worst = beyond.argmax()
-        if beyond[worst] > _SLACK:
-            stopped[worst] = 1 if x[worst] > high[worst] else -1
+    best = np.asarray(np.linalg.solve(H, g), dtype=float)
+    if (best >= low).all() and (best <= high).all():
+        return best
+    x = np.zeros(len(g))
+    free = np.ones(len(g), dtype=bool)
+    for _ in range(_TURNS):
+        best = x.copy()
+        rest = g[free] - H[free][:, ~free] @ x[~free]
+        best[free] = np.linalg.solve(H[free][:, free], rest)
+        way = best - x
+        bound = np.where(way > 0, high, low)
+        share = np.divide(bound - x, way, out=np.full(len(g), np.inf), where=way != 0)
+        first = share.argmin()
+        if share[first] < 1:
+            x = x + max(share[first], 0.0) * way
+            x[first] = bound[first]
+            free[first] = False
             continue
-        inward = stopped * (H @ x - g)
+        x = best
+        inward = np.where(x >= high, 1.0, -1.0) * (H @ x - g)
+        inward[free] = 0.0
         worst = inward.argmax()
         if inward[worst] <= _SLACK:
             break
-        stopped[worst] = 0
-    return np.clip(x, low, high)
+        free[worst] = True
+    return x
 
 
 def _frame_along(axis: Array) -> Array:

@@ -39,14 +39,13 @@ class PlacoSolver(Solver):
         self._posture = solver.add_joints_task()
         solver.add_regularization_task(STEP_COST)
 
-    def place(self, q: Array, normal: Array, torso: bool, upright: float) -> None:
+    def place(self, q: Array, down: Array, torso: bool, upright: float) -> None:
         self._robot.reset()
         for name, value in zip(JOINTS, q, strict=True):
             self._robot.set_joint(name, float(value))
         self._robot.update_kinematics()
         (self._solver.unmask_dof if torso else self._solver.mask_dof)("torso_lift_joint")
-        # PlaCo knows no way from an axis to its exact opposite: this is turned by 1e-9 rad.
-        self._axis.targetAxis_world = -normal + 1e-9 * np.array([normal[1], normal[2], normal[0]])
+        self._axis.targetAxis_world = down
         self._tip.configure("tip", "soft", 1.0)
         self._axis.configure("axis", "soft", upright)
         self._posture.set_joints(dict(zip(JOINTS, q.tolist(), strict=True)))

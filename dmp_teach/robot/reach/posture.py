@@ -57,6 +57,9 @@ _FOREARM = (
     "wrist_roll_link",
     "gripper_link",
 )
+# An arm that is still so far from its place never gets there [m].
+_LOST = 0.1
+_STUCK = "The arm cannot get from one end of the ink to the other without changing its posture."
 # How near the fingers and the pen come is seen when the motion is planned.
 _FINGERS_AND_PEN = ("l_gripper", "r_gripper", "pen")
 # Where no page can lie: the base's cylinder and the torso's box [m].
@@ -153,6 +156,8 @@ def _try_posture(solver: Solver, start: Array, page: Page, low: Array, high: Arr
     middle = np.append((low + high) / 2, 0.0)
     solver.stand(start, page.normal, torso=True)
     solver.approach(page.to_world(middle))
+    if np.linalg.norm(solver.pen()[:3, 3] - page.to_world(middle)) > _LOST:
+        return ArmPosture(solver.joints(), trouble=_STUCK)
     solver.settle(page.to_world(middle))
     q = solver.joints()
     if trouble := _find_loss(solver, page, middle) or _find_touch(solver, [q]):
@@ -209,10 +214,7 @@ def _find_loss(solver: Solver, page: Page, spot: Array) -> tuple[str, bool] | No
     miss = np.linalg.norm(X[:3, 3] - page.to_world(spot))
     tilt = np.arccos(np.clip(-X[:3, 2] @ page.normal, -1, 1))
     if not (miss <= TIP_TOLERANCE and tilt <= PEN_TILT_TOLERANCE):
-        return (
-            "The arm cannot get from one end of the ink to the other without changing its posture.",
-            False,
-        )
+        return _STUCK, False
     for link in _FOREARM:
         if page.to_page(solver.place_of(link))[2] < _FOREARM_RADIUS:
             return f"The arm's {get_plain_name(link)} would go through what the page lies on.", True
