@@ -26,6 +26,6 @@ from .simulation.run import Run as Run
 from .simulation.simulate import simulate as simulate
 from .simulation.simulate import simulate_in_slices as simulate_in_slices
 from .simulation.world import PENS as PENS
-from .slices import Progress as Progress
 from .slices import Slices as Slices
+from .slices import StepProgress as StepProgress
 from .slices import run_through as run_through

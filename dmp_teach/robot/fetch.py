@@ -21,7 +21,7 @@ from dmp_teach.robot.pen_path import PenPlan, connect_strokes
 from dmp_teach.robot.reach.check import Unreachable, check_reach
 from dmp_teach.robot.reach.posture import PEN_TILT_TOLERANCE, TIP_TOLERANCE, find_posture
 from dmp_teach.robot.reach.suggest import list_other_pages, suggest_page
-from dmp_teach.robot.slices import Progress, Slices, run_through
+from dmp_teach.robot.slices import Slices, StepProgress, run_through
 from dmp_teach.robot.solvers import get_solver
 from dmp_teach.robot.time_scaling import TimeScaling
 from dmp_teach.trajectory import Array, Trajectory, all_points
@@ -65,7 +65,7 @@ class Fetch:
         page: Page,
         at: ArrayLike | None = None,
         size: float | None = None,
-        progress: Progress | None = None,
+        progress: StepProgress | None = None,
     ) -> Motion:
         """Plan how the pen in the gripper writes strokes on a page.
 

@@ -10,11 +10,11 @@ Result = TypeVar("Result")
 Slices = Generator[tuple[str, float], None, Result]
 """Yields the name of a step and the fraction of it that is done, 0 to 1; returns the result."""
 
-Progress = Callable[[str, float], object]
+StepProgress = Callable[[str, float], object]
 """Takes what slices yield."""
 
 
-def run_through(slices: Slices[Result], report: Progress | None = None) -> Result:
+def run_through(slices: Slices[Result], report: StepProgress | None = None) -> Result:
     """Do all slices and return the result; what `report` raises is raised within them."""
     try:
         told = next(slices)

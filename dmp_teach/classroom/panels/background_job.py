@@ -11,7 +11,7 @@ import threading
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 
-from dmp_teach.robot import Progress, Slices, run_through
+from dmp_teach.robot import Slices, StepProgress, run_through
 
 _ROBOT_THREAD = ThreadPoolExecutor(max_workers=1, thread_name_prefix="robot")
 _ONE_AT_A_TIME = asyncio.Lock()
@@ -35,7 +35,7 @@ class Job:
     def __init__(
         self,
         work: Slices[object],
-        on_progress: Progress,
+        on_progress: StepProgress,
         on_end: Callable[[object], None],
         threads: bool = _HAS_THREADS,
     ):

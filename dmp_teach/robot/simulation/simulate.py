@@ -15,7 +15,7 @@ from dmp_teach.robot.simulation.bullet import open_world
 from dmp_teach.robot.simulation.motors import IdealMotors, RealMotors
 from dmp_teach.robot.simulation.run import Run
 from dmp_teach.robot.simulation.world import NIB_RADIUS, PENS, RIGID_PRESS, SLIDE_JOINT, World
-from dmp_teach.robot.slices import Progress, Slices, run_through
+from dmp_teach.robot.slices import Slices, StepProgress, run_through
 from dmp_teach.trajectory import Array, Trajectory
 
 _MOTORS = ("ideal", "real")
@@ -42,7 +42,7 @@ def simulate(
     page_height_error: float = 0.0,
     page_tilt: float = 0.0,
     pen: str = "sprung",
-    progress: Progress | None = None,
+    progress: StepProgress | None = None,
 ) -> Run:
     """Simulate what happens when a motion meets gravity and paper.
 
