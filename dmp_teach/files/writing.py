@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-import tempfile
+import secrets
 from errno import EACCES
 from pathlib import Path
 
@@ -51,16 +51,18 @@ def write_whole(path: str | os.PathLike, data: bytes, suffix: str) -> Path:
     try:
         # A link stays one: what it points to is written.
         place = Path(os.path.realpath(path))
-        mode = place.stat().st_mode & 0o777 if place.exists() else 0o666 & ~_umask()
+        mode = place.stat().st_mode & 0o777 if place.exists() else 0o666
         if not mode & 0o222:
             raise PermissionError(EACCES, "it is read-only")
-        handle, partial = tempfile.mkstemp(dir=place.parent, prefix=".dmp_teach_", suffix=suffix)
-        with os.fdopen(handle, "wb") as file:
+        partial = place.with_name(f".dmp_teach_{secrets.token_hex(8)}{suffix}")
+        # Nobody may read it before it is in place who may not read it then.
+        with open(partial, "xb", opener=lambda name, flags: os.open(name, flags, mode)) as file:
             file.write(data)
             file.flush()
             os.fsync(file.fileno())
-        os.chmod(partial, mode)
-        os.replace(partial, place)
+        if place.exists():
+            partial.chmod(mode)
+        partial.replace(place)
     # A ValueError is a name that no file can have.
     except (OSError, ValueError) as error:
         why = getattr(error, "strerror", error)
@@ -69,13 +71,6 @@ def write_whole(path: str | os.PathLike, data: bytes, suffix: str) -> Path:
         ) from None
     finally:
         # After an interruption, too.
-        if partial is not None and os.path.exists(partial):
-            os.unlink(partial)
+        if partial is not None:
+            partial.unlink(missing_ok=True)
     return path
-
-
-def _umask() -> int:
-    """Return which rights new files do not get; Python can only read it by setting it."""
-    mask = os.umask(0)
-    os.umask(mask)
-    return mask
