@@ -11,7 +11,9 @@ after a restart that another window asked for.
 from __future__ import annotations
 
 import atexit
+import logging
 import os
+import re
 import shutil
 import tempfile
 from pathlib import Path
@@ -68,8 +70,10 @@ def _link_jupyter_server_extension(server: Any) -> None:
 
 # Any: as above.
 def _load_jupyter_server_extension(server: Any) -> None:
-    """Save no notebook with ink; put the sockets of kernels where nobody else can open them."""
+    """Save no ink, log no token; put the sockets of kernels where nobody else can open them."""
     server.contents_manager.register_pre_save_hook(without_ink)
+    for handler in server.log.handlers:
+        handler.addFilter(_hide_token)
     if not WINDOWS:
         # The path of a socket has at most 103 characters: a home folder may be too long.
         folder = tempfile.mkdtemp(prefix="dmp-teach-", dir="/tmp")
@@ -87,3 +91,10 @@ def _give_lessons(server: Any, folder: Path) -> str:
         # With a full disk there must still be a way to make room.
         server.log.error("The lessons cannot be copied to %s: %s.", folder, error)
     return str(folder if folder.is_dir() else Path.home())
+
+
+def _hide_token(record: logging.LogRecord) -> bool:
+    """Blot the token out of an address: Jupyter does so in some of its lines, tornado in none."""
+    if "token=" in f"{record.msg} {record.args}":
+        record.msg, record.args = re.sub(r"\btoken=[^&\s]+", "token=...", record.getMessage()), ()
+    return True

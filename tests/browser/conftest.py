@@ -7,7 +7,7 @@
         shot(page, "start")  # a PNG, where DMP_TEACH_SHOTS names a folder
 
 When the test ends, no page error, console error, failed request, request to another computer, cell
-error or broken widget may have been seen, unless the test has named its beginning:
+error, broken widget or socket of a kernel may have been seen, unless the test names its beginning:
 `page.expects.append("cell error: ZeroDiv")`.
 """
 
@@ -17,11 +17,12 @@ import shutil
 import subprocess
 import sys
 import time
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from types import SimpleNamespace
 from urllib.parse import urlsplit
 
+import psutil
 import pytest
 
 from dmp_teach.launcher import lab as launcher
@@ -188,6 +189,22 @@ def seen_in_cells(page):
     return (state["errors"] if state else []) + ["a widget that cannot be shown"] * broken
 
 
+def sockets_of_kernels(server):
+    """Ports and connections of the kernels and of what they started, as the system has them, but
+    for ipykernel's one port: what is sent there is dropped without a secret, nothing is heard."""
+    found = []
+    for process in psutil.Process(server.pid).children(recursive=True):
+        with suppress(psutil.Error):
+            own = [
+                f"socket of {process.name()}: {each.laddr.ip}:{each.laddr.port} {each.status}"
+                for each in process.net_connections("inet")
+            ]
+            theirs = "ipykernel_launcher" in process.cmdline()
+            own.sort(key=lambda line: not ("127.0.0.1" in line and "LISTEN" in line))
+            found += own[1:] if theirs else own
+    return found
+
+
 def run_all(page):
     """Run all cells from the menu; wait until every code cell has run and the kernel rests."""
     page.get_by_role("menuitem", name="Run", exact=True).click()
@@ -222,7 +239,7 @@ def open_notebook(chromium, lab, shot):
     yield open_it
     found = []
     for number, page in enumerate(pages):
-        troubles = page.troubles + seen_in_cells(page)
+        troubles = page.troubles + seen_in_cells(page) + sockets_of_kernels(lab.process)
         unexpected = [
             trouble for trouble in troubles if not trouble.startswith((*page.expects, *page.allows))
         ]

@@ -4,6 +4,8 @@ import json
 
 import pytest
 
+from tests.browser.conftest import sockets_of_kernels
+
 COUNTER = '''\
 import anywidget, traitlets, ipywidgets
 class Counter(anywidget.AnyWidget):
@@ -77,3 +79,14 @@ def test_a_request_to_another_computer_does_not_pass_unseen(open_notebook, small
     page.expects += ["request to another computer: http://nobody.invalid/", "request failed"]
     with page.expect_event("requestfailed"):
         page.evaluate("() => { new Image().src = 'http://nobody.invalid/picture.png'; }")
+
+
+def test_a_socket_does_not_pass_unseen_and_stock_meshcat_opens_some(open_notebook, lab, ask):
+    (lab.folder / "stock.ipynb").write_text(
+        notebook_of("import meshcat\nstock = meshcat.Visualizer()")
+    )
+    page = open_notebook("stock.ipynb")
+    seen = sockets_of_kernels(lab.process)
+    assert len([line for line in seen if line.endswith("LISTEN")]) >= 2, "of pictures, of commands"
+    process = "stock.window.server_proc"
+    ask(page, f"{process}.kill(), {process}.wait(), stock.window.zmq_socket.close(0)")

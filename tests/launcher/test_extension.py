@@ -87,7 +87,8 @@ def test_a_pupil_whose_lessons_cannot_be_copied_has_a_server_all_the_same(
 def test_kernels_meet_their_server_in_a_folder_of_its_owner(point):
     hooks, kernels = [], SimpleNamespace()
     contents = SimpleNamespace(register_pre_save_hook=hooks.append)
-    point.load(SimpleNamespace(contents_manager=contents, kernel_manager=kernels))
+    log = SimpleNamespace(handlers=[])
+    point.load(SimpleNamespace(contents_manager=contents, kernel_manager=kernels, log=log))
     assert [hook.__name__ for hook in hooks] == ["without_ink"]
     assert os.stat(kernels.connection_dir).st_mode & 0o077 == 0
     assert len(kernels.connection_dir) + len(f"/kernel-{'-' * 36}-ipc-5") < 104

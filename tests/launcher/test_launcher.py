@@ -241,6 +241,8 @@ def test_the_lab_says_where_it_is_and_ends_with_all_its_children(tmp_path, how):
     try:
         assert server.address.endswith("/doc/tree/00_start_here.ipynb")
         assert server.ask("/api/contents/00_start_here.ipynb?content=0")["path"]
+        with pytest.raises(urllib.error.HTTPError, match="404"):
+            server.ask(f"/api/contents/nothing?token={server.token}")
         assert len(server.token) >= 32
         with pytest.raises(urllib.error.HTTPError, match="403"):
             server.ask("/api/contents", token="somebody-else")
@@ -260,6 +262,9 @@ def test_the_lab_says_where_it_is_and_ends_with_all_its_children(tmp_path, how):
         assert {door.laddr.ip for door in doors} == {"127.0.0.1"}
         server.process.send_signal(getattr(signal, how))
         said = server.process.communicate(timeout=30)[0]
+        log = (tmp_path / "work" / ".jupyter" / "lab.log").read_text()
+        assert "/api/contents/nothing" in log
+        assert [line for line in log.splitlines() if server.token in line] == []
         assert server.process.returncode == 0
         assert said == "Ending JupyterLab ...\n"
         assert not [process for process in family if process.is_running()]
