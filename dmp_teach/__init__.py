@@ -12,6 +12,7 @@ __version__ = "0.1.0"
 _NAMES = {
     "errors": "TeachError SettingError SettingWarning TrajectoryError RecordingError LetterError "
     "PageError ReachError ReachWarning JointError MissingPartError SetupError ViewError PathError",
+    "progress": "progress_bar",
     "texts": "set_language",
     "trajectory": "Trajectory",
     "ink": "Recording recording_of",
@@ -22,7 +23,7 @@ _NAMES = {
     "robot": "Page Motion Fetch reach_map reach_around known_reach simulate Run",
     "ros": "write_rosbag",
     "studies": "claims choose_kernels sweep_kernel_width sweep_kernel_number change_goals_1d "
-    "change_goals_2d progress_bar",
+    "change_goals_2d",
     "views": "figure view read_stamp write_stamp",
     "classroom": "explore pad Lesson Verdict challenge at_most at_least between exactly sliders "
     "RobotPupil PupilTraits TeachingSession",

@@ -46,6 +46,7 @@ from dmp_teach.letters import Style as Style
 from dmp_teach.letters import make_letter as make_letter
 from dmp_teach.letters import write_lines as write_lines
 from dmp_teach.letters import write_word as write_word
+from dmp_teach.progress import progress_bar as progress_bar
 from dmp_teach.robot import Fetch as Fetch
 from dmp_teach.robot import Motion as Motion
 from dmp_teach.robot import Page as Page
@@ -64,7 +65,6 @@ from dmp_teach.studies import change_goals_1d as change_goals_1d
 from dmp_teach.studies import change_goals_2d as change_goals_2d
 from dmp_teach.studies import choose_kernels as choose_kernels
 from dmp_teach.studies import claims as claims
-from dmp_teach.studies import progress_bar as progress_bar
 from dmp_teach.studies import sweep_kernel_number as sweep_kernel_number
 from dmp_teach.studies import sweep_kernel_width as sweep_kernel_width
 from dmp_teach.texts import set_language as set_language

@@ -26,6 +26,7 @@ LAUNCHER = {"__init__.py", "__main__.py", "classroom/saving.py"}
 ORDER = [
     "errors",
     "old_names",
+    "progress",
     "arguments",
     "values",
     "texts",

@@ -11,4 +11,5 @@ from .strict_json import loaded as loaded
 from .strict_json import must as must
 from .strict_json import parse_json as parse_json
 from .writing import ASSETS as ASSETS
+from .writing import check_path as check_path
 from .writing import write_whole as write_whole

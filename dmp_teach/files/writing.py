@@ -18,20 +18,15 @@ ASSETS = next(
 """Beside the package in a clone, inside it in an installed copy."""
 
 
-def write_whole(path: str | os.PathLike, data: bytes, suffix: str) -> Path:
-    """Write `data` beside `path` and put it in place in one step; who may read it stays the same.
+def check_path(path: str | os.PathLike, suffix: str) -> Path:
+    """Return where a file is to be written, `~` spelled out; for refusals before the work.
 
     Args:
         path: Where to; its folder must exist.
-        data: What.
         suffix: How the name must end, ".html".
 
-    Returns:
-        The path.
-
     Raises:
-        PathError: The name ends otherwise, the folder is missing, or the place cannot be written,
-            as a file that is read-only.
+        PathError: The name ends otherwise, or the folder is missing.
     """
     if not isinstance(path, str | os.PathLike) or not isinstance(os.fspath(path), str):
         raise PathError(
@@ -47,6 +42,24 @@ def write_whole(path: str | os.PathLike, data: bytes, suffix: str) -> Path:
         raise PathError(
             f"There is no folder {str(path.parent)!r} for {path.name!r}; make it first."
         )
+    return path
+
+
+def write_whole(path: str | os.PathLike, data: bytes, suffix: str) -> Path:
+    """Write `data` beside `path` and put it in place in one step; who may read it stays the same.
+
+    Args:
+        path: As `check_path`.
+        data: What.
+        suffix: As `check_path`.
+
+    Returns:
+        The path.
+
+    Raises:
+        PathError: As `check_path`, or the place cannot be written, as a file that is read-only.
+    """
+    path = check_path(path, suffix)
     partial = None
     try:
         # A link stays one: what it points to is written.

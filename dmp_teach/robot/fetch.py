@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike
 
 from dmp_teach.arguments import checked, warn_caller
 from dmp_teach.errors import ReachError, ReachWarning
+from dmp_teach.progress import StepProgress, step_reporter
 from dmp_teach.robot.arm import JOINTS, Solver
 from dmp_teach.robot.clearance import describe_collision, describe_thin_margin, find_nearest
 from dmp_teach.robot.layout import lay_out
@@ -21,7 +22,7 @@ from dmp_teach.robot.pen_path import PenPlan, connect_strokes
 from dmp_teach.robot.reach.check import Unreachable, check_reach
 from dmp_teach.robot.reach.posture import PEN_TILT_TOLERANCE, TIP_TOLERANCE, find_posture
 from dmp_teach.robot.reach.suggest import list_other_pages, suggest_page
-from dmp_teach.robot.slices import Slices, StepProgress, run_through
+from dmp_teach.robot.slices import Slices, run_through
 from dmp_teach.robot.solvers import get_solver
 from dmp_teach.robot.time_scaling import TimeScaling
 from dmp_teach.trajectory import Array, Trajectory, all_points
@@ -80,6 +81,7 @@ class Fetch:
             size: Height of the ink; None: as it was written [m].
             progress: Called as `progress(step, fraction)` with the steps "reach", "plan" and
                 "joints" and how much of each is done, 0 to 1. It may raise to stop the planning.
+                None draws a bar after a second.
 
         Returns:
             The motion, `MOTION_RATE` samples a second. The same input gives the same motion, bit
@@ -92,7 +94,8 @@ class Fetch:
                 lies on; says where, by how much, and which page works.
         """
         placed = lay_out(strokes, page, at, size)
-        motion, warning = run_through(_write(get_solver(), page, placed), progress)
+        report = step_reporter(progress, "planning")
+        motion, warning = run_through(_write(get_solver(), page, placed), report)
         if warning:
             warn_caller(warning, ReachWarning)
         return motion

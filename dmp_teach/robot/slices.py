@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Generator
+from collections.abc import Generator
 from typing import TypeVar
+
+from dmp_teach.progress import StepProgress
 
 Result = TypeVar("Result")
 
 Slices = Generator[tuple[str, float], None, Result]
 """Yields the name of a step and the fraction of it that is done, 0 to 1; returns the result."""
-
-StepProgress = Callable[[str, float], object]
-"""Takes what slices yield."""
 
 
 def run_through(slices: Slices[Result], report: StepProgress | None = None) -> Result:

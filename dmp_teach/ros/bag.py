@@ -28,7 +28,8 @@ from scipy.spatial.transform import Rotation
 
 from dmp_teach.arguments import checked
 from dmp_teach.errors import MissingPartError
-from dmp_teach.files import write_whole
+from dmp_teach.files import check_path, write_whole
+from dmp_teach.progress import Progress, reporter
 from dmp_teach.robot import JOINTS, Model, Motion
 from dmp_teach.ros.schedule import Schedule, make_schedule
 
@@ -56,7 +57,10 @@ _PATH = "nav_msgs/msg/Path"
 
 @checked
 def write_rosbag(
-    motion: Motion, path: str | Path, start: str | ArrayLike | None = "tucked"
+    motion: Motion,
+    path: str | Path,
+    start: str | ArrayLike | None = "tucked",
+    progress: Progress | None = None,
 ) -> Path:
     """Write a motion as a ROS 1 bag that makes a real Fetch write it.
 
@@ -73,6 +77,8 @@ def write_rosbag(
             eight joint positions in the order of `JOINTS` (8,) [m, rad]. From there it goes to the
             page without touching the robot or what the page lies on. None: the arm is at the
             motion's start already, brought there by other means.
+        progress: Called as `progress(done, total)` with the legs of ways to the page that have been
+            tried, of all there are. It may raise to stop. None draws a bar after a second.
 
     Returns:
         The path.
@@ -85,8 +91,8 @@ def write_rosbag(
         ReachError: No way from the start to the page.
         PathError: A path that cannot be written; what was there before stays.
     """
-    store = ros_types()
-    points = make_schedule(motion, start)
+    path, store = check_path(path, ".bag"), ros_types()
+    points = make_schedule(motion, start, reporter(progress, "ways to the page"))
     with tempfile.TemporaryDirectory() as folder:
         part = Path(folder) / "part.bag"
         _write(store, part, _goal(store, points), _pen_path(store, motion, points))

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 from scipy.interpolate import CubicSpline
 
 from dmp_teach.errors import JointError, SettingError, TrajectoryError
+from dmp_teach.progress import Progress
 from dmp_teach.robot import JOINTS, Joint, Model, Motion
 from dmp_teach.ros.untuck import TUCKED, find_way
 from dmp_teach.trajectory import Array, Trajectory
@@ -44,14 +45,18 @@ class Schedule(Value):
     writing: int
 
 
-def make_schedule(motion: Motion, start: str | ArrayLike | None = "tucked") -> Schedule:
+def make_schedule(
+    motion: Motion,
+    start: str | ArrayLike | None = "tucked",
+    report: Progress = lambda done, total: None,
+) -> Schedule:
     """Compute the points of the goal: the way to the page, then the motion; see `write_rosbag`."""
     _check(motion)
     t, q = motion.t, motion.q
     if start is None:
         way_t, way_q = np.empty(0), np.empty((0, len(JOINTS)))
     else:
-        way_t, way_q = _timed(find_way(motion, _start(start)))
+        way_t, way_q = _timed(find_way(motion, _start(start), report))
         q = q + np.round((way_q[-1] - q[0]) / (2 * np.pi)) * 2 * np.pi
         t = t - t[0] + way_t[-1]
         way_t, way_q = way_t[:-1], way_q[:-1]

@@ -13,6 +13,7 @@ import numpy as np
 from scipy.sparse.csgraph import dijkstra
 
 from dmp_teach.errors import ReachError
+from dmp_teach.progress import Progress
 from dmp_teach.robot import Model, Motion, Proximity
 from dmp_teach.trajectory import Array
 from dmp_teach.values import locked
@@ -45,7 +46,7 @@ _STOP = 0.5
 _SLACK = 0.001
 
 
-def find_way(motion: Motion, start: Array) -> Array:
+def find_way(motion: Motion, start: Array, report: Progress) -> Array:
     """Find postures (N, J) from a start (J,) to a motion's first, with straight ways between.
 
     The arm stays clear of the robot and of a block below the page that goes on for 20 cm beyond it,
@@ -56,7 +57,7 @@ def find_way(motion: Motion, start: Array) -> Array:
         ReachError: No way was found.
     """
     for around in _AROUND:
-        way = _Roadmap(motion, np.asarray(start, dtype=float), around).way()
+        way = _Roadmap(motion, np.asarray(start, dtype=float), around).way(report)
         if way is not None:
             return way
     raise ReachError(
@@ -101,8 +102,9 @@ class _Roadmap:
         q = one + parts * (other - one)
         return bool(self._clear(q[::_COARSE]).all() and self._clear(q).all())
 
-    def way(self) -> Array | None:
+    def way(self, report: Progress) -> Array | None:
         """Return the quickest way whose legs are all clear, if there is one."""
+        legs, tried = len(self.places) * (len(self.places) - 1) // 2, 0
         costs = (np.abs(self.places[:, None] - self.places) / self.fastest).max(axis=2) + _STOP
         clear: set[tuple[int, int]] = set()
         while self.start_is_free:
@@ -113,10 +115,13 @@ class _Roadmap:
             while way[0] != 0:
                 way.insert(0, int(before[way[0]]))
             for leg in pairwise(way):
+                report(tried, legs)
+                tried += leg not in clear
                 if leg not in clear and not self._leg_is_clear(*self.places[list(leg)]):
                     costs[leg] = costs[leg[::-1]] = np.inf
                     break
                 clear.add(leg)
             else:
+                report(legs, legs)
                 return self.places[way]
         return None

@@ -11,13 +11,13 @@ import warnings
 from collections.abc import Callable, Iterable
 from concurrent.futures import Executor
 from functools import partial
-from typing import Any, TextIO
-
-from tqdm.auto import tqdm
+from typing import Any
 
 from dmp_teach.errors import SettingError, SettingWarning, kind_of
+from dmp_teach.progress import Progress, progress_bar, reported, reporter
 
-Progress = Callable[[int, int], object]
+__all__ = ["Progress", "progress_bar", "run"]
+
 # Without warnings about settings.
 _quiet = partial(warnings.catch_warnings, action="ignore", category=SettingWarning)
 
@@ -27,28 +27,27 @@ def run(
     pieces: Iterable,
     executor: Executor | None = None,
     progress: Progress | None = None,
+    words: str = "",
 ) -> list:
     """Return `work` (a function that can be pickled) of every piece, in the order of the pieces.
 
     What still waits is cancelled when a piece raises. Warnings about settings are silenced: gaps
     between kernels are what is studied. `progress(done, total)` is called in this thread; it may
-    raise to stop.
+    raise to stop. Without one, a bar with `words` comes after a second.
 
     Raises:
         SettingError: The executor cannot be given work, or the progress cannot be called.
     """
     if executor is not None and not hasattr(executor, "submit"):
         raise SettingError(f"executor is {kind_of(executor)}, but must be an Executor, or None.")
-    if progress is not None and not callable(progress):
-        raise SettingError(f"progress is {kind_of(progress)}, but must be a function, or None.")
+    report = reporter(progress, words)
     pieces = list(pieces)
     results: list = []
-    with _quiet():
+    with _quiet(), reported():
         futures = [] if executor is None else [executor.submit(_do, work, each) for each in pieces]
         try:
             for number in range(len(pieces) + 1):
-                if progress is not None:
-                    progress(number, len(pieces))
+                report(number, len(pieces))
                 if number < len(pieces):
                     done = futures[number].result() if futures else work(pieces[number])
                     results.append(done)
@@ -67,27 +66,3 @@ def _do(work: Callable, piece: Any) -> Any:
         return work(piece)
     with _quiet():
         return work(piece)
-
-
-def progress_bar(
-    words: str = "", stream: TextIO | None = None, width: int | None = None
-) -> Progress:
-    """Return a function for `progress=` that draws a bar, in a terminal and in a notebook alike.
-
-    Args:
-        words: What is being done.
-        stream: Where the bar is written; standard error unless given.
-        width: Of the whole line [characters].
-    """
-    # Any: tqdm has no types.
-    bar: Any = None
-
-    def report(done: int, total: int) -> None:
-        nonlocal bar
-        if bar is None or done == 0:
-            bar = tqdm(desc=words or None, total=total, file=stream, ncols=width)
-        bar.update(done - bar.n)
-        if done >= total:
-            bar.close()
-
-    return report

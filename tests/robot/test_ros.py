@@ -272,8 +272,9 @@ def test_the_same_motion_gives_the_same_file(motion, bag, tmp_path):
 
 
 def test_the_file_is_written_whole_or_not_at_all(motion, tmp_path, monkeypatch):
+    # Before the work, which asks for a start.
     with pytest.raises(PathError, match=r"its name must end with \.bag: try 'a\.bag'"):
-        write_rosbag(motion, tmp_path / "a.txt", start=None)
+        write_rosbag(motion, tmp_path / "a.txt", start="none")
     with pytest.raises(
         PathError, match=r"There is no folder '.*nowhere' for 'a\.bag'; make it first"
     ):

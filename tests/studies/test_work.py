@@ -85,18 +85,6 @@ def test_progress_is_told_after_every_piece_from_none_to_all():
     assert told == [(0, 3), (1, 3), (2, 3), (3, 3)]
 
 
-def test_a_bar_is_drawn_in_place_and_ends_its_line():
-    stream = io.StringIO()
-    bar = progress_bar("widths", stream, width=60)
-    for _ in range(2):
-        run(abs, [-1, -2], progress=bar)
-    first, last = stream.getvalue().split("\n")[:2]
-    for line in (first, last):
-        assert line.startswith("\rwidths:   0%|")
-        assert "\rwidths: 100%|" in line
-        assert "| 2/2 [" in line
-
-
 def test_nothing_to_do_is_done():
     stream = io.StringIO()
     assert run(abs, [], progress=progress_bar(stream=stream)) == []

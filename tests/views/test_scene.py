@@ -179,6 +179,9 @@ def test_a_place_that_cannot_be_written_is_a_sentence_and_keeps_what_was_there(
     motion, tmp_path, monkeypatch
 ):
     shown = view(motion)
+    # Before the work, which asks for a camera.
+    with pytest.raises(PathError, match=r"its name must end with \.png: try 'a\.png'"):
+        shown.png(tmp_path / "a.html", camera="none")
     with pytest.raises(PathError, match=r"its name must end with \.html: try 'a\.html'"):
         shown.html(tmp_path / "a.txt")
     with pytest.raises(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 from concurrent.futures import Executor
 from dataclasses import dataclass
 
@@ -10,6 +10,7 @@ import numpy as np
 
 from dmp_teach.arguments import checked
 from dmp_teach.errors import PageError
+from dmp_teach.progress import Progress, reporter
 from dmp_teach.robot.motion import BoolArray
 from dmp_teach.robot.page import A4, Page, check_page
 from dmp_teach.robot.reach.check import measure_misses
@@ -26,8 +27,6 @@ _SIDES = locked(np.round(np.arange(-1.0, 1.01, 0.1), 2))
 _TILTS = locked(np.radians(np.arange(0, 91, 10)))
 # A corner that is so far out needs no more trying [m].
 _FAR = 0.01
-
-PageProgress = Callable[[int, int], object]
 
 PageGrid = tuple[tuple[Page, ...], ...]
 
@@ -79,7 +78,7 @@ def reach_map(
     width: float = A4[0],
     height: float = A4[1],
     executor: Executor | None = None,
-    progress: PageProgress | None = None,
+    progress: Progress | None = None,
 ) -> ReachMap:
     """Map page distance against pen angle, from a table to a whiteboard, straight ahead.
 
@@ -94,7 +93,8 @@ def reach_map(
         width: Of the page [m].
         height: Of the page [m].
         executor: Any `concurrent.futures.Executor` of processes; a piece of work is one page.
-        progress: Called as `progress(done, total)` after every page. It may raise to stop.
+        progress: Called as `progress(done, total)` after every page. It may raise to stop. None
+            draws a bar after a second.
 
     Raises:
         PageError: Values that are no numbers, or a page that cannot be.
@@ -117,7 +117,7 @@ def reach_around(
     y: Sequence[float] | None = None,
     *,
     executor: Executor | None = None,
-    progress: PageProgress | None = None,
+    progress: Progress | None = None,
 ) -> ReachMap:
     """Map, seen from above, where the centre of a page can be that lies as this one does.
 
@@ -128,7 +128,8 @@ def reach_around(
         x: Ahead of the robot, shape (C,); 0.3 to 1.3 by 0.05 unless given [m].
         y: To its left, shape (R,); -1 to 1 by 0.1 unless given [m].
         executor: Any `concurrent.futures.Executor` of processes; a piece of work is one page.
-        progress: Called as `progress(done, total)` after every page. It may raise to stop.
+        progress: Called as `progress(done, total)` after every page. It may raise to stop. None
+            draws a bar after a second.
 
     Raises:
         PageError: Values that are no numbers, or no page.
@@ -145,11 +146,11 @@ def reach_around(
 
 
 def _try_pages(
-    rows: PageGrid, executor: Executor | None, progress: PageProgress | None
+    rows: PageGrid, executor: Executor | None, progress: Progress | None
 ) -> tuple[Array, Array]:
     """Return efforts and residuals of rows of pages, each (R, C): tried here, or elsewhere."""
     pages = [page for row in rows for page in row]
-    report = progress or (lambda done, total: None)
+    report = reporter(progress, "pages")
     answers: Iterable[tuple[float, float]] = (
         map(_try_page, pages) if executor is None else executor.map(_try_page, pages, chunksize=8)
     )

@@ -8,6 +8,7 @@ import numpy as np
 
 from dmp_teach.arguments import checked
 from dmp_teach.errors import SettingError, kind_of, shown
+from dmp_teach.progress import StepProgress, step_reporter
 from dmp_teach.robot.model.kinematics import Model
 from dmp_teach.robot.motion import BoolArray, Motion
 from dmp_teach.robot.page import Page
@@ -15,7 +16,7 @@ from dmp_teach.robot.simulation.bullet import open_world
 from dmp_teach.robot.simulation.motors import IdealMotors, RealMotors
 from dmp_teach.robot.simulation.run import Run
 from dmp_teach.robot.simulation.world import NIB_RADIUS, PENS, RIGID_PRESS, SLIDE_JOINT, World
-from dmp_teach.robot.slices import Slices, StepProgress, run_through
+from dmp_teach.robot.slices import Slices, run_through
 from dmp_teach.trajectory import Array, Trajectory
 
 _MOTORS = ("ideal", "real")
@@ -58,7 +59,7 @@ def simulate(
         pen: "sprung", pressed in by 4 mm; or "rigid", pressed into the paper by 0.5 mm, which is
             what it breaks of.
         progress: Called as `progress("physics", fraction)`. It may raise to stop: the error then
-            carries what was written so far as its `.run`.
+            carries what was written so far as its `.run`. None draws a bar after a second.
 
     Returns:
         The `Run`. An interrupted kernel gives what was written so far, with `.stopped` True.
@@ -75,7 +76,7 @@ def simulate(
         page_tilt=page_tilt,
         pen=pen,
     )
-    return run_through(run, progress)
+    return run_through(run, step_reporter(progress, "physics"))
 
 
 def simulate_in_slices(

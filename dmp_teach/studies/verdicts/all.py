@@ -64,12 +64,13 @@ def claims(
         readings: By which claims about DMP* are judged: ours, the text mended, the authors'
             program, and as printed, unless given.
         executor: Any `concurrent.futures.Executor`; the studies send it one stroke at a time.
-        progress: Called as `progress(done, total)` after each claim, such as
-            `teach.progress_bar("claims")`.
+        progress: Called as `progress(done, total)` after each claim; it may raise to stop. None
+            draws a bar after a second.
 
     Raises:
         RecordingError: Something that no letter can be read from, or a stroke that is not 2-D.
         SettingError: Readings that are none.
     """
     evidence = evidence_of(recordings, executor, labels, readings)
-    return Claims(tuple(run(lambda claim: claim(evidence), ALL_CLAIMS, progress=progress)))
+    judged = run(lambda claim: claim(evidence), ALL_CLAIMS, progress=progress, words="claims")
+    return Claims(tuple(judged))

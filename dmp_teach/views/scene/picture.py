@@ -93,5 +93,5 @@ def _build_flat_mesh(stage: Stage, line: Ribbon, color: Rgba, faces: Faces) -> M
 def _encode_png(pixels: NDArray[np.uint8]) -> bytes:
     """Return pixels as the bytes of a PNG file."""
     file = io.BytesIO()
-    Image.fromarray(pixels).save(file, format="PNG", optimize=True)
+    Image.fromarray(pixels).save(file, format="PNG")
     return file.getvalue()

@@ -8,7 +8,7 @@ from typing import Any
 import traitlets
 
 from dmp_teach.errors import ViewError, kind_of
-from dmp_teach.files import join_modules, join_styles, write_whole
+from dmp_teach.files import check_path, join_modules, join_styles, write_whole
 from dmp_teach.robot import Motion, Run
 from dmp_teach.views.page_file import render_page
 from dmp_teach.views.scene.cameras import CAMERA_NAMES
@@ -65,14 +65,14 @@ class SceneView(UnsavedWidget):
     # Any: the values of the other traits.
     def __init__(self, motion: Motion | Run | None = None, **traits: Any) -> None:
         self._count = 0
-        shown = _find_traits(motion)
+        self._stage = _build_stage(motion)
+        shown = _find_traits(self._stage)
         super().__init__(viewer=pack_viewer(), robot=pack_robot(), motion_id="0", **shown, **traits)
-        self._motion = motion
 
     @property
     def motion(self) -> Motion | Run | None:
         """The motion or run that is shown."""
-        return self._motion
+        return self._stage.run or self._stage.motion
 
     def show(self, motion: Motion | Run | None, play: bool = True) -> None:
         """Show another motion in the same view; the camera stays where it is.
@@ -85,8 +85,9 @@ class SceneView(UnsavedWidget):
         Raises:
             ViewError: Something that is neither a motion nor a run.
         """
-        shown = _find_traits(motion, play)
-        self._motion = motion
+        stage = _build_stage(motion)
+        shown = _find_traits(stage, play)
+        self._stage = stage
         self._count += 1
         with self.hold_sync():
             self.set_trait("playing", False)
@@ -110,6 +111,7 @@ class SceneView(UnsavedWidget):
         Raises:
             PathError: A path that cannot be written; what was there before stays.
         """
+        path = check_path(path, ".html")
         names = ("viewer", "robot", "run", "facts", "planned_run", "planned_facts")
         state = {name: getattr(self, name) for name in (*names, "camera", "seen", "texts")}
         state |= {"time": 0.0, "playing": True, "speed": 1.0, "compact": False, "motion_id": "0"}
@@ -143,11 +145,10 @@ class SceneView(UnsavedWidget):
             PathError: A path that cannot be written.
             MissingPartError: pybullet is not installed.
         """
-        shown = self._motion
-        if isinstance(shown, Run) and self.seen == PLANNED:
-            shown = shown.planned
-        content = render_png(_build_stage(shown), time, camera, width, height)
-        return write_whole(path, content, ".png")
+        path, stage = check_path(path, ".png"), self._stage
+        if stage.run and self.seen == PLANNED:
+            stage = Stage(stage.run.planned)
+        return write_whole(path, render_png(stage, time, camera, width, height), ".png")
 
 
 def view(motion: Motion | Run) -> SceneView:
@@ -180,10 +181,9 @@ def _describe_wrong_motion(value: object) -> str:
     )
 
 
-def _find_traits(motion: Motion | Run | None, play: bool = True) -> dict[str, object]:
+def _find_traits(stage: Stage, play: bool = True) -> dict[str, object]:
     """Return the traits of a view that change with the motion."""
-    stage = _build_stage(motion)
-    plan = Stage(motion.planned) if isinstance(motion, Run) else None
+    plan = Stage(stage.run.planned) if stage.run else None
     return {
         "run": pack_commands(record_stage(stage)),
         "facts": stage.facts(),
