@@ -25,6 +25,8 @@ from .lesson.knobs import Slider as Slider
 from .lesson.lesson import Lesson as Lesson
 from .lesson.panel import LessonPanel as LessonPanel
 from .panels.explore import explore as explore
+from .panels.messages import Message as Message
+from .panels.messages import says as says
 from .panels.pad import pad as pad
 from .panels.resting import RESTING_SCRIPT as RESTING_SCRIPT
 from .panels.sliders import sliders as sliders

@@ -9,6 +9,7 @@ from functools import lru_cache
 
 import numpy as np
 
+from dmp_teach import classroom as kit
 from dmp_teach.classroom import Affine, Drawing, tell_number
 from dmp_teach.dmp import DMP, Settings
 from dmp_teach.errors import SettingWarning
@@ -69,12 +70,9 @@ def draw_sheet(
     demonstration: Sequence[Trajectory], robot: Sequence[object], **more: object
 ) -> Drawing:
     """Return a sheet with a person's letter and the robot's lines over it."""
+    paths = paths_of(demonstration)
     title = _("The person’s letter, and the robot’s over it.")
-    sheet: Drawing = {
-        "box": sheet_box(paths_of(demonstration)),
-        "title": title,
-        "demo": paths_of(demonstration),
-    }
+    sheet = {"box": sheet_box(paths), "title": title, "caption": _("On paper"), "demo": paths}
     return sheet | {"robot": list(robot)} | more
 
 
@@ -83,6 +81,34 @@ def sheet_box(paths: Sequence[Array]) -> list[float]:
     points = np.concatenate(paths)
     margin = 0.12 * np.ptp(points, axis=0).max()
     return [*(points.min(axis=0) - margin), *(points.max(axis=0) + margin)]
+
+
+def line(points: object, kind: str, label: str = "") -> Drawing:
+    """Return a line of a plot: points are an array (N, 2), an `Affine` or a `Pick`."""
+    return {"points": points, "kind": kind, "label": label}
+
+
+def mark(at: object, kind: str, label: str = "") -> Drawing:
+    """Return a dot at a place."""
+    return {"at": at, "kind": kind, "label": label}
+
+
+def axis(low: float, high: float, label: str = "", **more: object) -> Drawing:
+    """Return an axis; more: `ticks`, [value, word] each, and `log`."""
+    return {"low": float(low), "high": float(high), "label": label, **more}
+
+
+def plot(caption: str, x: Drawing, y: Drawing, note: str = "", **marks: object) -> Drawing:
+    """Return a plot; marks: its lines, dots, fills, bands and thresholds."""
+    return {"caption": caption, "note": note, "x": x, "y": y, **marks}
+
+
+def goal_slider(
+    label: str, low: float, high: float, *, term: str = "g", **more: bool
+) -> kit.Slider:
+    """Return a slider of a goal [cm], whose letter the browser draws."""
+    here = {"unit": "cm", "digits": 1, "is_drawn_here": True}
+    return kit.Slider(label, term, low, high, 0.1, **here, **more)  # type: ignore[arg-type]
 
 
 def goal_ring(goal: Array, is_fixed: bool) -> Drawing:
@@ -115,22 +141,35 @@ def draw_bumps(letter: Letter) -> Drawing:
     """Draw the bumps of the longest stroke of a letter over time."""
     primitive = max(letter.primitives, key=lambda each: each.duration)
     bumps = bumps_over_time(primitive)
-    return {
-        "caption": _("The bumps in time [s]"),
-        "note": _("{n} bumps").format(n=len(bumps)),
-        "x": {"label": "", "low": 0.0, "high": primitive.duration},
-        "y": {"label": "", "low": 0.0, "high": 1.15, "ticks": []},
-        "fills": [{"points": each} for each in bumps],
-    }
+    return plot(
+        _("The bumps in time [s]"),
+        axis(0, primitive.duration),
+        axis(0, 1.15, ticks=[]),
+        _("{n} bumps").format(n=len(bumps)),
+        fills=[{"points": each} for each in bumps],
+    )
+
+
+def plot_errors(x: Drawing, state: kit.LessonState, points: Array, at: list[float]) -> Drawing:
+    """Draw errors [mm] over a setting: those that were tried, or all; a dot at what is set."""
+    is_all = state.is_revealed
+    shown = line(points, *(("truth", _("the robot")) if is_all else ("quiet",)))
+    note = _("your bet, and the truth") if is_all else _("what you tried")
+    lines = [shown] if len(points) > 1 else []
+    return plot(_("How far off"), x, error_axis(), note, lines=lines, dots=[mark(at, "robot")])
+
+
+def bet_on_errors(
+    question: str, places: Iterable[float], height: float, label: str
+) -> kit.DrawnBet:
+    """Return a bet on errors [mm] over a setting, which a label names."""
+    handles = np.array([[each, height] for each in places])
+    labels = [label.format(each) for each, _height in handles]
+    return kit.DrawnBet(question, "curve", handles, labels, "y", 0.1, "mm", 0.1, 100.0)
 
 
 def error_axis() -> Drawing:
     """Return the axis of errors, with a thing of each size [mm]."""
-    words = [
-        (0.1, _("a hair")),
-        (1.0, _("a pen line")),
-        (10.0, _("a finger")),
-        (100.0, _("a hand")),
-    ]
-    ticks = [[value, f"{value:g} mm {word}"] for value, word in words]
-    return {"label": "", "low": 0.1, "high": 100.0, "log": True, "ticks": ticks}
+    words = {0.1: _("a hair"), 1.0: _("a pen line"), 10.0: _("a finger"), 100.0: _("a hand")}
+    ticks = [[value, f"{value:g} mm {word}"] for value, word in words.items()]
+    return axis(0.1, 100, log=True, ticks=ticks)

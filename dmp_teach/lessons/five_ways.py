@@ -8,8 +8,8 @@ from functools import lru_cache
 
 import numpy as np
 
-from dmp_teach.classroom import Affine, Drawing, tell_number
-from dmp_teach.lessons.drawing import lesson_letter, sheet_box
+from dmp_teach.classroom import Affine, Drawing, Message, says, tell_number
+from dmp_teach.lessons.drawing import axis, lesson_letter, line, mark, plot, sheet_box
 from dmp_teach.lessons.goals import CM
 from dmp_teach.studies import (
     WAYS,
@@ -157,13 +157,9 @@ def _tried(led: Led) -> WayTried:
     return lead_way(way, takes, meant_by(led.character), shift)
 
 
-def draw_side_by_side(letters: dict[str, Led], marked: Led) -> Drawing:
-    """Draw what ways write to the goal that moved over what was shown, beside one another [cm].
-
-    Args:
-        letters: By way.
-        marked: The one that is set.
-    """
+def draw_side_by_side(marked: Led) -> Drawing:
+    """Draw what all ways write to the moved goal, one of them marked, beside one another [cm]."""
+    letters = {key: replace(marked, key=key) for key in ways_here()}
     star = replace(marked, key="dmp", shown=1).tried
     shown = star.takes[0].position / CM
     seen = np.concatenate([shown, star.moved.position / CM])
@@ -176,17 +172,16 @@ def draw_side_by_side(letters: dict[str, Led], marked: Led) -> Drawing:
     for number, (key, led) in enumerate(letters.items()):
         corner = place * (number % COLUMNS, -(number // COLUMNS))
         home = corner - low + ((place[0] - size[0]) / 2, below)
-        lines.append({"points": shown + home, "kind": "child"})
         kind = "robot" if key == marked.key else "quiet"
         pieces = _pieces_inside(led.tried.moved.position / CM, low, low + size)
-        lines += [{"points": piece + home, "kind": kind} for piece in pieces]
-        dots.append({"at": (star.goal / CM + home).tolist(), "kind": "bet"})
+        lines += [line(shown + home, "child"), *(line(piece + home, kind) for piece in pieces)]
         at = corner + np.array([0.5 * place[0], 0.5 * below])
-        dots.append({"at": at.tolist(), "kind": "word", "label": way_names()[key]})
+        dots += [mark((star.goal / CM + home).tolist(), "bet")]
+        dots += [mark(at.tolist(), "word", way_names()[key])]
     high = float(place[1])
-    x = {"label": "", "low": 0.0, "high": COLUMNS * float(place[0]), "ticks": []}
-    y = {"label": "", "low": -high, "high": high, "ticks": [], "isEqual": True}
-    return {"x": x, "y": y, "lines": lines, "dots": dots}
+    x, y = axis(0, COLUMNS * place[0], ticks=[]), axis(-high, high, ticks=[], isEqual=True)
+    note = (_("{n} shown") if marked.shown > 1 else _("one shown")).format(n=marked.shown)
+    return plot(_("Each way, to the ring"), x, y, note, lines=lines, dots=dots)
 
 
 def list_ways() -> Drawing:
@@ -199,11 +194,9 @@ def list_ways() -> Drawing:
         "spread": _("mean and changes"),
     }
     lines = [f"{way_names()[key]}: {words[key]}" for key in ways_here()]
-    dots = [
-        {"at": [0.0, -k], "kind": "word", "label": line} for k, line in enumerate(lines, start=1)
-    ]
-    x = {"label": "", "low": -1.0, "high": 1.0, "ticks": []}
-    return {"x": x, "y": x | {"low": -len(dots) - 1.0, "high": 0.0}, "dots": dots}
+    dots = [mark([0.0, -k], "word", each) for k, each in enumerate(lines, start=1)]
+    x, y = axis(-1, 1, ticks=[]), axis(-len(dots) - 1, 0, ticks=[])
+    return plot(_("How each way learns"), x, y, dots=dots)
 
 
 def _pieces_inside(path: Array, low: Array, high: Array) -> list[Array]:
@@ -220,29 +213,21 @@ def draw_errors(letters: list[Led], limit: float) -> Drawing:
         letters: In any order, by any way.
         limit: How near is near enough [mm].
     """
-    by_way = {key: [led for led in letters if led.key == key] for key in ways_here()}
     lines: list[Drawing] = []
     dots: list[Drawing] = []
-    for key, each in by_way.items():
+    for key in ways_here():
         kind = "robot" if key == letters[-1].key else "quiet"
-        errors = {led.shown: led.error for led in each}
-        dots += [{"at": [shown, error], "kind": kind} for shown, error in errors.items()]
+        errors = {led.shown: led.error for led in letters if led.key == key}
+        dots += [mark([shown, error], kind) for shown, error in errors.items()]
         # What was not tried breaks the line.
         points = [[n, errors.get(n, np.nan)] for n in range(1, TAKES_AT_HAND + 1)]
-        if errors:
-            lines.append({"points": np.array(points), "kind": kind, "label": way_names()[key]})
-    near_enough = np.array([[1.0, limit], [float(TAKES_AT_HAND), limit]])
-    lines.append({"points": near_enough, "kind": "child", "label": _("limit")})
-    return {
-        "caption": _("Off, with the goal at home [mm]"),
-        "x": {"label": _("letters shown"), "low": 1, "high": TAKES_AT_HAND},
-        "y": {"label": "", "low": 0.0, "high": 12.0},
-        "lines": lines,
-        "dots": dots,
-    }
+        lines += [line(np.array(points), kind, way_names()[key])] if errors else []
+    lines.append(line(np.array([[1.0, limit], [TAKES_AT_HAND, limit]]), "child", _("limit")))
+    x, caption = axis(1, TAKES_AT_HAND, _("letters shown")), _("Off, with the goal at home [mm]")
+    return plot(caption, x, axis(0, 12), lines=lines, dots=dots)
 
 
-def say_way(led: Led, is_home: bool = False) -> dict[str, str]:
+def say_way(led: Led, is_home: bool = False) -> Message:
     """Return the number and the sentence of what a way has written, to the ring or to its home."""
     does = {
         "dmp": _("It learns the first letter alone, and pushes alike to any goal. "),
@@ -252,14 +237,10 @@ def say_way(led: Led, is_home: bool = False) -> dict[str, str]:
         "spread": _("It knows the mean letter, and how the others differed from it. "),
     }
     strong = _("It ends {miss} mm from the ring; {share} % of the letter kept its shape. ")
-    strong = "" if is_home else strong
-    after = _("{numbers} numbers stored.")
-    number = {
-        "number": f"{led.error:.1f}",
-        "unit": _("mm off, with the goal at home"),
-    }
-    words = {"text": does[led.key], "strong": strong, "after": after}
-    return number | {name: each.format(**led.facts) for name, each in words.items()}
+    after = _("{numbers} numbers stored.").format(**led.facts)
+    strong = "" if is_home else strong.format(**led.facts)
+    off = f"{led.error:.1f}", _("mm off, with the goal at home")
+    return says(*off, does[led.key], strong, after)
 
 
 def way_names() -> dict[str, str]:

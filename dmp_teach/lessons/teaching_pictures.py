@@ -7,8 +7,15 @@ from functools import lru_cache
 
 import numpy as np
 
-from dmp_teach.classroom import Drawing, RobotPupil, TeachingSession, known_pupils
-from dmp_teach.lessons.drawing import millimetres, paths_of
+from dmp_teach.classroom import (
+    Drawing,
+    Message,
+    RobotPupil,
+    TeachingSession,
+    known_pupils,
+    says,
+)
+from dmp_teach.lessons.drawing import axis, line, millimetres, paths_of, plot
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Array
 
@@ -51,45 +58,30 @@ def draw_distances(
 ) -> Drawing:
     """Draw distances over turns, without the bet where it was on another pupil."""
     turns = max(TURNS, len(dots) - 1)
-    return {
-        "caption": _("How far off it is"),
-        "note": note,
-        "hides_bet": hides_bet,
-        "x": {"label": _("times it was shown"), "low": 0.0, "high": float(turns)},
-        "y": {"label": "mm", "low": 0.0, "high": MOST_FAR},
-        "lines": list(lines),
-        "dots": list(dots),
-    }
+    x, y = axis(0, turns, _("times it was shown")), axis(0, MOST_FAR, "mm")
+    marks = {"lines": list(lines), "dots": list(dots), "hides_bet": hides_bet}
+    return plot(_("How far off it is"), x, y, note, **marks)
 
 
-def distance_dot(turn: int, far: float, kind: str) -> Drawing:
-    """Draw how far off it was [mm]."""
-    return {"at": [turn, far], "kind": kind, "label": ""}
-
-
-def distance_line(far: Array, kind: str, label: str = "") -> Drawing:
+def distance_line(far: Array, kind: str) -> Drawing:
     """Draw distances [mm] turn by turn."""
-    points = np.column_stack([np.arange(len(far)), far]).astype(float)
-    return {"points": points, "kind": kind, "label": label}
+    return line(np.column_stack([np.arange(len(far)), far]).astype(float), kind)
 
 
-def say_of_pupil(far: float, pupil: RobotPupil) -> dict[str, str]:
+def say_of_pupil(far: float, pupil: RobotPupil) -> Message:
     """Return a distance [mm], and what the score says of a pupil's letter."""
-    said = _("{name}’s {letter} beside the book’s: ").format(
-        letter=pupil.letter, name=pupil.memory.traits.name
-    )
-    words = {"text": said, "strong": pupil.score().sentence, "after": ""}
-    return {"number": millimetres(far / 1000), "unit": _("mm off"), **words}
+    name = pupil.memory.traits.name
+    text = _("{name}’s {letter} beside the book’s: ").format(letter=pupil.letter, name=name)
+    return says(millimetres(far / 1000), _("mm off"), text, pupil.score().sentence)
 
 
-def say_of_session(session: TeachingSession) -> dict[str, str]:
+def say_of_session(session: TeachingSession) -> Message:
     """Return how far off a pupil is as it comes to the next turn, what it says and what it asks."""
     pupil, question = session.met[-1], ""
-    says = pupil.says
+    told = pupil.says
     if session.asks:
         last = session.shown[-1]
         was = _("You brought me to {mm} mm.").format(mm=millimetres(session.learned[-1]))
-        says = f"{was} {says}" if pupil.memory.lost else last.says
+        told = f"{was} {told}" if pupil.memory.lost else last.says
         question = str(last.question)
-    words = {"text": f"{says} ", "strong": question, "after": ""}
-    return {"number": millimetres(session.far[-1]), "unit": _("mm off"), **words}
+    return says(millimetres(session.far[-1]), _("mm off"), f"{told} ", question)

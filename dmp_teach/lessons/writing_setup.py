@@ -2,11 +2,12 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from functools import cached_property, lru_cache
 
 import numpy as np
 
-from dmp_teach.classroom import Answer, tell_number
+from dmp_teach.classroom import Answer, Message, says, tell_number
 from dmp_teach.dmp import Settings
 from dmp_teach.lessons.drawing import learn_letter
 from dmp_teach.lessons.goals import CM
@@ -116,10 +117,11 @@ class WritingSetup:
             words = _("{ahead:g} cm ahead and {cm:g} cm to the left")
         return words.format(ahead=self.ahead, cm=abs(self.right))
 
-    def say(self) -> dict[str, str]:
+    def say(self) -> Message:
         """Return the number, and the sentence."""
         number, unit = "{percent}", _("% of its fastest turn")
         text = _("is what the busiest joint needs. All of the page is in reach. ")
+        strong = _("Now look at the pen: it presses with {n} N, even if it stands still.")
         if self.residual > MOST_MISSING:
             number, unit = "{mm}", _("mm out of reach")
             text, strong = _("That is the worst corner of this page. "), _("The arm is too short.")
@@ -133,47 +135,43 @@ class WritingSetup:
             strong = _("The pen presses with {n} N, as a hand does.")
         elif self.force == 0:
             strong = _("But the pen does not touch the paper.")
-        else:
-            strong = _("Now look at the pen: it presses with {n} N, even if it stands still.")
-        says = {"number": number, "text": text, "strong": strong}
-        told = {name: words.format(**self.facts) for name, words in says.items()}
-        return told | {"unit": unit, "after": ""}
+        number, text, strong = (each.format(**self.facts) for each in (number, text, strong))
+        return says(number, unit, text, strong)
 
+    def tell_cause(self) -> str:
+        """Return why the arm does not write on this page."""
+        if self.residual > MOST_MISSING:
+            return _(
+                "{place} on a {is_on}, a corner of the page stays {mm} mm out of the arm’s reach."
+            )
+        if self.is_reached:
+            return _("{place} on a {is_on}, the arm does not get through the whole letter.")
+        return _(
+            "{place} on a {is_on}, the pen could touch each corner, but not one after the other: "
+            "the arm is in its own way."
+        )
 
-def causes() -> dict[str, str]:
-    """Return what is said of each mistake."""
-    return {
-        "far": _(
-            "{place} on a {is_on}, a corner of the page stays {mm} mm out of the arm’s reach."
-        ),
-        "own way": _(
-            "{place} on a {is_on}, the pen could touch each corner, but not one after the "
-            "other: the arm is in its own way."
-        ),
-        "where": _("The page is on a {is_on}, {ahead} cm ahead. It is to be on a {where}."),
-        "side": _(
-            "The middle of the page is {cm:g} cm to the {is_side}. {aside} cm to the {side} are "
-            "needed."
-        ),
-        "no ink": _("Pressed in {press} mm, a rigid pen just misses the paper: no ink."),
-        "rigid": _(
-            "A rigid pen cannot give way: pressed in {press} mm, it pushes with about {n} N. "
-            "{breaks:g} N break a pen, and {high:g} N are enough."
-        ),
-        "soft": _("Pressed in {press} mm, the pen pushes with {n} N. It needs {low:g} N."),
-        "at its end": _(
-            "Pressed in {press} mm, the spring is at its end, which comes at {travel:g} mm: "
-            "now the arm itself pushes, with about {n} N."
-        ),
-        "hard": _(
-            "Pressed in {press} mm, the pen pushes with {n} N. More than {high:g} N hurt the paper."
-        ),
-        "hurry": _(
-            "With {v} cm/s, somewhere on this page a joint needs {percent} % of its fastest "
-            "turn. Above {busy} % the robot slows down by itself."
-        ),
-        "slow": _("{v} cm/s is too slow: it is to be {speed} cm/s or more."),
-    }
+    def tell_pen(self) -> Iterator[str]:
+        """Yield what is wrong with the pen."""
+        if self.pen == "rigid" and self.force == 0:
+            yield _("Pressed in {press} mm, a rigid pen just misses the paper: no ink.")
+        if self.pen == "rigid":
+            yield _(
+                "A rigid pen cannot give way: pressed in {press} mm, it pushes with about {n} N. "
+                "{breaks:g} N break a pen, and {high:g} N are enough."
+            )
+        if self.force < LEAST_FORCE:
+            yield _("Pressed in {press} mm, the pen pushes with {n} N. It needs {low:g} N.")
+        if self.force > MOST_FORCE and self.press > SPRING_TRAVEL:
+            yield _(
+                "Pressed in {press} mm, the spring is at its end, which comes at {travel:g} mm: "
+                "now the arm itself pushes, with about {n} N."
+            )
+        if self.force > MOST_FORCE:
+            yield _(
+                "Pressed in {press} mm, the pen pushes with {n} N. More than {high:g} N hurt the "
+                "paper."
+            )
 
 
 def tell_push(force: float, pen: str) -> str:

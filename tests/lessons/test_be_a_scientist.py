@@ -67,7 +67,7 @@ def test_one_asks_as_many_writers_as_there_are_for_a_claim():
     panel.go("try")
     few = str(1 + panel.lesson.claims.index(panel.lesson.few))
     panel.values = panel.values | {"claim": few, "how": COUNTER_TEST, "writers": 12}
-    assert panel.picture["highs"] == {"writers": panel.lesson.few_number}
+    assert panel.picture["highs"] == {"writers": panel.lesson.numbers[panel.lesson.few]}
     assert 2 in panel.progress["done"]
     panel.values = panel.values | {"claim": panel.lesson.start["claim"]}
     assert panel.picture["highs"] == {"writers": 12}

@@ -96,7 +96,7 @@ class Challenge(UnsavedWidget):
         hint = self.hints[min(self._kept["hints"], len(self.hints) - 1)] if self.hints else ""
         try:
             conditions = [replace(each, value=each.number) for each in self.conditions]
-            mistakes = [(bool(evaluate(words, ask)), words) for words, ask in self.mistakes.items()]
+            mistakes = [words for words, ask in self.mistakes.items() if evaluate(words, ask)]
         except SettingError as error:
             # The fault is the challenge's: no miss of who tries it.
             self._change(verdict={"done": False, "reason": str(error)})

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import dataclass
+from itertools import chain
 from typing import Any
 
 from dmp_teach.errors import SettingError
@@ -56,6 +57,8 @@ class Condition(Value):
     def shown(self) -> str:
         """The number with its unit, with so many digits that it does not hide the verdict."""
         value = self.number
+        if not math.isfinite(value):
+            return "–"
         is_count = not self.unit and value % 1 == 0
         digits = 0 if is_count or abs(value) >= 10 else 1
         # As the sentence below the pictures says it.
@@ -177,7 +180,7 @@ class Verdict(Value):
 
 def judge(
     conditions: Sequence[Condition],
-    mistakes: Sequence[tuple[bool, str]],
+    mistakes: Iterable[str],
     praise: Callable[[], str],
     hint: str,
 ) -> Verdict:
@@ -185,13 +188,13 @@ def judge(
 
     Args:
         conditions: All must be met.
-        mistakes: Whether one was made, and what is then said, the most telling first. An answer
-            with a mistake is not done, whatever its numbers.
+        mistakes: What is said of each that was made, the most telling first. An answer with a
+            mistake is not done, whatever its numbers.
         praise: Returns what is said when all is well.
         hint: Given when it is not.
     """
-    made = [words for is_made, words in mistakes if is_made]
-    missing = [each.shortfall for each in conditions if not each.is_met]
-    if made or missing:
-        return Verdict(False, (made + missing)[0], hint, tuple(conditions))
-    return Verdict(True, praise(), "", tuple(conditions))
+    missing = (each.shortfall for each in conditions if not each.is_met)
+    reason = next(chain(mistakes, missing), None)
+    if reason is None:
+        return Verdict(True, praise(), "", tuple(conditions))
+    return Verdict(False, reason, hint, tuple(conditions))

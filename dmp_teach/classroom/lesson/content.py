@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from functools import partial
+from typing import TypeVar
 from zlib import crc32
 
 import numpy as np
@@ -18,7 +19,10 @@ from dmp_teach.classroom.panels.planning import Physics
 from dmp_teach.errors import ReachError, SettingError, shown
 from dmp_teach.ink import check_pseudonym
 from dmp_teach.robot import Page, Run
+from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Array, Trajectory
+
+T = TypeVar("T")
 
 
 @dataclass(frozen=True)
@@ -79,7 +83,7 @@ class Task:
     """Something to try, and whether it was done.
 
     Args:
-        text: What to do, and what to look for.
+        text: What to do, and what to look for; `marked`.
         is_done: Called with what is set.
         by_robot: It is done only when the robot has written what is set.
     """
@@ -92,23 +96,41 @@ class Task:
 class LessonContent:
     """What a lesson says, draws and judges.
 
-    A lesson is a subclass of `Lesson` that says what varies with the pupil (`vary`), what can be
-    set (`knobs`, `start`, `solution`), and its texts. Texts are properties, so that they come in
-    the language of the moment.
+    A lesson is a subclass of `Lesson`. Its texts are `marked` for the catalogue and stand with the
+    class; they may name what is in `facts`, and the praise and the mistakes what `measure` returns.
 
     Args:
         pupil: A pseudonym, from which letters, targets and starts follow; None: the first variant.
     """
 
     key: str
+    question: str
+    """The title."""
+    challenge: str
+    """The task that is checked."""
+    hints: tuple[str, ...]
+    """Each more direct; the solution in the third alone."""
+    praise: str
+    """What is said when the challenge is met."""
     # Whether what was tried is drawn, which the kernel alone keeps.
     draws_tried = False
+
+    start: Answer
+    """What is set when the panel opens."""
+    solution: Answer
+    """One answer that meets the challenge."""
+    facts: Answer
+    """What texts name, the same for every answer."""
 
     def __init__(self, pupil: str | None = None):
         check_pseudonym(pupil, "pupil")
         self.pupil = pupil
         seed = crc32(f"{self.key} {self.pupil or ''}".encode())
-        self.vary(None if pupil is None else np.random.default_rng(seed))
+        self.random = None if pupil is None else np.random.default_rng(seed)
+        self.facts = {}
+        self.vary()
+        self.question, self.challenge = self.tell(self.question), self.tell(self.challenge)
+        self.hints = tuple(map(self.tell, self.hints))
 
     def __eq__(self, other: object) -> bool:
         return type(self) is type(other) and self.pupil == getattr(other, "pupil", None)
@@ -121,18 +143,16 @@ class LessonContent:
         pupil = "" if self.pupil is None else f", pupil {self.pupil}"
         return f"Lesson({self.key} {self.question!r}{pupil})"
 
-    def vary(self, random: np.random.Generator | None) -> None:
-        """Set what differs between pupils; None is the first variant."""
+    def vary(self) -> None:
+        """Set what differs between pupils: `start`, `solution`, `facts` and more."""
 
-    start: Answer
-    """What is set when the panel opens."""
-    solution: Answer
-    """One answer that meets the challenge."""
+    def choose(self, options: Sequence[T]) -> T:
+        """Return one of several, by the pupil; the first in the first variant."""
+        return options[0 if self.random is None else int(self.random.integers(len(options)))]
 
-    @property
-    def question(self) -> str:
-        """The title."""
-        raise NotImplementedError
+    def tell(self, text: str, **more: object) -> str:
+        """Return a marked text in the language of the moment, with its facts, and with more."""
+        return _(text).format(**self.facts | more)
 
     @property
     def knobs(self) -> Knobs:
@@ -147,16 +167,6 @@ class LessonContent:
     @property
     def tasks(self) -> Sequence[Task]:
         """What to try, one after the other."""
-        raise NotImplementedError
-
-    @property
-    def challenge(self) -> str:
-        """The task that is checked."""
-        raise NotImplementedError
-
-    @property
-    def hints(self) -> tuple[str, str, str]:
-        """Each more direct; the solution in the third alone."""
         raise NotImplementedError
 
     @property
@@ -189,13 +199,17 @@ class LessonContent:
         """Return what the challenge asks for, each with the number of this answer."""
         raise NotImplementedError
 
-    def mistakes(self, answer: Answer) -> Sequence[tuple[bool, str]]:
-        """Return whether each usual mistake was made, and what is then said of this answer."""
+    def mistakes(self, answer: Answer) -> Iterable[str]:
+        """Yield what is said of each usual mistake that was made, the most telling first."""
         return ()
 
-    def praise(self, answer: Answer) -> str:
+    def praised(self, answer: Answer) -> str:
         """Return what is said when the challenge is met."""
-        raise NotImplementedError
+        return _(self.praise)
+
+    def measure(self, answer: Answer) -> Answer:
+        """Return what mistakes and praise name of an answer."""
+        return {}
 
     def tell_bet(self, bet: KeptBet) -> str:
         """Return how far off a bet was, when the truth is laid over it; never that it is wrong."""
@@ -221,5 +235,8 @@ class LessonContent:
             good = check_answer(self._answer_knobs, answer)
         except SettingError as error:
             return Verdict(False, str(error), hint)
-        praise = partial(self.praise, good)
-        return judge(self.conditions(good), self.mistakes(good), praise, hint)
+        facts = self.facts | self.measure(good)
+        verdict = judge(
+            self.conditions(good), self.mistakes(good), partial(self.praised, good), hint
+        )
+        return replace(verdict, reason=verdict.reason.format(**facts))

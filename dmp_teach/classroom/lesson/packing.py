@@ -23,7 +23,7 @@ def describe_lesson(lesson: LessonContent) -> dict[str, Any]:
         "question": lesson.question,
         "knobs": {name: knob.described() for name, knob in lesson.knobs.items()},
         "bet": lesson.bet.described(),
-        "tasks": [task.text for task in lesson.tasks],
+        "tasks": [lesson.tell(task.text) for task in lesson.tasks],
         "by_robot": [task.by_robot for task in lesson.tasks],
         "challenge": lesson.challenge,
         "draws_tried": lesson.draws_tried,

@@ -28,6 +28,13 @@ Message = dict[str, str]
 """A number, its unit, and a sentence in three parts, the middle one strong."""
 
 
+def says(
+    number: str = "", unit: str = "", text: str = "", strong: str = "", after: str = ""
+) -> Message:
+    """Return a message."""
+    return {"number": number, "unit": unit, "text": text, "strong": strong, "after": after}
+
+
 def format_millimetres(metres: float) -> str:
     """Return a length as a sentence has it: "under 0.1", "7.8", "24"."""
     number = show_millimetres(metres)
