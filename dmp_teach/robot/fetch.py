@@ -18,11 +18,12 @@ from dmp_teach.robot.layout import lay_out
 from dmp_teach.robot.model.kinematics import Model
 from dmp_teach.robot.motion import Motion, describe_overloads
 from dmp_teach.robot.page import Page
-from dmp_teach.robot.pen_path import PenPlan, connect_strokes
+from dmp_teach.robot.pen_path import PenPlan
 from dmp_teach.robot.reach.check import Unreachable, check_reach
 from dmp_teach.robot.reach.posture import PEN_TILT_TOLERANCE, TIP_TOLERANCE, find_posture
 from dmp_teach.robot.reach.suggest import list_other_pages, suggest_page
 from dmp_teach.robot.slices import Slices, run_through
+from dmp_teach.robot.smoothing import connect_smoothly
 from dmp_teach.robot.solvers import get_solver
 from dmp_teach.robot.time_scaling import TimeScaling
 from dmp_teach.trajectory import Array, Trajectory, all_points
@@ -182,7 +183,7 @@ def _follow(
     arm is nearly straight. There it is given more solutions a sample.
     """
     yield "plan", 0.0
-    path = connect_strokes(strokes)
+    path = connect_smoothly(strokes)
     scaling = TimeScaling(path, JOINTS)
     yield "plan", 1.0
     solves = 1
@@ -223,7 +224,7 @@ def _foreseen_collision(solver: Solver, page: Page, strokes: PlacedStrokes) -> s
     """Say when the arm comes against something, and how deep; empty where no plan shows it."""
     ink = all_points(strokes)
     posture = find_posture(solver, page, ink.min(axis=0), ink.max(axis=0))
-    plan = connect_strokes(strokes).plan()
+    plan = connect_smoothly(strokes).plan()
     q = run_through(solver.follow(posture.q, page.normal, page.to_world(plan.position)))
     first, closest = find_nearest(q, JOINTS, page, _FORESEEN)
     near = first or closest

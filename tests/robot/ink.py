@@ -3,6 +3,7 @@
 import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
+from scipy.spatial import cKDTree
 
 from dmp_teach.trajectory import Trajectory
 
@@ -25,6 +26,15 @@ def fitting(strokes, page, most=0.19):
     """The height at which ink fits on a page, at most `most` [m]."""
     extent = np.ptp(np.concatenate([stroke.position for stroke in strokes]), axis=0)
     return min(most, ((page.size - 0.0102) / np.maximum(extent, 1e-9)).min() * extent[1])
+
+
+def distances(points, path):
+    """From each point to the polyline through `path` [m], by the pieces at its nearest corners."""
+    corners = cKDTree(path).query(points, min(30, len(path)))[1]
+    pieces = np.clip(np.concatenate([corners - 1, corners], axis=1), 0, len(path) - 2)
+    away, along = points[:, None] - path[pieces], (path[1:] - path[:-1])[pieces]
+    part = (away * along).sum(-1) / np.maximum((along**2).sum(-1), 1e-30)
+    return np.linalg.norm(away - np.clip(part, 0, 1)[..., None] * along, axis=-1).min(axis=1)
 
 
 LETTER = (wave(1.0, seed=1, start=0.4), wave(0.8, seed=2, start=1.9))

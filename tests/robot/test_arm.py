@@ -12,8 +12,9 @@ from dmp_teach.errors import ReachError
 from dmp_teach.robot.arm import JOINTS
 from dmp_teach.robot.fetch import Fetch
 from dmp_teach.robot.page import Page
-from dmp_teach.robot.pen_path import MOTION_RATE, connect_strokes
+from dmp_teach.robot.pen_path import MOTION_RATE
 from dmp_teach.robot.slices import run_through
+from dmp_teach.robot.smoothing import connect_smoothly
 from dmp_teach.robot.solvers import build_solver, get_solver
 from dmp_teach.trajectory import Trajectory
 from tests.recordings import RECORDINGS, needs_recordings
@@ -39,7 +40,7 @@ def test_too_fast_is_slowed_and_said(letter, faster, page):
     hasty = tuple(Trajectory(s.t / faster, s.position) for s in letter)
     motion = Fetch().write(hasty, page, size=ink.fitting(hasty, page))
     assert_sound(motion)
-    hurried = motion.duration > connect_strokes(motion.strokes).plan().t[-1]
+    hurried = motion.duration > connect_smoothly(motion.strokes).plan().t[-1]
     assert hurried == any(note.startswith("slowed from ") for note in motion.notes)
     if hurried:
         assert f"to {motion.duration:.2f} s: " in motion.notes[0]

@@ -7,6 +7,7 @@ from dmp_teach.robot.fetch import Fetch
 from dmp_teach.robot.layout import lay_out
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.pen_path import MOTION_RATE, connect_strokes
+from dmp_teach.robot.smoothing import connect_smoothly
 from dmp_teach.robot.time_scaling import (
     EASING,
     SPEED_SHARE,
@@ -92,7 +93,7 @@ def test_a_clock_heeds_the_joint_that_hurries_where_it_does():
 def test_slowed_ink_is_the_same_ink_at_rest_at_both_ends_of_every_stroke(letter, faster):
     motion = Fetch().write(hasty(faster, letter), Page.board(width=0.5), size=0.19)
     assert_sound(motion)
-    plain = connect_strokes(motion.strokes).plan()
+    plain = connect_smoothly(motion.strokes).plan()
     position, speed = (
         motion.page.to_page(motion.target),
         np.linalg.norm(np.diff(motion.target, axis=0), axis=1) * MOTION_RATE,
@@ -111,13 +112,13 @@ def test_slowed_ink_is_the_same_ink_at_rest_at_both_ends_of_every_stroke(letter,
 
 def test_far_from_a_hurry_the_pace_stays_and_the_ink_is_nowhere_else():
     motion = Fetch().write(hasty(2), Page.table(), size=0.19)
-    plain, position = connect_strokes(motion.strokes).plan(), motion.page.to_page(motion.target)
+    plain, position = connect_smoothly(motion.strokes).plan(), motion.page.to_page(motion.target)
     before = np.argmax(np.abs(position[: len(plain.t)] - plain.position).max(axis=1) > 1e-9)
     after = np.argmax(np.abs(position[::-1][: len(plain.t)] - plain.position[::-1]).max(1) > 1e-9)
     assert before > 50
     assert after > 200
     np.testing.assert_array_equal(motion.pen_down[-after:], plain.pen_down[-after:])
-    fine = connect_strokes(motion.strokes).plan(np.arange(0, len(plain.t) - 0.99, 0.05)).position
+    fine = connect_smoothly(motion.strokes).plan(np.arange(0, len(plain.t) - 0.99, 0.05)).position
     missed = [np.linalg.norm(fine - spot, axis=1).min() for spot in position]
     assert max(missed) < 1e-4
     speed = np.abs(np.diff(motion.q, axis=0)).max(axis=0) * MOTION_RATE

@@ -1,7 +1,6 @@
 import numpy as np
 import pytest
 from hypothesis import strategies as st
-from scipy.spatial import cKDTree
 
 from dmp_teach.robot.layout import lay_out
 from dmp_teach.robot.page import Page
@@ -16,7 +15,7 @@ from dmp_teach.robot.pen_path import (
 )
 from dmp_teach.trajectory import Trajectory
 from tests.robot import ink
-from tests.robot.ink import law
+from tests.robot.ink import distances, law
 
 PAGE = Page.table()
 
@@ -30,15 +29,6 @@ def pieces(plan):
     """Slices of the samples on the paper, one a stroke."""
     edges = np.flatnonzero(np.diff(plan.pen_down.astype(int), prepend=0, append=0))
     return [slice(*pair) for pair in edges.reshape(-1, 2)]
-
-
-def distances(points, path):
-    """From each point to the polyline through `path` [m], by the pieces at its nearest corners."""
-    corners = cKDTree(path).query(points, min(30, len(path)))[1]
-    pieces = np.clip(np.concatenate([corners - 1, corners], axis=1), 0, len(path) - 2)
-    away, along = points[:, None] - path[pieces], (path[1:] - path[:-1])[pieces]
-    part = (away * along).sum(-1) / np.maximum((along**2).sum(-1), 1e-30)
-    return np.linalg.norm(away - np.clip(part, 0, 1)[..., None] * along, axis=-1).min(axis=1)
 
 
 @law(letter=ink.letters())
