@@ -1,4 +1,6 @@
 from .arm import JOINTS as JOINTS
+from .clearance import describe_collision as describe_collision
+from .clearance import find_nearest as find_nearest
 from .fetch import Fetch as Fetch
 from .model.kinematics import Joint as Joint
 from .model.kinematics import Model as Model
@@ -7,6 +9,7 @@ from .model.outline import outline_from_above as outline_from_above
 from .model.proximity import Proximity as Proximity
 from .model.urdf import Visual as Visual
 from .motion import Motion as Motion
+from .motion import compute_torques as compute_torques
 from .page import Page as Page
 from .page import check_page as check_page
 from .reach.known import KNOWN_REACH as KNOWN_REACH

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from contextlib import suppress
-from dataclasses import replace
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -16,7 +15,8 @@ from dmp_teach.robot.arm import JOINTS, Solver
 from dmp_teach.robot.clearance import describe_collision, describe_thin_margin, find_nearest
 from dmp_teach.robot.layout import lay_out
 from dmp_teach.robot.model.kinematics import Model
-from dmp_teach.robot.motion import Motion, describe_overloads
+from dmp_teach.robot.motion import Motion
+from dmp_teach.robot.motor_limits import find_strain
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.pen_path import PenPlan
 from dmp_teach.robot.reach.check import Unreachable, check_reach
@@ -131,6 +131,7 @@ def _plan(solver: Solver, page: Page, strokes: PlacedStrokes) -> Slices[tuple[Mo
     first, closest = find_nearest(q, JOINTS, page)
     if first is not None:
         raise Unreachable(describe_collision(first))
+    near = () if closest is None else (describe_thin_margin(closest),)
     motion = Motion(
         t=plan.t,
         q=q,
@@ -140,11 +141,10 @@ def _plan(solver: Solver, page: Page, strokes: PlacedStrokes) -> Slices[tuple[Mo
         pen_down=plan.pen_down,
         page=page,
         strokes=strokes,
+        notes=(*slowed, *near, *known),
         solver=solver.name,
     )
-    near = () if closest is None else (describe_thin_margin(closest),)
-    notes = (*slowed, *describe_overloads(motion, solver.model), *near, *known)
-    return replace(motion, notes=notes), warning
+    return motion, warning
 
 
 def _refusal(
@@ -191,14 +191,15 @@ def _follow(
         plan = path.plan(scaling.samples)
         target = page.to_world(plan.position)
         q = yield from solver.follow(start, page.normal, target, solves)
-        if scaling.slow_down(solver.speeds(q)):
+        strain = find_strain(solver, q)
+        if scaling.slow_down(strain):
             continue
         X_world_tip = solver.model.frame("pen_tip", q, JOINTS)
         lag = np.linalg.norm(X_world_tip[:, :3, 3] - target, axis=1).max()
         if lag < _LAG or solves == _SOLVES:
             return plan, q, X_world_tip, scaling.notes
         solves += 1
-    hurried = JOINTS[int(solver.speeds(q).max(axis=0).argmax())]
+    hurried = JOINTS[int(strain.max(axis=0).argmax())]
     raise Unreachable(
         f"However slowly the pen goes, {hurried} would have to hurry: here the arm must change its "
         "posture."

@@ -8,7 +8,6 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from dmp_teach.robot.model.kinematics import Model
 from dmp_teach.robot.model.reduced import load_reduced_robot
 from dmp_teach.robot.page import Page
 from dmp_teach.trajectory import Array, Trajectory, rms
@@ -64,43 +63,18 @@ class Motion(Value):
 
     @cached_property
     def torque(self) -> Array:
-        """The torques of the joints' motors, without friction, shape (T, J) [N m, N].
-
-        By `ReducedRobot.torques`, when first used, with velocities and accelerations by central
-        differences.
-        """
-        v = np.gradient(self.q, self.t, axis=0)
-        a = np.gradient(v, self.t, axis=0)
-        return locked(load_reduced_robot(self.joint_names).torques(self.q, v, a))
+        """The torques of the joints' motors, without friction, shape (T, J) [N m, N]."""
+        return locked(compute_torques(self.q, self.t, self.joint_names))
 
     def __repr__(self) -> str:
         error = f"tip error {1000 * self.tip_error:.3f} mm rms"
         return f"Motion({self.duration:.2f} s, {len(self.joint_names)} joints, {error})"
 
 
-def describe_overloads(motion: Motion, model: Model) -> tuple[str, ...]:
-    """Return a sentence for each joint that needs more than its motor gives, with the cure."""
-    limits = np.array([model.joint(name).effort for name in motion.joint_names])
-    share = np.abs(motion.torque) / limits
-    overloaded = np.flatnonzero(share.max(axis=0) > 1)
-    return tuple(_describe_overload(motion, joint, limits[joint]) for joint in overloaded)
+def compute_torques(q: Array, t: Array, joint_names: tuple[str, ...]) -> Array:
+    """Return the torques (T, J) [N m, N] of joint positions (T, J) at times (T,), without friction.
 
-
-def _describe_overload(motion: Motion, joint: int, limit: float) -> str:
-    """Return the sentence for one joint, about the moment at which it needs most."""
-    row = int(np.abs(motion.torque[:, joint]).argmax())
-    q = motion.q[row : row + 1]
-    needed = abs(motion.torque[row, joint])
-    weight = abs(load_reduced_robot(motion.joint_names).torques(q, 0 * q, 0 * q)[0, joint])
-    if weight < limit:
-        # What is not weight goes with the square of the speed.
-        longer = np.ceil(10 * np.sqrt((needed - weight) / (limit - weight))) / 10
-        cure = f"Write slower: there the pen must take {longer:g} times as long"
-    else:
-        cure = "The weight of the arm alone is too much: move the page nearer"
-    name = motion.joint_names[joint]
-    unit = "N" if name == "torso_lift_joint" else "N m"
-    return (
-        f"{name} needs {needed:.1f} {unit} after {motion.t[row]:.2f} s, but its motor gives "
-        f"{limit:g} {unit}. {cure}."
-    )
+    By `ReducedRobot.torques`, with velocities and accelerations by central differences.
+    """
+    v = np.gradient(q, t, axis=0)
+    return load_reduced_robot(joint_names).torques(q, v, np.gradient(v, t, axis=0))

@@ -60,8 +60,11 @@ def smooth_stroke(stroke: Trajectory) -> Trajectory:
     curve, n = interpolate(stroke), int(np.ceil(stroke.duration * MOTION_RATE))
     times = np.linspace(stroke.t[0], stroke.t[-1], n + 1)
     path = curve(times)
+    if n < _FEWEST:
+        return stroke
     steps = measure_steps(path)
-    if len(path) < _FEWEST or steps.max() <= LARGEST_STEP:
+    rough = steps.max()
+    if rough <= LARGEST_STEP:
         return stroke
     hand = _solve(path, np.tile(np.eye(2), (n + 1, 1, 1)), _HAND)
     limit = max(LARGEST_STEP, _SHARE * measure_steps(hand).max())
@@ -73,6 +76,8 @@ def smooth_stroke(stroke: Trajectory) -> Trajectory:
             break
         # Where all takes longer, steps fall with its third power.
         times = _slow_down(times, np.cbrt(np.pad(steps, (1, 2), "edge") / limit))
+    if steps.max() >= rough:
+        return stroke
     return Trajectory(stroke.t[0] + np.arange(len(path)) / MOTION_RATE, path)
 
 

@@ -1,4 +1,4 @@
-"""Slow the pen where a joint would exceed its speed limit, and only there.
+"""Slow the pen where a joint would exceed a limit, and only there.
 
 The path stays and the clock changes: path and speed along it are found apart, and the most hurried
 joint limits the speed at each place (Bobrow, Dubowsky and Gibson 1985). Between limited and
@@ -23,7 +23,7 @@ SPEED_SHARE = 0.9
 EASING = 0.1
 """The clock needs so long, on the unhurried plan, to change its rate, and as long before [s]."""
 
-# The part of SPEED_SHARE that is aimed at: the joints are solved anew on the new clock.
+# The part of what is allowed that is aimed at: the joints are solved anew on the new clock.
 _SPARE = 0.995
 
 
@@ -40,17 +40,17 @@ class TimeScaling:
         self.samples = np.arange(path.rests[-1] + 1.0)
         """Which sample of the unhurried plan is due at each sample, in fractions too, (T,)."""
 
-    def slow_down(self, speeds: Array) -> bool:
-        """Slow the clock where a joint is too fast; return whether there was such a place.
+    def slow_down(self, longer: Array) -> bool:
+        """Slow the clock where a joint cannot follow; return whether there was such a place.
 
-        `speeds` (T - 1, J) go from each of the present samples to the next, in parts of the joints'
-        limits.
+        `longer` (T - 1, J) is how much longer each joint must take from each of the present samples
+        to the next, as a part of what it takes now; where that is at most 1 it takes no longer.
         """
-        rows, joints = np.nonzero(speeds > SPEED_SHARE)
+        rows, joints = np.nonzero(longer > 1)
         if not len(rows):
             return False
         before, after = self.samples[rows], self.samples[rows + 1]
-        wanted = speeds[rows, joints] / (after - before) / (_SPARE * SPEED_SHARE)
+        wanted = longer[rows, joints] / (after - before) / _SPARE
         for beside in (np.floor(before), np.ceil(after)):
             np.maximum.at(self._needed, (beside.astype(int), joints), wanted)
         needed = self._needed.max(axis=1)

@@ -88,7 +88,7 @@ def write_rosbag(
         TrajectoryError: Not a motion, or one that the Fetch's limits do not allow.
         JointError: A motion of other joints.
         SettingError: A start that is none, or out of the joints' limits.
-        ReachError: No way from the start to the page.
+        ReachError: No way from the start to the page, or a motion that touches something.
         PathError: A path that cannot be written; what was there before stays.
     """
     path, store = check_path(path, ".bag"), ros_types()

@@ -9,9 +9,17 @@ import numpy as np
 from numpy.typing import ArrayLike
 from scipy.interpolate import CubicSpline
 
-from dmp_teach.errors import JointError, SettingError, TrajectoryError
+from dmp_teach.errors import JointError, ReachError, SettingError, TrajectoryError
 from dmp_teach.progress import Progress
-from dmp_teach.robot import JOINTS, Joint, Model, Motion
+from dmp_teach.robot import (
+    JOINTS,
+    Joint,
+    Model,
+    Motion,
+    compute_torques,
+    describe_collision,
+    find_nearest,
+)
 from dmp_teach.ros.untuck import TUCKED, find_way
 from dmp_teach.trajectory import Array, Trajectory
 from dmp_teach.values import Value
@@ -26,6 +34,8 @@ APPROACH_PACE = 0.5
 _RATE = 24
 # A leg of the way takes at least this [s].
 _SHORTEST = 0.5
+# What is beyond a limit by less is not [rad, m, N m].
+_ROUNDING = 1e-6
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -65,6 +75,9 @@ def make_schedule(
     velocity = CubicSpline(t, q, bc_type="clamped")(t, 1)
     velocity[[0, -1]] = 0.0
     _check_limits(t, q, velocity)
+    near, _ = find_nearest(motion.q, JOINTS, motion.page)
+    if near is not None:
+        raise ReachError(f"{describe_collision(near)} Let Fetch().write plan the motion again.")
     return Schedule(t, q, velocity, len(way_t))
 
 
@@ -125,17 +138,21 @@ def _check(motion: Motion) -> None:
 
 def _check_limits(t: Array, q: Array, velocity: Array) -> None:
     """Raise where a joint would have to do more than it can: this goes to a real robot."""
-    for number, joint in enumerate(_joints()):
-        unit = "m" if joint.type == "prismatic" else "rad"
-        for what, value, low, high, of in (
-            ("position", q[:, number], joint.lower, joint.upper, unit),
-            ("speed", velocity[:, number], -joint.velocity, joint.velocity, f"{unit}/s"),
-        ):
-            bad = (value < low - 1e-9) | (value > high + 1e-9)
-            if bad.any():
-                row = int(np.argmax(bad))
-                raise TrajectoryError(
-                    f"The {what} of {joint.name} is {value[row]:.3f} {of} after {t[row]:.2f} s, "
-                    f"but must be between {low:g} and {high:g}; let Fetch().write plan the motion "
-                    "again."
-                )
+    joints = _joints()
+    lower, upper, speed, effort = np.array(
+        [(joint.lower, joint.upper, joint.velocity, joint.effort) for joint in joints]
+    ).T
+    for what, values, low, high, units in (
+        ("position", q, lower, upper, ("m", "rad")),
+        ("speed", velocity, -speed, speed, ("m/s", "rad/s")),
+        ("torque", compute_torques(q, t, JOINTS), -effort, effort, ("N", "N m")),
+    ):
+        bad = (values < low - _ROUNDING) | (values > high + _ROUNDING)
+        if bad.any():
+            row, number = np.argwhere(bad)[0]
+            joint = joints[number]
+            raise TrajectoryError(
+                f"The {what} of {joint.name} is {values[row, number]:.3f} "
+                f"{units[joint.type != 'prismatic']} after {t[row]:.2f} s, but must be between "
+                f"{low[number]:g} and {high[number]:g}; let Fetch().write plan the motion again."
+            )

@@ -29,6 +29,7 @@ def assert_sound(motion):
         / [joint.velocity for joint in LIMITS]
     )
     assert speed.max() <= SPEED_SHARE + 1e-9
+    assert (np.abs(motion.torque) <= [joint.effort for joint in LIMITS]).all()
     np.testing.assert_allclose(motion.t, np.arange(len(motion.t)) / MOTION_RATE)
     assert (
         len(motion.q)

@@ -74,11 +74,11 @@ def test_a_piece_of_few_samples_can_be_slowed_too(length):
 def test_a_clock_heeds_the_joint_that_hurries_where_it_does():
     way = connect_strokes(lay_out(LETTER, Page.table()))
     clock, hurry = TimeScaling(way, ("slow", "fast")), way.rests[1] + 100
-    assert not clock.slow_down(np.full((way.rests[-1], 2), SPEED_SHARE))
+    assert not clock.slow_down(np.ones((way.rests[-1], 2)))
     assert clock.notes == ()
-    speeds = np.zeros((way.rests[-1], 2))
-    speeds[hurry, 1] = 2 * SPEED_SHARE
-    assert clock.slow_down(speeds)
+    longer = np.zeros((way.rests[-1], 2))
+    longer[hurry, 1] = 2
+    assert clock.slow_down(longer)
     assert clock.notes == (
         f"slowed from {way.rests[-1] / MOTION_RATE:.2f} s to "
         f"{(len(clock.samples) - 1) / MOTION_RATE:.2f} s: fast",

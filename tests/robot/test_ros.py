@@ -351,6 +351,12 @@ def test_nothing_beyond_the_robots_limits_is_sent(motion, tmp_path):
         match=r"speed of wrist_flex_joint is -?\d\.\d+ rad/s after .* plan the motion",
     ):
         write_rosbag(shaken, tmp_path / "a.bag", start=None)
+    jerky = altered(motion, "shoulder_pan_joint", 2e-4 * (np.arange(len(motion.t)) % 2))
+    with pytest.raises(TrajectoryError, match=r"torque of shoulder_pan_joint is .* N m after"):
+        write_rosbag(jerky, tmp_path / "a.bag", start=None)
+    sunk = altered(motion, "torso_lift_joint", -0.06)
+    with pytest.raises(ReachError, match=r"would .* what the page lies on.* plan the motion again"):
+        write_rosbag(sunk, tmp_path / "a.bag", start=None)
     with pytest.raises(TrajectoryError, match=r"(?s)position\[0\] is .* nan .*must be finite"):
         write_rosbag(altered(motion, "wrist_flex_joint", np.nan), tmp_path / "a.bag", start=None)
 
