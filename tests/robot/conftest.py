@@ -16,3 +16,9 @@ def without_pybullet(monkeypatch):
         return real(name, *rest)
 
     monkeypatch.setattr(builtins, "__import__", without)
+
+
+@pytest.fixture(params=["PlaCo", "NumPy"])
+def each_solver(request, monkeypatch):
+    """Let each solver plan what a test asks for."""
+    monkeypatch.setenv("DMP_TEACH_SOLVER", request.param)

@@ -1,7 +1,7 @@
 """Ink of our own for the robot's tests: smooth, of any size and speed, in one to three strokes."""
 
 import numpy as np
-from hypothesis import given, settings
+from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 from scipy.spatial import cKDTree
 
@@ -10,7 +10,10 @@ from dmp_teach.trajectory import Trajectory
 
 def law(examples=40, **strategies):
     """What must hold for all ink; nothing here is timed."""
-    return lambda test: settings(deadline=None, max_examples=examples)(given(**strategies)(test))
+    # The solver that a fixture names is the same for all examples.
+    fixed = [HealthCheck.function_scoped_fixture]
+    few = settings(deadline=None, max_examples=examples, suppress_health_check=fixed)
+    return lambda test: few(given(**strategies)(test))
 
 
 def wave(duration=1.2, rate=120, start=0.0, *, width=0.06, height=0.1, seed=0):

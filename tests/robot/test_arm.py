@@ -30,11 +30,13 @@ SHEETS = (
 )
 
 
+@pytest.mark.usefixtures("each_solver")
 @law(examples=12, letter=ink.letters(), page=st.sampled_from(SHEETS))
 def test_the_tip_follows_the_letter_and_no_limit_is_broken(letter, page):
     assert_sound(Fetch().write(letter, page))
 
 
+@pytest.mark.usefixtures("each_solver")
 @law(examples=8, letter=ink.letters(), faster=st.floats(2, 8), page=st.sampled_from(SHEETS))
 def test_too_fast_is_slowed_and_said(letter, faster, page):
     hasty = tuple(Trajectory(s.t / faster, s.position) for s in letter)
@@ -89,6 +91,7 @@ def test_the_arm_starts_and_ends_at_rest():
     assert speed[[0, -1]].max() < 0.02
 
 
+@pytest.mark.usefixtures("each_solver")
 def test_the_torso_stays():
     motion = Fetch().write(LETTER, Page.table())
     assert np.ptp(motion.q[:, JOINTS.index("torso_lift_joint")]) == 0
@@ -173,6 +176,7 @@ def test_nothing_is_printed(capfd):
     assert capfd.readouterr() == ("", "")
 
 
+@pytest.mark.usefixtures("each_solver")
 @pytest.mark.parametrize("sign", [1, -1])
 def test_a_pen_that_already_stands_upright_or_upside_down_is_no_trouble(sign):
     solver = get_solver()
@@ -185,6 +189,7 @@ def test_a_pen_that_already_stands_upright_or_upside_down_is_no_trouble(sign):
     assert np.isfinite(solver.pen()).all()
 
 
+@pytest.mark.usefixtures("each_solver")
 def test_the_posture_comes_to_rest():
     solver = get_solver()
     target = np.array([0.7, 0, 0.72])
@@ -199,6 +204,7 @@ def test_the_posture_comes_to_rest():
     assert np.abs(solver.joints() - before[1]).max() < 5e-3
 
 
+@pytest.mark.usefixtures("each_solver")
 def test_joints_that_turn_for_ever_do_not_jump_at_half_a_turn():
     solver, roll = get_solver(), JOINTS.index("forearm_roll_joint")
     start = (0.386, -0.11, -0.45, -0.37, 1.53, -3.1, 0.9, 0.8)

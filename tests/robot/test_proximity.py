@@ -11,6 +11,7 @@ import pytest
 from dmp_teach.files.writing import ASSETS
 from dmp_teach.robot.arm import JOINTS, SAFETY_SHELL
 from dmp_teach.robot.clearance import get_plain_name
+from dmp_teach.robot.model.convex import Shapes, measure_gaps
 from dmp_teach.robot.model.proximity import Proximity
 from dmp_teach.robot.model.urdf import read_origin
 from dmp_teach.robot.page import Page
@@ -90,6 +91,47 @@ def test_distances_are_those_of_points_on_the_surfaces():
             else:
                 assert by_points(link, other, poses) < SPACING / 2
     assert near > 30
+
+
+def random_shapes(count, seed):
+    """Boxes, cylinders and balls of 1 to 20 cm, some of which overlap."""
+    rng = np.random.default_rng(seed)
+    R = np.linalg.qr(rng.normal(size=(count, 3, 3)))[0]
+    R *= np.linalg.det(R)[:, None, None]
+    kind = rng.integers(0, 3, count)
+    half = rng.uniform(0.01, 0.2, (count, 3)) * (kind != 2)[:, None]
+    half[kind == 1, :2] = 0
+    disc, ball = rng.uniform(0.01, 0.1, (2, count)) * (kind == [[1], [2]])
+    return Shapes(R, rng.uniform(-0.25, 0.25, (count, 3)), half, disc, ball)
+
+
+def test_gaps_are_those_of_another_library():
+    """coal's; where bodies overlap, ours may be a millimetre deeper, and coal's balls are wrong."""
+    coal = pytest.importorskip("coal", reason="coal comes with PlaCo")
+    one, other = random_shapes(600, 1), random_shapes(600, 2)
+
+    def by_coal(n):
+        forms = []
+        for shapes in (one, other):
+            if shapes.ball[n]:
+                form = coal.Sphere(shapes.ball[n])
+            elif shapes.disc[n]:
+                form = coal.Cylinder(shapes.disc[n], 2 * shapes.half[n, 2])
+            else:
+                form = coal.Box(*(2 * shapes.half[n]))
+            forms += [form, coal.Transform3s(shapes.R[n], shapes.p[n])]
+        answer = coal.DistanceResult()
+        coal.distance(*forms, coal.DistanceRequest(), answer)
+        return answer.min_distance
+
+    gaps = measure_gaps(one, other, np.full(600, np.inf))
+    theirs = np.array([by_coal(n) for n in range(600)])
+    apart = theirs > 0
+    assert 300 < apart.sum() < 560
+    np.testing.assert_array_equal(gaps > 0, apart)
+    np.testing.assert_allclose(gaps[apart], theirs[apart], rtol=0, atol=3e-6)
+    solid = ~apart & (one.ball + other.ball == 0)
+    np.testing.assert_allclose(gaps[solid], theirs[solid], rtol=0, atol=1.5e-3)
 
 
 def test_overlap_is_as_deep_as_the_way_out_is_long():
