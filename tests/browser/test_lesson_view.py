@@ -40,6 +40,9 @@ def test_a_lesson_wakes_by_itself_and_stands_alone_until_the_menus_are_wanted(
     assert page.locator(JUPYTERS).locator("visible=true").count() == 0
     here = page.get_by_role("navigation", name="Lessons").locator("[aria-current=page]")
     assert here.inner_text().split("\n") == ["00", "Start here"]
+    seen = page.locator(".dt-body").bounding_box()
+    assert seen["y"] >= 52, "below the strip"
+    assert seen["y"] + seen["height"] - 12 < height + 1, "and all of it in sight, without a scroll"
     first = page.locator(".dt-step-bar label").first
     assert first.evaluate(IS_GRASPED), "its left end, where JupyterLab has a button without a look"
     menus = page.get_by_role("button", name="Menus")

@@ -90,9 +90,12 @@ async function wake({ commands }, notebook) {
   if (why)
     why.node.dataset.dtWhy = t("What happened is told here, once the truth is laid over your bet.");
   const reply = await kernel.requestExecute({ code: "", silent: true }).done;
-  if (reply.content.execution_count > 0 && cell.model.outputs.length) return;
+  // Where not all is seen at once, the panel is: the words above it are a turn of the wheel away.
+  const see = () => window.innerHeight < 1000 && cell.node.scrollIntoView();
+  if (reply.content.execution_count > 0 && cell.model.outputs.length) return void see();
   content.activeCellIndex = content.widgets.indexOf(cell);
   cell.node.dataset.dtWaking = t("The panel wakes up …");
+  see();
   await commands.execute("notebook:run-cell");
   delete cell.node.dataset.dtWaking;
   // A page that is left or loaded anew finds the panel.
@@ -225,6 +228,8 @@ const STYLE = `
 :is([data-dt-waking], .jp-Notebook:has(.dt-hides) [data-dt-why])::after { display: block;
   padding: 12px var(--jp-code-padding) 12px calc(var(--jp-cell-prompt-width) + 20px);
   font: 16px var(--jp-ui-font-family); color: var(--jp-ui-font-color1); }
+[data-dt-lesson] .jp-WindowedPanel-outer { overflow-anchor: none; }
+[data-dt-waking] { min-height: 100vh; }
 [data-dt-waking]::after { content: attr(data-dt-waking); }
 [data-dt-lesson] :is(.jp-cell-toolbar, .jp-Notebook-footer) { display: none; }
 [data-dt-lesson] .jp-Collapser { visibility: hidden; }
