@@ -1,10 +1,10 @@
+from .even_clock import Flags as Flags
 from .even_clock import Spans as Spans
+from .even_clock import find_leaps as find_leaps
 from .even_clock import find_runs as find_runs
 from .even_clock import lowpass_hertz as lowpass_hertz
-from .leaps import Flags as Flags
-from .leaps import find_leaps as find_leaps
-from .leaps import straightened as straightened
-from .manual_cuts import cut_at_times as cut_at_times
+from .even_clock import straightened as straightened
 from .paper_rules import RULES as RULES
 from .paper_rules import get_rule as get_rule
+from .strokes import cut_at_times as cut_at_times
 from .strokes import find_strokes as find_strokes

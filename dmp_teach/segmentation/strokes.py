@@ -17,6 +17,7 @@ touch and the first move only a moment is kept, and so before a lift.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from numbers import Real
 
 import numpy as np
@@ -26,14 +27,9 @@ from dmp_teach.segmentation.even_clock import PenMotion, Spans, find_runs, to_ev
 from dmp_teach.segmentation.trim import STILL_RISE, trim_to_writing
 from dmp_teach.trajectory import Array
 
-# A landed pen is this near the foot of its lift, or nearer than a quarter of the lift [m] ...
-LANDED_HEIGHT = 0.005
-# ... or at most this much higher, where the hand has turned meanwhile [m] ...
-LANDED_HEIGHT_OF_STAND = 0.015
-# ... and stands there for this long [s].
-LANDED_STAND = 0.08
-# A foot is walked up again while the pen is less than this above it [m].
-FOOT_HEIGHT = 0.0007
+LANDED_HEIGHT = 0.005  # a landed pen is so near the foot of its lift [m], or below half of it ...
+LANDED_STAND = 0.08  # ... where the hand has turned meanwhile, and stands there for this long [s]
+FOOT_HEIGHT = 0.0007  # a foot is walked up again while the pen is less than this above it [m]
 
 
 def find_strokes(t: Array, position: Array, theta: float = 0.10, sigma: float = 0.006) -> Spans:
@@ -95,11 +91,11 @@ def _find_between_lifts(
 ) -> list[tuple[int, int]]:
     """Find the spans of height (K,) between lifts; `down`: the pen is known to end down."""
     spans, landed = [], 0
-    for start, end in find_runs(rise > theta):
+    for start, _ in find_runs(rise > theta):
         if start < landed:
             continue
         foot = _find_foot(z, rise, start, landed)
-        peak, landing = _find_landing(z, rise, foot, end, hold)
+        peak, landing = _find_landing(z, rise, foot, hold)
         if z[peak] - z[foot] > sigma and not (down and landing == len(z)):
             spans.append((landed, foot + 1))
             landed = landing
@@ -117,7 +113,7 @@ def _find_foot(z: Array, rise: Array, start: int, earliest: int) -> int:
     return foot
 
 
-def _find_landing(z: Array, rise: Array, foot: int, risen: int, hold: int) -> tuple[int, int]:
+def _find_landing(z: Array, rise: Array, foot: int, hold: int) -> tuple[int, int]:
     """Return the highest sample of a lift, and the first on the paper after it, or the end.
 
     The pen has landed where the height is near the foot and falls no more; or where it fell by
@@ -127,9 +123,33 @@ def _find_landing(z: Array, rise: Array, foot: int, risen: int, hold: int) -> tu
     for k in range(foot, len(z)):
         peak = k if z[k] > z[peak] else peak
         lift = z[peak] - z[foot]
-        still = still + 1 if k > max(peak, risen) and abs(rise[k]) < STILL_RISE else 0
-        if still and z[k] < z[foot] + max(LANDED_HEIGHT, 0.25 * lift):
+        still = still + 1 if k > peak and abs(rise[k]) < STILL_RISE else 0
+        if still and z[k] < z[foot] + LANDED_HEIGHT:
             return peak, k
-        if still >= hold and z[k] < z[foot] + min(LANDED_HEIGHT_OF_STAND, 0.5 * lift):
+        if still >= hold and z[k] < z[foot] + 0.5 * lift:
             return peak, k - still + 1
     return peak, len(z)
+
+
+def cut_at_times(t: Array, times: Sequence[tuple[float, float]]) -> Spans:
+    """Return strokes from pairs (first, last) of times [s], both ends part of the stroke."""
+    try:
+        pairs = [(first, last) for first, last in times]
+    except (TypeError, ValueError):
+        raise RecordingError(
+            f"Strokes are {times!r}, but must be pairs (first, last) of times [s], such as "
+            "[(0.7, 2.4), (3.6, 8.2)]."
+        ) from None
+    return tuple((_sample(t, first), _sample(t, last) + 1) for first, last in pairs)
+
+
+def _sample(t: Array, time: float) -> int:
+    """Return the sample nearest to a time [s] of the recording."""
+    half = float(np.diff(t).max()) / 2
+    is_number = isinstance(time, Real) and not isinstance(time, bool)
+    if not is_number or not t[0] - half <= time <= t[-1] + half:
+        raise RecordingError(
+            f"A cut is at {time!r} s, but must be a time of the recording, from {t[0]:.3f} to "
+            f"{t[-1]:.3f} s."
+        )
+    return int(np.argmin(np.abs(t - float(time))))

@@ -8,42 +8,24 @@ from numpy.typing import NDArray
 from dmp_teach.segmentation.even_clock import Flags, PenMotion, find_runs
 from dmp_teach.trajectory import Array
 
-# Slower than this the height stands still [m/s].
-STILL_RISE = 0.015
-# A pen rests under this speed [m/s], or this share of the pace of its stroke if that is less.
-REST_SPEED = 0.013
-REST_PACE = 0.12
-# A hand begins slowly and stops at once: under this it has stopped [m/s].
-STOP_SPEED = 0.028
-# A hand that begins in fits and starts has not rested while it goes at this share of either.
-FALTER_SHARE = 0.6
-# A small move belongs to its stroke if it and the rest between are faster than this of the pace.
-JOINED_PACE = 0.08
-# The part of a rest beside a lift that is kept [s].
-KEPT_REST = 0.02
-# This near the edge of the recording a filter blurs moves and rests [s].
-FILTER_EDGE = 0.05
-# A hand that sinks or rises by more than this beside its writing is landing, or leaves [m].
-LANDING_FALL = 0.0005
-# A fall that begins so soon after the last one belongs to the same landing [s].
-LANDING_PAUSE = 0.15
-# Writing is faster than this share of the letter's pace.
-WRITING_PACE = 0.15
-# A pen that is down this long between two lifts, and hardly moves, made a dot [s] ...
-TAP_DURATION = (0.05, 1.5)
-# ... unless it then touches this near to there, and lower by this much: it hovered [m].
-HOVER_DISTANCE = 0.008
-HOVER_HEIGHT = 0.002
-# A hand takes longer than this to rise; a marker may leap in one sample [s].
-HAND_RISE = 0.1
-# A shorter move draws no line, however often it is made [m].
-SHORTEST_MOVE = 0.001
-# A move at either end that is shorter than this share of the stroke is no writing ...
-TWITCH_SHARE = 0.01
-# ... nor is one that runs into the lift under this: a hand takes a swing after a rest ...
-SWING_SHARE = 0.05
-# ... nor one that goes up or down by more than this share of its length.
-STEEPEST_MOVE = 0.2
+STILL_RISE = 0.015  # slower than this the height stands still [m/s]
+REST_SPEED = 0.013  # a pen rests under this [m/s] ...
+REST_PACE = 0.12  # ... or this share of the pace of its stroke if that is less
+STOP_SPEED = 0.028  # a hand begins slowly and stops at once: under this it has stopped [m/s]
+FALTER_SHARE = 0.6  # a hand that begins in fits and starts has not rested at this share of either
+JOINED_PACE = 0.08  # a small move belongs to its stroke if, with its rest, it is so fast for it
+KEPT_REST = 0.02  # the part of a rest beside a lift that is kept [s]
+FILTER_EDGE = 0.05  # so near the edge of the recording a filter blurs moves and rests [s]
+LANDING_FALL = 0.0005  # a hand that sinks or rises by more beside its writing lands or leaves [m]
+LANDING_PAUSE = 0.15  # a fall so soon after the last one belongs to the same landing [s]
+WRITING_PACE = 0.15  # writing is faster than this share of the letter's pace
+TAP_DURATION = (
+    0.05,
+    1.5,
+)  # a pen that is down so long between two lifts, and rests, made a dot [s]
+SHORTEST_MOVE = 0.001  # a shorter move draws no line, however often it is made [m]
+TWITCH_SHARE = 0.05  # a move at either end under this share of the stroke is no writing ...
+STEEPEST_MOVE = 0.2  # ... nor is one that goes up or down by more than this share of its length
 
 Span = tuple[int, int]
 
@@ -52,40 +34,15 @@ def trim_to_writing(motion: PenMotion, spans: list[Span]) -> list[Span]:
     """Trim each span to its writing; drop those without any, by speed and never by length."""
     landed = [_without_flight(motion, a, b) for a, b in spans]
     pace = max((_pace(motion.speed[a:b]) for a, b in landed), default=0.0)
-    kept = []
-    for k, ((a, b), (_, lift)) in enumerate(zip(landed, spans, strict=True)):
+    shortest, longest = TAP_DURATION
+    kept: list[Span] = []
+    for (a, b), (_, lift) in zip(landed, spans, strict=True):
         brisk = _pace(motion.speed[a:b]) > WRITING_PACE * pace
         if brisk and np.ptp(motion.path[a:b], axis=0).max() > SHORTEST_MOVE:
             kept.append(_crop(motion, a, b))
-        elif kept and lift < len(motion.z) and _is_dot(motion, (a, b), landed[k + 1 :]):
+        elif kept and lift < len(motion.z) and shortest < (b - a) * motion.dt < longest:
             kept.append((a, b))
-    return kept[1:] if len(kept) > 1 and _is_swing(motion, kept, spans[0]) else kept
-
-
-def _is_dot(motion: PenMotion, tap: Span, later: list[Span]) -> bool:
-    """Return whether a pen that hardly moved between two lifts made a dot, and did not hover."""
-    shortest, longest = TAP_DURATION
-    if not shortest < (tap[1] - tap[0]) * motion.dt < longest:
-        return False
-    if not later or later[0][1] - later[0][0] < 2:
-        return True
-    touch = later[0][0]
-    away = np.linalg.norm(motion.path[touch] - motion.path[tap[1] - 1])
-    above = np.median(motion.z[slice(*tap)]) - motion.z[touch]
-    return not (away < HOVER_DISTANCE and above > HOVER_HEIGHT)
-
-
-def _is_swing(motion: PenMotion, kept: list[Span], first: Span) -> bool:
-    """Return whether the first stroke is the swing of a resting hand into the hop to its letter.
-
-    A marker that leaps is no hand: there the stroke is kept, for whoever looks for leaps.
-    """
-    (a, b), (begin, lift) = kept[0], first
-    ways = [motion.speed[slice(*each)].sum() for each in kept]
-    if begin > 0 or a == 0 or not lift - 1 <= b <= lift or ways[0] >= SWING_SHARE * max(ways):
-        return False
-    rise = motion.raw[b - 1 : b + max(1, round(HAND_RISE / motion.dt))]
-    return bool(np.abs(np.diff(rise)).max() < 0.8 * np.ptp(rise))
+    return kept
 
 
 def _pace(speed: Array) -> float:
@@ -123,26 +80,17 @@ def _crop(motion: PenMotion, a: int, b: int) -> Span:
     """Return a span from its first move to its last, with a moment of rest beside a lift."""
     speed, lifts = motion.speed[a:b], (a > 0, b < len(motion.z))
     moves = _find_moves(motion.z[a:b], speed, motion.dt, lifts)
-    last = np.arange(*moves[-1])
-    moving = last[speed[last] > min(STOP_SPEED, REST_PACE * _pace(speed))]
-    start = _first_move(motion, a, b, int(moves[0, 0]))
-    end = int((moving if len(moving) else last)[-1]) + 1
-    rests = [round((KEPT_REST if lift else FILTER_EDGE) / motion.dt) for lift in lifts]
-    start = max(0, start - rests[0]) if lifts[0] or start < rests[0] else start
-    end = min(b - a, end + rests[1]) if lifts[1] or end > b - a - rests[1] else end
+    first_end, (last, end) = moves[0, 1], moves[-1]
+    slow = REST_PACE * _pace(speed)
+    # Before its first move a hand may only have faltered; the end of its last one may be a rest.
+    falters = find_runs(speed[:first_end] > FALTER_SHARE * min(REST_SPEED, slow))[-1][0]
+    start = falters + int(np.argmax(speed[falters:first_end] > min(REST_SPEED, slow)))
+    moving = np.flatnonzero(speed[last:end] > min(STOP_SPEED, slow))
+    end = last + int(moving[-1]) + 1 if len(moving) else end
+    before, after = (round((KEPT_REST if lift else FILTER_EDGE) / motion.dt) for lift in lifts)
+    start = max(0, start - before) if lifts[0] or start < before else start
+    end = min(b - a, end + after) if lifts[1] or end > b - a - after else end
     return a + start, a + end
-
-
-def _first_move(motion: PenMotion, a: int, b: int, start: int) -> int:
-    """Return the first move of a span, with those before `start` after which it only faltered."""
-    z, speed = motion.z[a:b], motion.speed[a:b]
-    idle = min(REST_SPEED, REST_PACE * _pace(speed))
-    before = next(k for k, end in find_runs(speed > FALTER_SHARE * idle) if k <= start < end)
-    first = before + int(np.argmax(speed[before : start + 1] > idle))
-    way = speed[first:start].sum() * motion.dt
-    is_swing = a > 0 and before == 0
-    is_steep = np.ptp(z[first : start + 1]) > max(LANDING_FALL, STEEPEST_MOVE * way)
-    return start if is_swing or is_steep else first
 
 
 def _find_moves(z: Array, speed: Array, dt: float, lifts: tuple[bool, bool]) -> NDArray[np.int_]:
@@ -153,14 +101,10 @@ def _find_moves(z: Array, speed: Array, dt: float, lifts: tuple[bool, bool]) -> 
     climb = np.array([np.ptp(z[k:end]) for k, end in moves])
     level = climb < np.maximum(LANDING_FALL, STEEPEST_MOVE * way)
     swings = (lifts[0] & (moves[:, 0] == 0)) | (lifts[1] & (moves[:, 1] == len(z)))
-    large = way > np.where(swings, SWING_SHARE, TWITCH_SHARE) * way.sum()
-    durations = _durations(moves, int(np.argmax(way)), len(z))
-    near = (way > JOINED_PACE * pace * dt * durations) & ~swings
-    return moves[((way > SHORTEST_MOVE) & level & (large | near)) | (way == way.max())]
-
-
-def _durations(moves: NDArray[np.int_], main: int, samples: int) -> NDArray[np.int_]:
-    """Return how long moves (M, 2) last, with the rest towards the `main` one (M,) [samples]."""
-    before = np.append(moves[1:, 0], samples) - moves[:, 0]
+    # How long a move lasts, with the rest towards the longest one.
+    before = np.append(moves[1:, 0], len(z)) - moves[:, 0]
     after = moves[:, 1] - np.append(0, moves[:-1, 1])
-    return np.where(np.arange(len(moves)) < main, before, after)
+    durations = np.where(np.arange(len(moves)) < np.argmax(way), before, after)
+    near = (way > JOINED_PACE * pace * dt * durations) & ~swings
+    large = way > TWITCH_SHARE * way.sum()
+    return moves[((way > SHORTEST_MOVE) & level & (large | near)) | (way == way.max())]
