@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from dmp_teach.classroom import Affine, Drawing
+from dmp_teach.lessons.drawing import axis, line, mark, plot
 from dmp_teach.lessons.goals import CM
 from dmp_teach.lessons.two_hands import BOWL, NewLetter, follow, learn_hands, speed_of
 from dmp_teach.texts import gettext as _
@@ -91,38 +92,25 @@ def _ring(goal: Affine, knob: str, label: str, word: str) -> Drawing:
 
 def draw_whose(made: NewLetter | None) -> Drawing:
     """Draw how far the bowl is from that of each hand, by each rule; None hides it."""
-    ticks = [[n, f"{n}°"] for n in range(0, int(MOST_DEGREES) + 1, 20)]
-    x: Drawing = {"label": _("difference"), "ticks": ticks}
-    x |= {"low": -6.0, "high": MOST_DEGREES}
-    plot: Drawing = {
-        "caption": _("Whose bowl is it?"),
-        "note": _("after your bet"),
-        "x": x,
-        "y": {"label": "", "low": -0.7, "high": 1.7, "ticks": [[1, "DMP*"], [0, _("similarity")]]},
-    }
-    if made is None:
-        return plot
-    hands = _("hand 1"), _("hand 2")
-    rows = zip((1.0, 0.0), made.differences.values(), strict=True)
-    dots = [
-        {"at": [min(each, MOST_DEGREES), height + lift], "kind": "robot", "label": hand}
+    degrees = [[n, f"{n}°"] for n in range(0, int(MOST_DEGREES) + 1, 20)]
+    drawn = plot(
+        _("Whose bowl is it?"),
+        axis(-6, MOST_DEGREES, _("difference"), ticks=degrees),
+        axis(-0.7, 1.7, ticks=[[1, "DMP*"], [0, _("similarity")]]),
+        _("after your bet") if made is None else _("at the left: most alike"),
+    )
+    rows = zip((1.0, 0.0), made.differences.values(), strict=True) if made else ()
+    drawn["dots"] = [
+        mark([min(each, MOST_DEGREES), height + lift], "robot", hand)
         for height, apart in rows
-        for hand, each, lift in zip(hands, apart, (0.16, -0.16), strict=True)
+        for hand, each, lift in zip((_("hand 1"), _("hand 2")), apart, (0.16, -0.16), strict=True)
     ]
-    return plot | {"note": _("at the left: most alike"), "dots": dots}
+    return drawn
 
 
 def draw_speed(made: NewLetter) -> Drawing:
     """Draw how fast the pen goes in one line, and with lifts."""
     lifted = NewLetter(made.values | {"way": "lifted"}).strokes
-    lines = [
-        {"points": speed_of(lifted), "kind": "quiet"},
-        {"points": speed_of(made.strokes), "kind": "robot"},
-    ]
-    return {
-        "caption": _("How fast the pen goes [cm/s]"),
-        "note": _("thin: with lifts"),
-        "x": {"label": _("time [s]"), "low": 0.0, "high": float(lifted[-1].t[-1])},
-        "y": {"label": "", "low": 0.0, "high": 70.0},
-        "lines": lines,
-    }
+    lines = [line(speed_of(lifted), "quiet"), line(speed_of(made.strokes), "robot")]
+    x, caption = axis(0, lifted[-1].t[-1], _("time [s]")), _("How fast the pen goes [cm/s]")
+    return plot(caption, x, axis(0, 70), _("thin: with lifts"), lines=lines)

@@ -16,7 +16,7 @@ from dmp_teach.trajectory import Array, interpolate_points
 # The knobs that move the page [cm]; the map has a place at each of their steps.
 FIRST_AHEAD, LAST_AHEAD, MOST_ASIDE, MAP_STEP = 30, 115, 90, 5
 # What is seen of the floor: left, bottom, right, top [m].
-FLOOR = [-1.0, -0.3, 1.0, 1.32]
+FLOOR = [-1.0, -0.3, 1.0, 1.42]
 # What carries a page reaches so far beyond it [m].
 _MARGIN = 0.1
 TO_PLAN = np.array([[0.0, -1.0], [1.0, 0.0]])

@@ -8,6 +8,7 @@ from functools import lru_cache
 
 import numpy as np
 
+from dmp_teach.classroom import Message, says
 from dmp_teach.dmp import DMP, Settings
 from dmp_teach.lessons.drawing import millimetres
 from dmp_teach.lessons.many_writers import Writers
@@ -233,7 +234,7 @@ def tell_ratio(ratio: float) -> str:
     return f"{ratio:.{2 if ratio < 1.995 else 1 if ratio < 9.95 else 0}f}"
 
 
-def tell_ratios(measured: WriterRatios, how: str, are_real: bool) -> dict[str, str]:
+def tell_ratios(measured: WriterRatios, how: str, are_real: bool) -> Message:
     """Return the middle of the ratios with n (writers, or hands), the spread, and the luck."""
     ratios, n = measured.ratios, measured.number
     facts = {"n": n, "for_it": measured.for_it, "once": f"{1 / measured.luck:.0f}"}
@@ -246,9 +247,5 @@ def tell_ratios(measured: WriterRatios, how: str, are_real: bool) -> dict[str, s
     unit = _("times, n = {n}") if are_real else _("times, n = {n} made hands")
     text = _("From {least} to {most}. ") if n > 1 else _("One writer is no proof. ")
     after = " " + way_words(measured.claim, how)
-    said = {"number": tell_ratio(float(np.median(ratios))), "unit": unit.format(n=n)}
-    return said | {
-        "text": text.format(**facts),
-        "strong": strong.format(**facts),
-        "after": after,
-    }
+    middle, text = tell_ratio(float(np.median(ratios))), text.format(**facts)
+    return says(middle, unit.format(n=n), text, strong.format(**facts), after)

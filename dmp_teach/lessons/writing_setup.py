@@ -12,23 +12,51 @@ from dmp_teach.dmp import Settings
 from dmp_teach.lessons.drawing import learn_letter
 from dmp_teach.lessons.goals import CM
 from dmp_teach.lessons.page_plan import place_on_map
-from dmp_teach.lessons.pen_pressing import (
-    LEAST_FORCE,
-    MOST_FORCE,
-    PRESSED_AS_PLANNED,
-    SPRING_TRAVEL,
-    busiest_joint,
-    force_of,
+from dmp_teach.robot import (
+    BREAKING_FORCE,
+    FORCE_BAND,
+    SWIFT_WRITING,
+    USUAL_PAGES,
+    Page,
+    known_reach,
 )
-from dmp_teach.robot import BREAKING_FORCE, USUAL_PAGES, Page, known_reach
 from dmp_teach.texts import gettext as _
 from dmp_teach.trajectory import Trajectory
 
-MOST_MISSING = 0.1
-"""No corner may be further out of reach [mm]."""
+# No corner may be further out of reach [mm], and of its fastest turn a joint does no more [%].
+MOST_MISSING, MOST_BUSY = 0.1, 90
+LEAST_FORCE, MOST_FORCE = FORCE_BAND
+# A sprung pen pushes with so much more for each millimetre [N/mm]; pressed in further than its
+# travel [mm] the arm pushes [N/mm]. What slides in the pen weighs so much [N].
+SPRING, SPRING_TRAVEL, _AT_ITS_END, _PEN_WEIGHT = 0.1, 12.0, 6.0, 0.127
+# What a rigid pen does with real motors, within a half; perfect ones push far harder [N/mm].
+RIGID = 12.0
+# So far `simulate` presses each pen in, on a page that lies as planned [mm].
+PRESSED_AS_PLANNED = {"sprung": 4.0, "rigid": 0.5}
 
-MOST_BUSY = 90
-"""Of its fastest turn a joint does no more [%]."""
+
+def weight_on(where: str) -> float:
+    """Return what the pen's own weight adds on a usual page: none on a board [N]."""
+    return _PEN_WEIGHT * max(float(USUAL_PAGES[where].normal[2]), 0.0)
+
+
+def force_of(pen: str, press: float, where: str) -> float:
+    """Return with how much a pen presses that is pressed in by so many mm on a usual page [N].
+
+    As `simulate` gives it, within 0.05 N as long as a spring has a way to go.
+    """
+    if pen == "rigid":
+        return RIGID * press
+    further = max(press - SPRING_TRAVEL, 0.0)
+    return SPRING * min(press, SPRING_TRAVEL) + _AT_ITS_END * further + weight_on(where)
+
+
+def busiest_joint(effort: float, speed: float) -> float:
+    """Return how much of its fastest turn the busiest joint needs on a page at a speed [cm/s].
+
+    The effort is the page's, from a `ReachMap`: in its worst place, in the worst direction [%].
+    """
+    return effort * speed / SWIFT_WRITING
 
 
 def kinds() -> dict[str, str]:
@@ -94,18 +122,18 @@ class WritingSetup:
         return {"motors": motors, "pen": self.pen, "page_height_error": error}
 
     @property
-    def facts(self) -> dict[str, object]:
+    def facts(self) -> Answer:
         """What sentences speak of."""
         near = LEAST_FORCE if self.force < 0.5 else MOST_FORCE
-        numbers = {"ahead": f"{self.ahead:g}", "press": f"{self.press:g}", "v": f"{self.speed:g}"}
-        numbers |= {
+        return {
+            **{"is_on": kinds()[self.where], "place": self._place, "ahead": f"{self.ahead:g}"},
+            **{"press": f"{self.press:g}", "v": f"{self.speed:g}"},
             "mm": tell_number(self.residual, MOST_MISSING, int(self.residual < 10)),
             "n": tell_number(self.force, near),
+            "percent": tell_number(self.percent, MOST_BUSY, 0) if self.is_reached else "",
+            **{"low": LEAST_FORCE, "high": MOST_FORCE, "breaks": BREAKING_FORCE},
+            **{"busy": MOST_BUSY, "travel": SPRING_TRAVEL},
         }
-        numbers |= {"percent": tell_number(self.percent, MOST_BUSY, 0) if self.is_reached else ""}
-        limits: Answer = {"low": LEAST_FORCE, "high": MOST_FORCE, "breaks": BREAKING_FORCE}
-        limits |= {"busy": MOST_BUSY, "travel": SPRING_TRAVEL, "off": MOST_MISSING}
-        return {"is_on": kinds()[self.where], "place": self._place, **numbers, **limits}
 
     @property
     def _place(self) -> str:
