@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import io
 import math
 import re
-from xml.etree.ElementTree import Element, ParseError, TreeBuilder
+from xml.etree.ElementTree import Element, ParseError
 from xml.sax.saxutils import escape
 
 from defusedxml.common import DefusedXmlException, EntitiesForbidden
-from defusedxml.ElementTree import DefusedXMLParser
+from defusedxml.ElementTree import iterparse
 
 from dmp_teach.errors import RecordingError
 
@@ -17,30 +18,6 @@ DEEPEST_ELEMENT = 60  # elements inside one another
 BEGINNING = 65_536  # of a file, in which its root is [bytes]
 FIRST_TAG = re.compile(rb"<(?:[\w.-]+:)?([A-Za-z][\w.-]*)")
 NOT_IN_XML = re.compile("[^\t\n\r\u0020-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
-
-
-class _BoundedTree(TreeBuilder):
-    """A tree that stops growing."""
-
-    def __init__(self) -> None:
-        super().__init__()
-        self.count = self.depth = 0
-
-    def start(self, tag: str, attrs: dict[str, str]) -> Element:
-        """Count an element on the way in."""
-        self.count += 1
-        self.depth += 1
-        if self.count > MOST_ELEMENTS or self.depth > DEEPEST_ELEMENT:
-            raise RecordingError(
-                f"has more than {MOST_ELEMENTS} elements, or more than {DEEPEST_ELEMENT} inside "
-                "one another; cut it."
-            )
-        return super().start(tag, attrs)
-
-    def end(self, tag: str) -> Element:
-        """Count it on the way out."""
-        self.depth -= 1
-        return super().end(tag)
 
 
 def parse_xml(data: bytes, root_tag: str, what: str) -> Element:
@@ -55,10 +32,17 @@ def parse_xml(data: bytes, root_tag: str, what: str) -> Element:
         RecordingError: Not well-formed XML, larger or deeper than ink needs, with entities of its
             own, or with another root.
     """
-    parser = DefusedXMLParser(target=_BoundedTree())
+    count = depth = 0
+    parts = iterparse(io.BytesIO(data), ("start", "end"))
     try:
-        parser.feed(data)
-        root = parser.close()
+        for event, _ in parts:
+            depth += 1 if event == "start" else -1
+            count += event == "start"
+            if count > MOST_ELEMENTS or depth > DEEPEST_ELEMENT:
+                raise RecordingError(
+                    f"has more than {MOST_ELEMENTS} elements, or more than {DEEPEST_ELEMENT} "
+                    "inside one another; cut it."
+                )
     except RecordingError:
         raise
     except EntitiesForbidden as error:
@@ -67,6 +51,7 @@ def parse_xml(data: bytes, root_tag: str, what: str) -> Element:
         ) from None
     except (ParseError, DefusedXmlException, ValueError, LookupError) as error:
         raise RecordingError(f"is not well-formed XML: {error}. Save or export it again.") from None
+    root: Element = parts.root
     if local_tag(root) != root_tag:
         raise RecordingError(
             f"is XML of the kind {local_tag(root)[:40]!r}, but must be {what} ({root_tag})."

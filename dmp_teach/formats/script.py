@@ -56,15 +56,13 @@ def use_script(path: str | os.PathLike[str] | None) -> tuple[str, ...]:
         install_script("", {})
         _forget_other_letters()
         return ()
-    read = [(_letter_in(each.character), each) for each in _read_letters(path)]
-    found = {letter: each for letter, each in read if letter}
-    name = Path(path).stem
+    found = {letter: each for each in _read_letters(path) if (letter := _letter_in(each.character))}
     if not found:
         raise RecordingError(
             f"There is no letter in {Path(path).name}: name files or groups after their "
             "letters, such as 'a.svg'."
         )
-    install_script(name, _placed(found))
+    install_script(Path(path).stem, _placed(found))
     _forget_other_letters()
     return tuple(sorted(found))
 
@@ -99,16 +97,14 @@ def _read_letters(path: str | os.PathLike[str]) -> Iterator[Recording]:
 
 def _groups(data: bytes, name: str) -> Iterator[Recording]:
     """Yield the letters of a drawing: its groups that are named after one."""
+    letter = ""
     try:
         root = parse_xml(data, "svg", "a drawing")
+        for letter in _letters_alone(root, root):
+            (recording,) = read_svg(tostring(root), name, CaptureOptions())
+            yield replace(recording, character=letter)
     except RecordingError as error:
-        raise RecordingError(f"{name}: {error}") from None
-    for letter in _letters_alone(root, root):
-        try:
-            (recording,) = read_svg(tostring(root), name, CaptureOptions(None, "+y", "-x"))
-        except RecordingError as error:
-            raise RecordingError(f"{letter} in {name}: {error}") from None
-        yield replace(recording, character=letter)
+        raise RecordingError(f"{letter} in {name}: {error}".removeprefix(" in ")) from None
 
 
 def _letters_alone(root: Element, within: Element) -> Iterator[str]:
@@ -133,9 +129,8 @@ def _placed(letters: dict[str, Recording]) -> dict[str, Recording]:
     known = letters.keys() & set(characters(DEFAULT_ALPHABET))
     boxes = {letter: _box(recording) for letter, recording in letters.items()}
     ours = {letter: _box(recording_of(letter, DEFAULT_ALPHABET)) for letter in known}
-    heights = [[np.ptp(box[:, 1]) for box in (ours[each], boxes[each])] for each in ours]
-    ratios = [our / its for our, its in heights if its > 0]
-    factor = float(np.median(ratios)) if ratios else 1.0
+    heights = [[float(np.ptp(box[:, 1])) for box in (ours[each], boxes[each])] for each in ours]
+    factor = float(np.median([our / its for our, its in heights if its > 0] or [1.0]))
     placed = {}
     for letter, recording in letters.items():
         low = factor * boxes[letter][0]

@@ -30,7 +30,6 @@ LETTER_COLUMN = re.compile(
     r"(?:letter|char|character|label|trial|sample|demo|writer|user|subject)s?\W*(?:id)?"
 )
 DECIMAL_COMMA = re.compile(r"\s*-?\d+,\d+(?:\s+-?\d+,\d+)+\s*")
-DECIMAL_PAIR = re.compile(r"(-?\d+),(\d+)")
 SIGN_BEFORE = re.compile(r"^\s*(?:#|%|//|\")?\s*")
 
 
@@ -52,8 +51,6 @@ def read_table_of_text(data: bytes, name: str, options: CaptureOptions) -> tuple
     if len(lines) > MOST_TABLE_ROWS:
         raise RecordingError(f"has more than {MOST_TABLE_ROWS} rows; cut it.")
     sign = _divider(lines)
-    if sign == "," and _has_two_cells_each(lines):
-        lines = [DECIMAL_PAIR.sub(r"\1.\2", line) for line in lines]
     rows = [_numbers(line, sign) for line in lines]
     first = next((k for k, row in enumerate(rows) if row is not None), 0)
     width = len(rows[first] or ())
@@ -73,14 +70,6 @@ def read_table_of_text(data: bytes, name: str, options: CaptureOptions) -> tuple
     # Line ends of two signs may show as an empty line after each row.
     filled = ~np.isnan(values).all(axis=1)
     return read_columns(values if filled.mean() >= 0.6 else values[filled], names, name, options)
-
-
-def _has_two_cells_each(lines: Sequence[str]) -> bool:
-    """Tell whether numbers with a decimal comma are divided by commas under a line of names."""
-    first = next((k for k, line in enumerate(lines) if _numbers(line, ",") is not None), 0)
-    cells = _cells(lines[first], ",")
-    is_whole = len(cells) % 2 == 0 and all(re.fullmatch(r"-?\d+", cell) for cell in cells)
-    return is_whole and bool(_names(lines[:first], ",", len(cells) // 2))
 
 
 def _lines(data: bytes) -> list[str]:

@@ -92,7 +92,6 @@ TIMED = {
     "spaces": text("# t x y", sign="   "),
     "bars": text("| t | x | y |", sign=" | "),
     "decimal commas": text("t;x;y", sign=";").replace(b".", b","),
-    "decimal commas and commas": text().replace(b".", b","),
     "decimal commas and spaces": text(None, sign="  ").replace(b".", b","),
     "units": text("time (ms),x [mm],y [mm]", t=1000.0, **MM),
     "units in names": text("time_ms,x_mm,y_mm", t=1000.0, **MM),

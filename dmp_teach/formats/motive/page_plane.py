@@ -59,13 +59,7 @@ def on_page(t: Array, points: Array, up: str = "+y", right: str = "-x") -> Array
 
     The plane is first the one that most moving samples are near (RANSAC with fixed draws), then the
     one through the strokes that it gives. Where the ink says little (a single bar), the page is
-    taken for level. The origin is some point of the plane.
-
-    Args:
-        t: Times, shape (T,) [s].
-        points: The marker in the cameras' world, shape (T, 3) [m].
-        up: The direction out of the paper.
-        right: The direction to the right on the page.
+    taken for level. The origin is some point of the plane. Arguments as `written`.
 
     Raises:
         RecordingError: Nothing was written, the directions cannot be, or the ink lies far from
@@ -100,9 +94,8 @@ def _near_best_plane(flat: Array, level: Array, up: str) -> Array:
     length = np.linalg.norm(drawn, axis=1)
     heights = np.quantile(flat[:, 2], np.linspace(0, 0.6, 20))[:, None] * [0.0, 0.0, 1.0]
     points = np.vstack([heights, a[length > 0]])
-    normals = np.vstack(
-        [np.tile([0.0, 0.0, 1.0], (20, 1)), drawn[length > 0] / length[length > 0, None]]
-    )
+    out = np.tile([0.0, 0.0, 1.0], (20, 1))
+    normals = np.vstack([out, drawn[length > 0] / length[length > 0, None]])
     normals *= np.where(normals[:, 2:] < 0, -1.0, 1.0)
     miss = normals @ flat.T - (normals * points).sum(axis=1)[:, None]
     off = np.minimum((miss / MARKER_WANDER) ** 2, 1).mean(axis=1)

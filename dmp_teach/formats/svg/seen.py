@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
 import scipy
 
 from dmp_teach.errors import RecordingError
+from dmp_teach.segmentation import find_runs
 from dmp_teach.trajectory import Array, arc_lengths, interpolate_points, path_length
 
 PALE = 1 / 12  # a colour that differs less from what is under it is not seen [share of white]
@@ -46,12 +47,7 @@ class Outline:
         return float(max(np.ptp(part, axis=0).max() for part in self.parts))
 
     def holds(self, points: Array, slack: float) -> Array:
-        """Return whether points are inside: 1, outside: 0, or within `slack` of an edge: between.
-
-        Args:
-            points: Shape (N, 2) [m].
-            slack: [m].
-        """
+        """Return whether points (N, 2) are inside: 1, outside: 0, or near an edge: between."""
         inside = np.zeros(len(points))
         starts = np.concatenate([*self.parts, np.empty((0, 2))])
         ends = np.concatenate([*(np.roll(part, -1, axis=0) for part in self.parts), starts[:0]])
@@ -97,11 +93,7 @@ class Painted:
 def look_at(
     painted: Sequence[Painted], paper: Array
 ) -> tuple[list[tuple[Array, Painted]], Counter[int], int]:
-    """Return what one sees of a drawing.
-
-    Args:
-        painted: What is in it, the lowest first; at least one line.
-        paper: The colour of its page, shape (4,).
+    """Return what one sees of a drawing, the lowest first, on a page of a colour (4,).
 
     Returns:
         Ways, points (K, 2) each, with what they are of; how many lines are not seen, or not
@@ -116,10 +108,13 @@ def look_at(
     seen, unseen = [], Counter[int]()
     ends = np.cumsum([len(each) for each in dense])[:-1]
     for (k, way), whole, hidden in zip(ways, dense, np.split(why, ends), strict=True):
-        if hidden.any() and painted[k].area is None:
+        if not hidden.any():
+            seen.append((way, painted[k]))
+            continue
+        if painted[k].area is None:
             unseen[int(hidden[hidden > 0][0])] += 1
-        runs = _runs(whole, hidden == 0, CRUMB * size) if hidden.any() else [way]
-        seen += [(run, painted[k]) for run in runs]
+        runs = [whole[start:end] for start, end in find_runs(hidden == 0)]
+        seen += [(run, painted[k]) for run in runs if path_length(run) >= CRUMB * size]
     return seen, unseen, areas
 
 
@@ -128,26 +123,23 @@ def _why_unseen(
 ) -> tuple[Array, int]:
     """Return why each of `points` (N, 2) is not seen, 0 where it is, and the number of areas.
 
-    Args:
-        painted: What is in the drawing, the lowest first.
-        paper: The colour of its page, shape (4,).
-        points: Places on its lines [m].
-        owner: Which of `painted` each of them is of, shape (N,).
-        slack: So near an edge is on both of its sides [m].
+    Each is a place on one of `painted`, its `owner` (N,).
     """
     why, areas = np.zeros(len(points), int), 0
     under = np.tile(paper[:3], (len(points), 1))
-    clips = {id(clip): clip for each in painted for clip in each.clips}
-    held = {key: _any_holds(clip[1], points, slack) for key, clip in clips.items()}
-    for key, (reason, _) in clips.items():
-        owned = [k for k, each in enumerate(painted) if key in map(id, each.clips)]
-        why[np.isin(owner, owned) & (held[key] == 0)] = reason
+    held = {}
+    for clip in {id(clip): clip for each in painted for clip in each.clips}.values():
+        reason, outlines = clip
+        each_holds = [outline.holds(points, slack) for outline in outlines]
+        held[id(clip)] = np.max([np.zeros(len(points)), *each_holds], axis=0)
+        owned = [k for k, each in enumerate(painted) if id(clip) in map(id, each.clips)]
+        why[np.isin(owner, owned) & (held[id(clip)] == 0)] = reason
     for k, each in enumerate(painted):
         if each.area is None:
             continue
         inside, opacity = each.area.holds(points, slack), each.colour[3]
         for clip in each.clips:
-            inside *= held[id(clip)]
+            inside = inside * held[id(clip)]
         if 1 - opacity < PALE:
             why[(owner < k) & (inside == 1)] = COVERED
         above = (owner > k) & (inside > 0)
@@ -167,12 +159,6 @@ def _why_unseen(
     return why, areas
 
 
-def _any_holds(outlines: Sequence[Outline], points: Array, slack: float) -> Array:
-    """Return whether one of outlines holds points (N, 2), as `Outline.holds`."""
-    held = [outline.holds(points, slack) for outline in outlines]
-    return np.max([np.zeros(len(points)), *held], axis=0)
-
-
 def is_seen(paint: Array, under: Array) -> Array:
     """Return whether colours (..., 4) are seen over others, shape (..., 3) or (..., 4)."""
     apart = np.abs(paint[..., :3] - under[..., :3]).max(axis=-1)
@@ -184,13 +170,4 @@ def _dense(way: Array, step: float) -> Array:
     along = arc_lengths(way)
     if not along[-1] > step > 0:
         return way
-    at = np.unique(np.concatenate([along, np.arange(0, along[-1], step)]))
-    return interpolate_points(at, along, way)
-
-
-def _runs(points: Array, is_seen: Array, shortest: float) -> Iterator[Array]:
-    """Yield the parts of a way (N, 2) that are seen, but for crumbs."""
-    edges = np.flatnonzero(np.diff(np.concatenate([[0], is_seen.astype(int), [0]])))
-    for start, end in edges.reshape(-1, 2):
-        if arc_lengths(points[start:end])[-1] >= shortest:
-            yield points[start:end]
+    return interpolate_points(np.union1d(along, np.arange(0, along[-1], step)), along, way)
