@@ -176,7 +176,7 @@ def test_near_the_end_of_the_arms_reach_notes_say_so_and_nothing_is_printed(recw
     assert not [each for each in recwarn if each.category is dmp_teach.errors.ReachWarning]
 
 
-def test_without_placo_the_panel_goes_on_and_says_what_works(panel, monkeypatch):
+def test_where_a_part_is_missing_the_panel_goes_on_and_says_what_works(panel, monkeypatch):
     def missing(*_, **__):
         raise dmp_teach.errors.MissingPartError("PlaCo is not here. Letters can still be learned.")
 

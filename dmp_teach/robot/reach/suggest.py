@@ -10,9 +10,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-import scipy
 
 from dmp_teach.robot.arm import Solver
+from dmp_teach.robot.model.rotation import turn_about
 from dmp_teach.robot.page import A4, Page
 from dmp_teach.robot.reach.posture import STRAINED_EFFORT, find_posture
 from dmp_teach.trajectory import Array
@@ -115,7 +115,7 @@ def _turned(page: Page) -> Iterator[Page]:
 def _best_place(page: Page, area: Area) -> Page:
     """Return the page moved to where the middle of an area is as easy to reach as can be."""
     lean = np.arccos(np.clip(page.normal[2], 0, 1)) / (np.pi / 2)
-    spot = scipy.spatial.transform.Rotation.from_euler("Z", page.angles[2]).apply(
+    spot = turn_about(np.array([0.0, 0.0, 1.0]), page.angles[2]) @ (
         _FLAT + lean * (_UPRIGHT - _FLAT)
     )
     centre = page.X_world_page[:3, 3]
