@@ -118,7 +118,7 @@ def prepare():
     if done == pins:
         return str(python)
     say("Setting up in .venv (once, about 2 minutes and 1.5 GB) ...")
-    began = time.time()
+    began = time.monotonic()
     if done is None:
         # There is none, or an unfinished one. What was downloaded is kept in the installer's cache.
         make_venv()
@@ -129,9 +129,8 @@ def prepare():
     place = Path(subprocess.check_output([str(python), "-c", ask]).decode().strip())
     (place / "dmp_teach.pth").write_text(os.path.relpath(str(ROOT), str(place)) + "\n")
     stamp.write_text(pins)
-    say(
-        "Ready after {:.0f} seconds. The next start needs none of this.".format(time.time() - began)
-    )
+    seconds = time.monotonic() - began
+    say("Ready after {:.0f} seconds. The next start needs none of this.".format(seconds))
     return str(python)
 
 

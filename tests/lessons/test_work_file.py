@@ -1,6 +1,7 @@
 """What a pupil saves is one file, and *Forget* leaves none."""
 
 import json
+import sys
 
 import pytest
 
@@ -46,6 +47,26 @@ def test_work_is_taken_up_after_a_restart(folder):
     again = teach.lesson("03", pupil="w07").panel()
     assert (again.values, again.progress["bet"]) == (panel.values, panel.progress["bet"])
     assert again.progress["step"] == "try"
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows cannot limit the size of a file")
+def test_on_a_full_disk_what_was_saved_stays_and_a_sentence_is_said(folder):
+    import resource  # noqa: PLC0415 (Windows has none)
+
+    panel = worked("w07")
+    before = panel.save().read_bytes()
+    panel.values = panel.values | {"kernel_width": 0.8}
+    limits = resource.getrlimit(resource.RLIMIT_FSIZE)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (len(before) // 2, limits[1]))
+    try:
+        send(panel, {"kind": "save"})
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, limits)
+    assert "Saved" not in panel.status
+    assert "work_w07.json" in panel.status
+    assert [path.read_bytes() for path in folder.iterdir()] == [before]
+    send(panel, {"kind": "save"})
+    assert (folder / "work_w07.json").read_bytes() != before
 
 
 @pytest.mark.parametrize("pupil", ["w07", None])
