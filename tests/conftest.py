@@ -13,8 +13,8 @@ os.environ["DMP_TEACH_PICTURES_STAY_OUT"] = "1"
 STRICT = os.environ.get("CI", "").lower() == "true"
 FEW = 5
 NOT_QUICK = {"benchmarks", "browser", "classroom", "launcher"}
-NOT_QUICK |= {"notebooks", "robot", "studies", "views"}
-LONGEST_FIRST = ["browser", "studies", "robot"]
+NOT_QUICK |= {"notebooks", "pyodide", "robot", "studies", "views"}
+LONGEST_FIRST = ["browser", "studies", "robot", "pyodide"]
 
 
 class FewExamples(hypothesis.settings):
