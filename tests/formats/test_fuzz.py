@@ -40,7 +40,7 @@ HUGE = [
     "2147483648",
     "#ffffffffffff",
 ]
-QUIET = settings(max_examples=60, deadline=None, suppress_health_check=list(HealthCheck))
+QUIET = settings(max_examples=40, deadline=None, suppress_health_check=list(HealthCheck))
 THOROUGH = settings(max_examples=5000, deadline=None, suppress_health_check=list(HealthCheck))
 
 

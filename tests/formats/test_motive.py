@@ -152,6 +152,12 @@ def test_a_pen_that_is_a_body_is_named_beside_a_hand_that_moves(tmp_path):
     assert (pen.marker, pen.notes) == ("Pen", ())
 
 
+def test_a_marker_may_have_the_name_of_a_body_without_a_place(tmp_path):
+    t, world = hand()
+    path = motive(tmp_path / "D_w07.csv", t, world, pen="Pen", body=("Pen", circling(t)))
+    check_d(read_recording(path), Pen(touches=touches()))
+
+
 @pytest.mark.parametrize("cut", [215, 240, 350, 380, 420])
 def test_a_marker_that_is_lost_for_good_in_a_stroke_is_noted(tmp_path, cut):
     t, world = hand()

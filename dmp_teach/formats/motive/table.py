@@ -77,7 +77,8 @@ class Table:
 
     def track(self, key: MarkerKey) -> Track:
         """Return where a marker or a body was seen; a cell that is no number is a fault."""
-        columns = (self.markers | self.bodies)[key]
+        whole = (each[key] for each in (self.bodies, self.markers) if len(each.get(key, ())) == 3)
+        columns = next(whole)
         seen: list[int] = []
         points: list[list[float]] = []
         for k, (place, row) in enumerate(self.body):
