@@ -18,7 +18,6 @@ from .lesson.content import Affine as Affine
 from .lesson.content import Drawing as Drawing
 from .lesson.content import Pick as Pick
 from .lesson.content import Picture as Picture
-from .lesson.content import Task as Task
 from .lesson.knobs import Knobs as Knobs
 from .lesson.knobs import OneOf as OneOf
 from .lesson.knobs import Slider as Slider

@@ -26,6 +26,11 @@ class BeAScientist(kit.Lesson):
 
     key = "10"
     question = marked("How do you know that it is true?")
+    tasks = (
+        marked("Ask one writer after the other. From how many on is it no luck?"),
+        marked("Do the counter-test of claim {first}. What is left of its number?"),
+        marked("Look at the other claims, each in both ways and with all its writers."),
+    )
     challenge = marked(
         "Fill the table. A claim holds if it holds in the paper’s way and in the counter-test. If "
         "not, is it unfair, since more than one thing was changed, or true in one setting only? If "
@@ -89,25 +94,13 @@ class BeAScientist(kit.Lesson):
         asked, ends = question.format(letter=self.writers.character, n=most), (0.1, 200.0)
         return kit.DrawnBet(asked, "ratios", places, labels, "y", 0.05, _("times"), *ends)
 
-    @property
-    def tasks(self) -> Sequence[kit.Task]:
+    def done(self, v: kit.Answer) -> Sequence[bool]:
         first = self.start["claim"]
         return (
-            kit.Task(
-                marked("Ask one writer after the other. From how many on is it no luck?"),
-                lambda v: v["writers"] >= 5,
-            ),
-            kit.Task(
-                marked("Do the counter-test of claim {first}. What is left of its number?"),
-                lambda v: (v["how"], v["claim"]) == (COUNTER_TEST, first),
-            ),
-            kit.Task(
-                marked("Look at the other claims, each in both ways and with all its writers."),
-                lambda v: (
-                    (v["claim"] != first and v["how"] == COUNTER_TEST)
-                    and v["writers"] >= self.numbers[self.claims[int(v["claim"]) - 1]]
-                ),
-            ),
+            v["writers"] >= 5,
+            (v["how"], v["claim"]) == (COUNTER_TEST, first),
+            (v["claim"] != first and v["how"] == COUNTER_TEST)
+            and v["writers"] >= self.numbers[self.claims[int(v["claim"]) - 1]],
         )
 
     def conditions(self, answer: kit.Answer) -> Sequence[kit.Condition]:

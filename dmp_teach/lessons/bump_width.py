@@ -44,18 +44,9 @@ class BumpWidth(kit.Lesson):
     key = "03"
     question = marked("How wide should each bump be?")
     tasks = (
-        kit.Task(
-            marked("Make the bumps wider and wider. What melts first?"),
-            lambda v: v["kernel_width"] > 12,
-        ),
-        kit.Task(
-            marked("Now go below 1. What happens between the bumps?"),
-            lambda v: v["kernel_width"] < 0.8,
-        ),
-        kit.Task(
-            marked("Learn all together, with a width from 3 to 8. Is the letter still soft?"),
-            lambda v: v["fit"] == "joint" and 3 <= v["kernel_width"] <= 8,
-        ),
+        marked("Make the bumps wider and wider. What melts first?"),
+        marked("Now go below 1. What happens between the bumps?"),
+        marked("Learn all together, with a width from 3 to 8. Is the letter still soft?"),
     )
     challenge = marked(
         "With {shape}, learned one at a time: find one width that keeps both {first} and {second} "
@@ -104,6 +95,13 @@ class BumpWidth(kit.Lesson):
         )
         label = _("How far off at width {:g}")
         return drawing.bet_on_errors(self.tell(question), BET_WIDTHS, 3.0, label)
+
+    def done(self, v: kit.Answer) -> Sequence[bool]:
+        return (
+            v["kernel_width"] > 12,
+            v["kernel_width"] < 0.8,
+            v["fit"] == "joint" and 3 <= v["kernel_width"] <= 8,
+        )
 
     def conditions(self, answer: kit.Answer) -> Sequence[kit.Condition]:
         return [

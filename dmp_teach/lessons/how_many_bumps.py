@@ -50,18 +50,9 @@ class HowManyBumps(kit.Lesson):
     draws_tried = True
     question = marked("How many bumps are enough?")
     tasks = (
-        kit.Task(
-            marked("Take 10 bumps, then twice as many: 20. How much of the error is left?"),
-            lambda v: v["n_kernels"] == 20,
-        ),
-        kit.Task(
-            marked("Add bumps until more of them change nothing that you can see. Stop there."),
-            lambda v: 24 <= v["n_kernels"] <= 45,
-        ),
-        kit.Task(
-            marked("See the pen twice as often, 240 times a second. Are more bumps needed?"),
-            lambda v: v["rate"] == "240",
-        ),
+        marked("Take 10 bumps, then twice as many: 20. How much of the error is left?"),
+        marked("Add bumps until more of them change nothing that you can see. Stop there."),
+        marked("See the pen twice as often, 240 times a second. Are more bumps needed?"),
     )
     challenge = marked(
         "Every bump must be stored and learned. Keep {letter} within {limit} mm with as few as you "
@@ -100,6 +91,13 @@ class HowManyBumps(kit.Lesson):
         )
         label = _("How far off with {:g} bumps")
         return drawing.bet_on_errors(self.tell(question), BET_NUMBERS, 10.0, label)
+
+    def done(self, v: kit.Answer) -> Sequence[bool]:
+        return (
+            v["n_kernels"] == 20,
+            24 <= v["n_kernels"] <= 45,
+            v["rate"] == "240",
+        )
 
     def conditions(self, answer: kit.Answer) -> Sequence[kit.Condition]:
         error = error_with_number(self.letter, answer["n_kernels"])

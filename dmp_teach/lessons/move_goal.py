@@ -26,6 +26,11 @@ class MoveGoal(kit.Lesson):
 
     key = "05"
     question = marked("What happens when the goal moves?")
+    tasks = (
+        marked("Drag the ring across the start, by each rule. Which keeps the shape?"),
+        marked("Take C and the first rule. Drag its ring 1 cm aside. What becomes of C?"),
+        marked("Let the goal move while the pen is on its way. What does the pen do?"),
+    )
     challenge = marked(
         "Lead the goal of the {letter} at least {x_least:g} cm {aside} and {y_least:g} cm {up}. At "
         "least {least:g} % of the line must go the way that the person’s went, and the pen must "
@@ -87,25 +92,13 @@ class MoveGoal(kit.Lesson):
         labels = [_("Place {n} of the line").format(n=n + 1) for n in range(BET_POINTS)]
         return kit.DrawnBet(self.tell(question), "sheet", places, labels, axis="xy")
 
-    @property
-    def tasks(self) -> Sequence[kit.Task]:
+    def done(self, v: kit.Answer) -> Sequence[bool]:
         home = self.start["goal_x"]
         return (
-            kit.Task(
-                marked("Drag the ring across the start, by each rule. Which keeps the shape?"),
-                lambda v: v["rule"] in ("star", "printed") and v["goal_x"] != home,
-            ),
-            kit.Task(
-                marked("Take C and the first rule. Drag its ring 1 cm aside. What becomes of C?"),
-                lambda v: (
-                    (v["rule"], v["letter"]) == ("original", STEEP)
-                    and (v["goal_x"] != home and 0.5 <= abs(v["goal_x"]) <= 2)
-                ),
-            ),
-            kit.Task(
-                marked("Let the goal move while the pen is on its way. What does the pen do?"),
-                lambda v: v["moves_at"] > 0.2 * self.latest,
-            ),
+            v["rule"] in ("star", "printed") and v["goal_x"] != home,
+            (v["rule"], v["letter"]) == ("original", STEEP)
+            and (v["goal_x"] != home and 0.5 <= abs(v["goal_x"]) <= 2),
+            v["moves_at"] > 0.2 * self.latest,
         )
 
     def conditions(self, answer: kit.Answer) -> Sequence[kit.Condition]:

@@ -25,24 +25,10 @@ class NewLetters(kit.Lesson):
     key = "07"
     question = marked("Can a robot write a letter that nobody showed it?")
     tasks = (
-        kit.Task(
-            marked("Drag the ring to the middle of the stem. Which letter is it now?"),
-            lambda v: v["goal_y"] >= 4,
-        ),
-        kit.Task(
-            marked(
-                "Take a third stroke from the shelf, and drag its ring. Can you make an R? A B?"
-            ),
-            lambda v: v["third"] != "none" and np.hypot(v["third_x"], v["third_y"]) > 1,
-        ),
-        kit.Task(
-            marked("Go from hand 1 to hand 2, and beyond 100 %. Whose bowl is it half way?"),
-            lambda v: v["share"] > 100,
-        ),
-        kit.Task(
-            marked("Write it in one line. At which joint does the pen no longer stop?"),
-            lambda v: v["way"] == "joined",
-        ),
+        marked("Drag the ring to the middle of the stem. Which letter is it now?"),
+        marked("Take a third stroke from the shelf, and drag its ring. Can you make an R? A B?"),
+        marked("Go from hand 1 to hand 2, and beyond 100 %. Whose bowl is it half way?"),
+        marked("Write it in one line. At which joint does the pen no longer stop?"),
     )
     challenge = marked("{ask} The stem must lean by {asked}°, more or less one degree.")
     hints = (
@@ -111,6 +97,14 @@ class NewLetters(kit.Lesson):
         )
         hands = {"1": _("hand 1"), "2": _("hand 2"), "none": _("nobody can tell")}
         return kit.ChosenBet(question, hands)
+
+    def done(self, v: kit.Answer) -> Sequence[bool]:
+        return (
+            v["goal_y"] >= 4,
+            v["third"] != "none" and np.hypot(v["third_x"], v["third_y"]) > 1,
+            v["share"] > 100,
+            v["way"] == "joined",
+        )
 
     def conditions(self, answer: kit.Answer) -> Sequence[kit.Condition]:
         made = NewLetter(answer)

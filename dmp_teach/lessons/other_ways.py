@@ -25,20 +25,9 @@ class OtherWays(kit.Lesson):
     key = "12"
     question = marked("Are there other ways to learn?")
     tasks = (
-        kit.Task(
-            marked(
-                "Go through the five ways. Which take the whole letter along, which only its end?"
-            ),
-            lambda v: v["way"] in ("states", "cost"),
-        ),
-        kit.Task(
-            marked("Take spread. How many letters must it see until it reaches the ring?"),
-            lambda v: v["way"] == "spread" and v["shown"] >= SEVERAL,
-        ),
-        kit.Task(
-            marked("Show more letters to DMP*, then to cost. Which of them gets nearer?"),
-            lambda v: v["way"] == "cost" and v["shown"] >= SEVERAL,
-        ),
+        marked("Go through the five ways. Which take the whole letter along, which only its end?"),
+        marked("Take spread. How many letters must it see until it reaches the ring?"),
+        marked("Show more letters to DMP*, then to cost. Which of them gets nearer?"),
     )
     challenge = marked(
         "A hand slips a little in each {letter}. The goal is at home again. Let the robot write "
@@ -103,6 +92,13 @@ class OtherWays(kit.Lesson):
         shift = float(values["goal_x"]), float(values["goal_y"])
         way, shown = str(values["way"]), int(values["shown"])
         return five_ways.Led(self.letter, self.hand, way, shown, shift)
+
+    def done(self, v: kit.Answer) -> Sequence[bool]:
+        return (
+            v["way"] in ("states", "cost"),
+            v["way"] == "spread" and v["shown"] >= SEVERAL,
+            v["way"] == "cost" and v["shown"] >= SEVERAL,
+        )
 
     def conditions(self, answer: kit.Answer) -> Sequence[kit.Condition]:
         led = self._led(answer)

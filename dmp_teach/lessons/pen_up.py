@@ -27,18 +27,9 @@ class PenUp(kit.Lesson):
     key = "06"
     question = marked("When does the pen leave the paper?")
     tasks = (
-        kit.Task(
-            marked("Pull both lines down to the bottom. What does the robot take for a lift?"),
-            lambda v: v["theta"] <= 5 and v["sigma"] <= 0.5,
-        ),
-        kit.Task(
-            marked("Leave θ low and raise σ alone. Can height tell the lift from the slow hill?"),
-            lambda v: v["theta"] <= 20 and v["sigma"] >= 10,
-        ),
-        kit.Task(
-            marked("Leave σ low and raise θ alone. Can speed tell the lift from the short peak?"),
-            lambda v: v["sigma"] <= 2 and v["theta"] >= 60,
-        ),
+        marked("Pull both lines down to the bottom. What does the robot take for a lift?"),
+        marked("Leave θ low and raise σ alone. Can height tell the lift from the slow hill?"),
+        marked("Leave σ low and raise θ alone. Can speed tell the lift from the short peak?"),
     )
     challenge = marked(
         "Set both lines so that the robot finds the two strokes of {letter}, and every end of a "
@@ -84,6 +75,13 @@ class PenUp(kit.Lesson):
         places = box[0] + [[0.97, 0.3], [0.97, 0.6]] * (box[1] - box[0])
         labels = [_("Where the pen left the paper"), _("Where the pen landed")]
         return kit.DrawnBet(self.tell(question), "sheet", places, labels, axis="xy")
+
+    def done(self, v: kit.Answer) -> Sequence[bool]:
+        return (
+            v["theta"] <= 5 and v["sigma"] <= 0.5,
+            v["theta"] <= 20 and v["sigma"] >= 10,
+            v["sigma"] <= 2 and v["theta"] >= 60,
+        )
 
     def conditions(self, answer: kit.Answer) -> Sequence[kit.Condition]:
         strokes = self.find(answer)

@@ -35,21 +35,11 @@ class ReadingAPaper(kit.Lesson):
     key = "11"
     question = marked("What if you build a paper word for word?")
     tasks = (
-        kit.Task(
-            marked("Mend one place that brings the letter back to the sheet. Which one does?"),
-            lambda v: v["push"] == MENDED,
+        marked("Mend one place that brings the letter back to the sheet. Which one does?"),
+        marked(
+            "Take the authors’ program: all that is named program, and push and bump ends mended."
         ),
-        kit.Task(
-            marked(
-                "Take the authors’ program: all that is named program, and push and bump ends "
-                "mended."
-            ),
-            lambda v: v == AS_CODED,
-        ),
-        kit.Task(
-            marked("Mend all six. Then put one back that nobody would miss."),
-            lambda v: v["width"] == "printed" and list(v.values()).count(MENDED) == 5,
-        ),
+        marked("Mend all six. Then put one back that nobody would miss."),
     )
     challenge = marked(
         "Which three matter? Bring the {letter} within {limit:g} mm with at most three changes of "
@@ -89,6 +79,13 @@ class ReadingAPaper(kit.Lesson):
         )
         options = {name: label for name, label in readings.names().items() if name in FAULTY}
         return kit.ChosenBet(self.tell(question), options, readings.notes())
+
+    def done(self, v: kit.Answer) -> Sequence[bool]:
+        return (
+            v["push"] == MENDED,
+            v == AS_CODED,
+            v["width"] == "printed" and list(v.values()).count(MENDED) == 5,
+        )
 
     def conditions(self, answer: kit.Answer) -> Sequence[kit.Condition]:
         return [

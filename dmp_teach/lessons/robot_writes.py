@@ -28,16 +28,13 @@ class RobotWrites(kit.Lesson):
     key = "08"
     question = marked("Where can the robot write?")
     tasks = (
-        kit.Task(marked("Let the robot write. It cannot: take its advice."), by_robot=True),
-        kit.Task(
-            marked("Move the page to 100 cm ahead: table or board?"),
-            lambda v: v["where"] == "board" and v["ahead"] == 100,
-        ),
-        kit.Task(
-            marked("Physics with real motors: let the robot write. Which pen breaks?"),
-            lambda v: v["physics"] == "real" and v["pen"] == "rigid",
-            by_robot=True,
-        ),
+        marked("Let the robot write. It cannot: take its advice."),
+        marked("Move the page to 100 cm ahead: table or board?"),
+        marked("Physics with real motors: let the robot write. Which pen breaks?"),
+    )
+    by_robot = (
+        0,
+        2,
     )
     challenge = marked(
         "Put the page on a {where}, its middle at least {aside} cm to the {side}. All of it must "
@@ -106,6 +103,13 @@ class RobotWrites(kit.Lesson):
         places = 0.5 * np.column_stack([np.cos(angles), np.sin(angles)])
         labels = [_("Place {n} of the border").format(n=n + 1) for n in range(_BET_POINTS)]
         return kit.DrawnBet(question, "sheet", places, labels, axis="xy", step=plan.MAP_STEP * CM)
+
+    def done(self, v: kit.Answer) -> Sequence[bool]:
+        return (
+            True,
+            v["where"] == "board" and v["ahead"] == 100,
+            v["physics"] == "real" and v["pen"] == "rigid",
+        )
 
     def conditions(self, answer: kit.Answer) -> Sequence[kit.Condition]:
         setup, busy = WritingSetup(answer), writing.MOST_BUSY

@@ -39,6 +39,11 @@ class SpringToGoal(kit.Lesson):
 
     key = "01"
     question = marked("Why does the pen always arrive?")
+    tasks = (
+        marked("Drag the ring. Does the pen arrive wherever it is?"),
+        marked("Take the strongest brake and the weakest pull. Does it swing, or creep?"),
+        marked("Pull hard and brake little. How often does it go past the ring?"),
+    )
     challenge = marked(
         "After {time} s at most {most_left:g} % of the way may be left, and the pen must never go "
         "past the ring by more than {most_past:g} % of the way."
@@ -90,21 +95,11 @@ class SpringToGoal(kit.Lesson):
         labels = [_("Way left after {t:g} s").format(t=t) for t in BET_TIMES]
         return kit.DrawnBet(question, "time", places, labels, "y", 5.0, "%", -100.0, 100.0)
 
-    @property
-    def tasks(self) -> Sequence[kit.Task]:
+    def done(self, v: kit.Answer) -> Sequence[bool]:
         return (
-            kit.Task(
-                marked("Drag the ring. Does the pen arrive wherever it is?"),
-                lambda v: abs(v["goal_x"] - self.start["goal_x"]) > 2,
-            ),
-            kit.Task(
-                marked("Take the strongest brake and the weakest pull. Does it swing, or creep?"),
-                lambda v: v["alpha"] > 40 and v["beta"] < 0.8,
-            ),
-            kit.Task(
-                marked("Pull hard and brake little. How often does it go past the ring?"),
-                lambda v: v["beta"] > 20 and v["alpha"] < 6,
-            ),
+            abs(v["goal_x"] - self.start["goal_x"]) > 2,
+            v["alpha"] > 40 and v["beta"] < 0.8,
+            v["beta"] > 20 and v["alpha"] < 6,
         )
 
     def _swing(self, answer: kit.Answer) -> tuple[float, float]:

@@ -45,16 +45,11 @@ class StartHere(kit.Lesson):
     key = "00"
     question = marked("Can a robot learn your handwriting?")
     tasks = (
-        kit.Task(
-            marked("Move “How many bumps” until the line sits on the dots."),
-            lambda v: error_with(v["letter"], v["n_kernels"], v["kernel_width"]) < 0.5,
-        ),
-        kit.Task(
-            marked("Drag the ring to another place. Is it still the same letter?"),
-            lambda v: np.hypot(v["goal_x"], v["goal_y"]) > 1,
-        ),
-        kit.Task(marked("Let the robot write what you see."), by_robot=True),
+        marked("Move “How many bumps” until the line sits on the dots."),
+        marked("Drag the ring to another place. Is it still the same letter?"),
+        marked("Let the robot write what you see."),
     )
+    by_robot = (2,)
     challenge = marked(
         "Make a {new} that nobody ever wrote. Choose {source} and bring its line within {limit:g} "
         "mm of the dots. Then drag its ring: the bowl must end within {away:g} cm of {place}."
@@ -108,6 +103,13 @@ class StartHere(kit.Lesson):
         )
         options = {str(n): _("about {n}").format(n=n) for n in (FEW, ENOUGH, MANY)}
         return kit.ChosenBet(question.format(n=FEW), options)
+
+    def done(self, v: kit.Answer) -> Sequence[bool]:
+        return (
+            error_with(v["letter"], v["n_kernels"], v["kernel_width"]) < 0.5,
+            np.hypot(v["goal_x"], v["goal_y"]) > 1,
+            True,
+        )
 
     def conditions(self, answer: kit.Answer) -> Sequence[kit.Condition]:
         strokes = len(learn_with(answer["letter"], FEW).strokes)

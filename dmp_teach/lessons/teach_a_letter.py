@@ -31,6 +31,11 @@ class TeachALetter(kit.Lesson):
 
     key = "02"
     question = marked("How does a robot remember a letter?")
+    tasks = (
+        marked("Pull the weight down. What stays where it was? What moves?"),
+        marked("Take the last bump and pull as hard. Why does so little happen?"),
+        marked("Set the change to 0. Walk to the bump that pushes most, up or down."),
+    )
     challenge = marked(
         "Somebody has changed one weight of the robot’s {letter}. Find the bump and change its "
         "weight back, until the letter is within {limit} mm."
@@ -84,21 +89,11 @@ class TeachALetter(kit.Lesson):
         asked = question.format(letter=self.letter, n=BUMP_NUMBER, bump=BET_BUMP)
         return kit.ChosenBet(asked, options)
 
-    @property
-    def tasks(self) -> Sequence[kit.Task]:
+    def done(self, v: kit.Answer) -> Sequence[bool]:
         return (
-            kit.Task(
-                marked("Pull the weight down. What stays where it was? What moves?"),
-                lambda v: v["change"] <= -5,
-            ),
-            kit.Task(
-                marked("Take the last bump and pull as hard. Why does so little happen?"),
-                lambda v: v["bump"] == BUMP_NUMBER and abs(v["change"]) >= 5,
-            ),
-            kit.Task(
-                marked("Set the change to 0. Walk to the bump that pushes most, up or down."),
-                lambda v: v["change"] == 0 and v["bump"] == self.bumps.hardest,
-            ),
+            v["change"] <= -5,
+            v["bump"] == BUMP_NUMBER and abs(v["change"]) >= 5,
+            v["change"] == 0 and v["bump"] == self.bumps.hardest,
         )
 
     def conditions(self, answer: kit.Answer) -> Sequence[kit.Condition]:

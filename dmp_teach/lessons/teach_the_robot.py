@@ -111,25 +111,24 @@ class TeachTheRobot(kit.TeachingLesson):
         return kit.DrawnBet(asked, "far", handles, labels, "y", 0.5, "mm", 0.0, most)
 
     @property
-    def tasks(self) -> Sequence[kit.Task]:
-        session = None if self.session and self.session.is_doubted else self.session
-        turns = session.turns if session else ()
+    def tasks(self) -> Sequence[str]:
         show = marked("Write a good {letter} on the sheet and press “Show it”. Does its line move?")
         if not self.takes_ink:
             show = marked(
                 "Writing needs a notebook: open the lesson there to show the robot a {letter}."
             )
         return (
-            kit.Task(show, lambda _v: bool(turns)),
-            kit.Task(
-                marked("It asks you something. Answer: then it will forget less."),
-                lambda _v: any(each.answer is not None for each in turns),
-            ),
-            kit.Task(
-                marked("Show it again and again. One day it has forgotten: teach it once more."),
-                lambda _v: session is not None and session.is_taught_again,
-            ),
+            show,
+            marked("It asks you something. Answer: then it will forget less."),
+            marked("Show it again and again. One day it has forgotten: teach it once more."),
         )
+
+    def done(self, v: kit.Answer) -> Sequence[bool]:
+        session = self.session
+        if session is None or session.is_doubted:
+            return False, False, False
+        is_answered = any(each.answer is not None for each in session.turns)
+        return bool(session.turns), is_answered, session.is_taught_again
 
     def conditions(self, answer: kit.Answer) -> Sequence[kit.Condition]:
         apart = float(np.sqrt(np.mean((self._forecast(answer) - self.record) ** 2)))

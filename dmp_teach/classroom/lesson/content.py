@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import TypeVar
@@ -78,21 +78,6 @@ class Picture:
     highs: dict[str, float] = field(default_factory=dict)
 
 
-@dataclass(frozen=True)
-class Task:
-    """Something to try, and whether it was done.
-
-    Args:
-        text: What to do, and what to look for; `marked`.
-        is_done: Called with what is set.
-        by_robot: It is done only when the robot has written what is set.
-    """
-
-    text: str
-    is_done: Callable[[Answer], bool] = lambda _answer: True
-    by_robot: bool = False
-
-
 class LessonContent:
     """What a lesson says, draws and judges.
 
@@ -108,6 +93,8 @@ class LessonContent:
     """The title."""
     challenge: str
     """The task that is checked."""
+    by_robot: Collection[int] = ()
+    """The tasks that are done only when the robot has written what is set."""
     hints: tuple[str, ...]
     """Each more direct; the solution in the third alone."""
     praise: str
@@ -165,8 +152,12 @@ class LessonContent:
         raise NotImplementedError
 
     @property
-    def tasks(self) -> Sequence[Task]:
-        """What to try, one after the other."""
+    def tasks(self) -> Sequence[str]:
+        """What to try, one after the other, and what to look for; `marked`."""
+        raise NotImplementedError
+
+    def done(self, v: Answer) -> Sequence[bool]:
+        """Return whether each task is done by what is set."""
         raise NotImplementedError
 
     @property

@@ -23,8 +23,8 @@ def describe_lesson(lesson: LessonContent) -> dict[str, Any]:
         "question": lesson.question,
         "knobs": {name: knob.described() for name, knob in lesson.knobs.items()},
         "bet": lesson.bet.described(),
-        "tasks": [lesson.tell(task.text) for task in lesson.tasks],
-        "by_robot": [task.by_robot for task in lesson.tasks],
+        "tasks": list(map(lesson.tell, lesson.tasks)),
+        "by_robot": [i in lesson.by_robot for i in range(len(lesson.tasks))],
         "challenge": lesson.challenge,
         "draws_tried": lesson.draws_tried,
     }

@@ -30,8 +30,8 @@ def add_done(
     lesson: LessonContent, progress: LessonProgress, values: Answer, by_robot: bool
 ) -> list[int]:
     """Return the tasks that are done, with those that values do; or that the robot has written."""
-    tasks = enumerate(lesson.tasks if progress["step"] == "try" else ())
-    new = (i for i, task in tasks if task.by_robot == by_robot and task.is_done(values))
+    done = enumerate(lesson.done(values) if progress["step"] == "try" else ())
+    new = (i for i, is_so in done if is_so and (i in lesson.by_robot) == by_robot)
     return sorted({*progress["done"], *new})
 
 

@@ -112,7 +112,7 @@ class TeachingPanel(LessonPanel):
 
     def _after_turn(self) -> None:
         """Tick what is done, and draw."""
-        done = {i for i, task in enumerate(self.lesson.tasks) if task.is_done(self.values)}
+        done = {i for i, is_done in enumerate(self.lesson.done(self.values)) if is_done}
         words = _("I learned that, but I cannot read {letter} in it. Is it one?")
         self.status = words.format(letter=self.lesson.letter) if self.session.is_doubted else ""
         self._change(done=sorted(done.union(self._progress()["done"])))
