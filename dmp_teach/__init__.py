@@ -58,6 +58,8 @@ def __getattr__(name):
             stacklevel=2,
         )
         return globals()[new] if new in globals() else __getattr__(new)
+    if name in _NAMES:
+        return import_module("dmp_teach." + name)
     if name not in _HOME:
         raise AttributeError(
             "dmp_teach has no {!r}; it has: {}.".format(name, ", ".join(sorted(_HOME)))

@@ -35,11 +35,22 @@ def values():
     claim = studies.decay_term(studies.Evidence(STROKE))
     found = [STROKE, INK, FEW, learned, shelf, *shelf["l"], motion, traits, told, told.items[0]]
     found += [redrawn, redrawn.items[0], made, made.items[0], tried, tried.items[0], claim]
-    found += [studies.Claims((claim,)), studies.measure_hand(ALIKE), studies.Evidence(STROKE)]
-    found += [studies.Written("l", "w01", (STROKE,))]
+    found += [studies.Claims((claim,)), studies.Evidence(STROKE)]
+    found += [studies.Written("l", "w01", (STROKE,)), *studies.Evidence(STROKE).open_strokes]
+    moved, hand = studies.change_goals_1d(STROKE), studies.measure_hand(ALIKE)
+    found += [moved, moved.cases[0], hand, hand.bends[0]]
+    lifts = studies.compare_segmentation(teach.recording_of("D"))
+    found += [
+        lifts,
+        lifts.items[0],
+        lifts.items[0].foot,
+        studies.measure_initial_acceleration(STROKE),
+    ]
+    found += [studies.learn_random_ink(FEW, rates=(1.0,), pieces=1)]
+    found += [studies.change_goals_near_start(STROKE, ways=(0.005,))]
     found += [studies.Exponent.around(0.3, 0.01, 5.0), studies.WIDTH_VARIANTS["box, LWR"]]
     found += [studies.sweep_kernel_width(STROKE, widths=[1.0, 2.0])]
-    found += [studies.change_goals_1d(STROKE), studies.draw_goal_change(STROKE)]
+    found += [studies.draw_goal_change(STROKE)]
     found += [studies.choose_kernels(STROKE, candidates=[3, 5]), studies.READINGS[0]]
     found += [teach.score(INK, INK), teach.judge_stroke(INK, INK), teach.check("03", {})]
     found += [
@@ -50,5 +61,6 @@ def values():
     found += [teach.Page.table(), teach.Fetch(), teach.lesson("03"), teach.known_reach("table")]
     found += [teach.RobotPupil.load(traits, "l"), teach.TeachingSession.begin(traits, "l")]
     found += [teach.simulate(motion), teach.at_most("error", float, 2.0, "mm")]
-    found += [way.learn(studies.draw_takes(STROKE, 3)) for way in studies.WAYS.values()]
+    ways = [way.learn(studies.draw_takes(STROKE, 3)) for way in studies.WAYS.values()]
+    found += [*ways, *(way.aligned for way in ways if isinstance(way, studies.GaussianWay))]
     return {type(each).__name__: each for each in found}

@@ -1,13 +1,21 @@
 """What an editor, a type checker, Tab and help() see of the package."""
 
+import ast
+import builtins
+import collections.abc
 import inspect
+import os
 import subprocess
 import sys
+import typing
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import dmp_teach as teach
+from tests.public import public_classes
+from tests.test_house import ORDER
 
 ROOT = Path(__file__).parents[1]
 PLACES = {"teach": teach, "teach.studies": teach.studies, "teach.figures": teach.figures}
@@ -42,6 +50,41 @@ def test_help_opens_with_a_signature_of_four_lines_at_most():
     assert len(found) > 100
     signatures = {name: str(inspect.signature(each)) for name, each in found.items()}
     assert {name: said for name, said in signatures.items() if len(said) > 4 * 80} == {}
+
+
+def annotations():
+    """Every annotation that help() shows: of what, the names in it, and what they mean there."""
+    shown = [(name, inspect.unwrap(each)) for name, each in functions()]
+    for kind in public_classes():
+        shown.append((kind.__name__, kind))
+        for name, value in inspect.getmembers(kind):
+            getter = getattr(value, "fget", None) or getattr(value, "func", None)
+            if not name.startswith("_") and inspect.isfunction(getter):
+                shown.append((f"{kind.__name__}.{name}", getter))
+    for name, thing in shown:
+        if str(thing.__module__).startswith("dmp_teach"):
+            around = vars(sys.modules[thing.__module__])
+            for part, said in inspect.get_annotations(thing).items():
+                tree = ast.parse(said, mode="eval")
+                words = {node.id for node in ast.walk(tree) if isinstance(node, ast.Name)}
+                words |= {node.attr for node in ast.walk(tree) if isinstance(node, ast.Attribute)}
+                yield from ((f"{name}: {part}", word, around.get(word)) for word in words)
+
+
+def is_foreign(word, meaning):
+    """Whether a name is Python's or another library's."""
+    places = [builtins, typing, collections.abc, np, np.random, np.typing, os]
+    module = str(getattr(meaning, "__module__", ""))
+    foreign = inspect.isclass(meaning) and not module.startswith("dmp_teach")
+    return foreign or inspect.ismodule(meaning) or any(hasattr(each, word) for each in places)
+
+
+def test_every_name_of_ours_in_help_has_a_public_home():
+    """As `teach.X` or `teach.room.X`."""
+    rooms = [getattr(teach, room) for room in ORDER if room != "launcher"]
+    homes = {name for place in [teach, teach.figures, *rooms] for name in dir(place)}
+    assert {f"{word} in {of}" for of, word, meaning in annotations()
+            if word not in homes and not is_foreign(word, meaning)} == set()  # fmt: skip
 
 
 def check_types(*words, folder=ROOT):

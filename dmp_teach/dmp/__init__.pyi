@@ -16,5 +16,7 @@ from .settings import KERNELS_PER_SECOND as KERNELS_PER_SECOND
 from .settings import Settings as Settings
 from .settings import knob_of as knob_of
 from .settings import knobs as knobs
+from .stepper import Plan as Plan
 from .stepper import Stepper as Stepper
 from .transformations import TRANSFORMATIONS as TRANSFORMATIONS
+from .transformations import Transformation as Transformation

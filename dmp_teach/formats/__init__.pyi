@@ -1,3 +1,4 @@
+from .read import is_ink as is_ink
 from .read import read_recording as read_recording
 from .read import read_recordings as read_recordings
 from .registry import known_formats as known_formats

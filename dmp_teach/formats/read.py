@@ -85,6 +85,12 @@ def read_recordings(
         raise RecordingError(f"{name}: {error}") from None
 
 
+def is_ink(path: str | os.PathLike[str]) -> bool:
+    """Tell whether a file is of a format that is read, whatever its name; errors as above."""
+    data, _ = contents(path)
+    return any(each.sniff(data) for each in known_formats())
+
+
 def _labelled(recording: Recording, name: str, **labels: str | None) -> Recording:
     """Return a recording with labels that its file does not have."""
     for label, given in labels.items():

@@ -13,5 +13,7 @@ from .letter import rms_distance as rms_distance
 from .stamp import letter_from_bytes as letter_from_bytes
 from .stamp import letter_to_bytes as letter_to_bytes
 from .styles import Style as Style
+from .text.handwriting import OwnLetters as OwnLetters
 from .text.lines import write_lines as write_lines
+from .text.words import Text as Text
 from .text.words import write_word as write_word

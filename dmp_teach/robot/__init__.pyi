@@ -8,6 +8,7 @@ from .model.outline import ROBOT_PARTS as ROBOT_PARTS
 from .model.outline import outline_from_above as outline_from_above
 from .model.proximity import Proximity as Proximity
 from .model.urdf import Visual as Visual
+from .motion import BoolArray as BoolArray
 from .motion import Motion as Motion
 from .motion import compute_torques as compute_torques
 from .page import Page as Page

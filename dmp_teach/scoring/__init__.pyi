@@ -5,11 +5,14 @@ from .distances import letter_distance as letter_distance
 from .distances import letter_distances as letter_distances
 from .faults import MOVEMENT_FAULTS as MOVEMENT_FAULTS
 from .faults import Fault as Fault
+from .kinematics import Movement as Movement
 from .kinematics import measure_movement as measure_movement
 from .letter_score import LEVEL_WORDS as LEVEL_WORDS
+from .letter_score import Part as Part
 from .letter_score import Score as Score
 from .letter_score import leading_fault as leading_fault
 from .letter_score import score as score
+from .matching import Matching as Matching
 from .matching import match_strokes as match_strokes
 from .phrases import place_in_words as place_in_words
 from .reading import read_letter as read_letter

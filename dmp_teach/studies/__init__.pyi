@@ -1,5 +1,6 @@
 from .authorship.answers import Answers as Answers
 from .authorship.answers import Attributions as Attributions
+from .authorship.made import LedWith as LedWith
 from .authorship.made import attribute_made_letters as attribute_made_letters
 from .authorship.made import ink_directions as ink_directions
 from .authorship.real import classify_writers as classify_writers
@@ -9,22 +10,29 @@ from .experiments.d_to_p import make_p_from_d as make_p_from_d
 from .experiments.error_curves import ErrorCurves as ErrorCurves
 from .experiments.error_curves import sweep_kernel_number as sweep_kernel_number
 from .experiments.error_curves import sweep_kernel_width as sweep_kernel_width
+from .experiments.goal_change import GoalChange as GoalChange
 from .experiments.goal_change import GoalChanges as GoalChanges
 from .experiments.goal_change import change_goals_1d as change_goals_1d
 from .experiments.goal_change import change_goals_2d as change_goals_2d
 from .experiments.goal_drawings import GoalPaths as GoalPaths
 from .experiments.goal_drawings import draw_goal_change as draw_goal_change
 from .experiments.goal_drawings import trace_goal_change as trace_goal_change
+from .experiments.goal_near_start import GoalsNearStart as GoalsNearStart
 from .experiments.goal_near_start import change_goals_near_start as change_goals_near_start
+from .experiments.initial_acceleration import InitialAcceleration as InitialAcceleration
 from .experiments.initial_acceleration import (
     measure_initial_acceleration as measure_initial_acceleration,
 )
+from .experiments.random_ink import RandomInkErrors as RandomInkErrors
 from .experiments.random_ink import draw_random_ink as draw_random_ink
 from .experiments.random_ink import learn_random_ink as learn_random_ink
 from .experiments.redraw import Redrawings as Redrawings
 from .experiments.redraw import Redrawn as Redrawn
 from .experiments.redraw import redraw_at_widths as redraw_at_widths
 from .experiments.redraw import redraw_letters as redraw_letters
+from .experiments.stroke_segmentation import RuleResult as RuleResult
+from .experiments.stroke_segmentation import Segmentation as Segmentation
+from .experiments.stroke_segmentation import SegmentationCase as SegmentationCase
 from .experiments.stroke_segmentation import compare_segmentation as compare_segmentation
 from .experiments.validation import Choice as Choice
 from .experiments.validation import choose_kernels as choose_kernels
@@ -34,8 +42,10 @@ from .experiments.variants import WIDTH_VARIANTS as WIDTH_VARIANTS
 from .experiments.variants import Variant as Variant
 from .hand.laws import HandLaws as HandLaws
 from .hand.laws import measure_hand as measure_hand
+from .hand.power_law import Bends as Bends
 from .hand.power_law import Exponent as Exponent
 from .inputs import RecordingsLike as RecordingsLike
+from .inputs import Stroke as Stroke
 from .inputs import Written as Written
 from .inputs import list_letters as list_letters
 from .inputs import list_letters_on_page as list_letters_on_page
@@ -47,12 +57,15 @@ from .other_ways.compare import compare_ways_to_learn as compare_ways_to_learn
 from .other_ways.compare import lead_way as lead_way
 from .other_ways.compare import share_of_same_way as share_of_same_way
 from .other_ways.takes import draw_takes as draw_takes
+from .other_ways.way import Aligned as Aligned
 from .other_ways.way import GaussianWay as GaussianWay
 from .other_ways.way import Way as Way
 from .other_ways.way import even_path as even_path
 from .parallel import progress_bar as progress_bar
 from .readings import READINGS as READINGS
 from .readings import Reading as Reading
+from .tables import Columns as Columns
+from .tables import TableRows as TableRows
 from .verdicts.accuracy import accuracy_and_efficiency as accuracy_and_efficiency
 from .verdicts.accuracy import linear_decay as linear_decay
 from .verdicts.accuracy import state_of_the_art as state_of_the_art

@@ -5,11 +5,13 @@ from __future__ import annotations
 import os
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
+from dmp_teach.arguments import warn_caller
 from dmp_teach.errors import RecordingError, kind_of
-from dmp_teach.formats import read_recording
+from dmp_teach.files import pseudonyms
+from dmp_teach.formats import is_ink, read_recording
 from dmp_teach.ink import Recording, alphabets, recording_of
 from dmp_teach.scoring import size_of
 from dmp_teach.trajectory import Trajectory
@@ -65,7 +67,8 @@ def list_recordings(
     Args:
         recordings: As in `claims`.
         labels: A pattern (regular expression) for names of files without their ending, with a group
-            `character`, a group `writer`, or both, for what the files do not say.
+            `character`, a group `writer`, or both, for what the files do not say. Writers that are
+            no pseudonyms become "writer-1" and so on.
     """
     if recordings is None:
         return own_recordings()
@@ -85,7 +88,13 @@ def list_recordings(
         raise RecordingError(
             "recordings is empty; give at least one, or None for our own alphabets."
         )
-    return read
+    if pattern is None:
+        return read
+    whose = pseudonyms(each.writer for each in read if isinstance(each, Recording))
+    return tuple(
+        replace(each, writer=whose[each.writer]) if isinstance(each, Recording) else each
+        for each in read
+    )
 
 
 def _pattern(labels: str) -> re.Pattern[str]:
@@ -103,12 +112,16 @@ def _pattern(labels: str) -> re.Pattern[str]:
 
 
 def _files(path: str | os.PathLike[str], labels: re.Pattern[str] | None) -> Iterable[Recording]:
-    """Yield the letter of a file, or those of all files in a folder that are labelled."""
+    """Yield the letter of a file, or those of all files in a folder that are labelled.
+
+    Without labels, what is no ink in a folder, such as a README, is left out with a warning.
+    """
     folder = Path(path)
     files = [folder]
     if folder.is_dir():
         # Systems hide files of their own beside others.
         files = sorted(f for f in folder.iterdir() if f.is_file() and not f.name.startswith("."))
+        files = files if labels else _without_strangers(files)
     matches = [(each, labels.search(each.stem) if labels else None) for each in files]
     # A file that is not there is refused by its reader.
     kept = [(each, found) for each, found in matches if found or not labels or not each.exists()]
@@ -119,6 +132,15 @@ def _files(path: str | os.PathLike[str], labels: re.Pattern[str] | None) -> Iter
     for each, found in kept:
         said = found.groupdict() if found else {}
         yield read_recording(each, character=said.get("character"), writer=said.get("writer"))
+
+
+def _without_strangers(files: list[Path]) -> list[Path]:
+    """Return the files of ink, with a warning that names the others; all where none is ink."""
+    ink = [each for each in files if is_ink(each)]
+    others = ", ".join(each.name for each in files if each not in ink)
+    if ink and others:
+        warn_caller(f"Left out, as there is no ink in them: {others}.")
+    return ink or files
 
 
 def list_letters(recordings: RecordingsLike = None) -> tuple[Written, ...]:

@@ -34,7 +34,7 @@ def figure(
         labels: How letters and writers are read off the names of files, as in `claims`.
 
     Raises:
-        SettingError: No such figure, or, for 7 and 8, a stroke that the original form refuses.
+        SettingError: No such figure.
         RecordingError: Something that no letter can be read from, or a stroke that is not 2-D.
         MissingPartError: For figure 1, pybullet is not installed.
     """
@@ -77,7 +77,7 @@ def _mirrored_letter(given: Sequence) -> Figure:
     ]
 
     def mirrors(path: studies.GoalPaths) -> bool:
-        return bool(path.factor.min() < 0)
+        return "original" in path.paths and bool(path.factor.min() < 0)
 
     return figures.draw_goal_paths(next(filter(mirrors, paths), paths[0]))
 

@@ -56,15 +56,18 @@ def test_a_folder_without_files_and_one_that_is_not_there_are_told_apart(tmp_pat
 
 def test_a_folder_is_labelled_by_the_pattern_of_its_names(tmp_path):
     bare = replace(recording_of("a"), character=None, writer=None)
-    for name in ("aa_AB", "D3_CD", "notes"):
+    for name in ("aa_Kim", "D3_w07", "notes"):
         write_json(bare, tmp_path / f"{name}.json")
     found = list_recordings(tmp_path, r"^(?P<character>\w)\w*_(?P<writer>\w+)$")
-    assert [(each.character, each.writer) for each in found] == [("D", "CD"), ("a", "AB")]
+    assert [(each.character, each.writer) for each in found] == [("D", "w07"), ("a", "writer-1")]
     assert len(list_recordings(tmp_path)) == 3
     with pytest.raises(RecordingError, match=r"labels is .* which notes\.json does not match"):
         list_recordings(tmp_path / "notes.json", "(?P<writer>q)")
-    with pytest.raises(RecordingError, match=r"which D3_CD\.json, aa_AB\.json.* does not match"):
+    with pytest.raises(RecordingError, match=r"which D3_w07\.json, aa_Kim\.json.* does not match"):
         list_recordings(tmp_path, "(?P<writer>q)")
+    (tmp_path / "README.md").write_text("Recorded on Monday.")
+    with pytest.warns(UserWarning, match=r"Left out, as there is no ink in them: README\.md\."):
+        assert len(list_recordings(tmp_path)) == 3
     for pattern in ("(", "a", "(?P<who>a)", 3):
         with pytest.raises(RecordingError, match="labels is "):
             list_recordings(tmp_path, pattern)

@@ -19,6 +19,7 @@ from dmp_teach.studies.experiments.error_curves import sweep_kernel_number, swee
 from dmp_teach.studies.experiments.goal_drawings import draw_goal_change, trace_goal_change
 from dmp_teach.studies.experiments.redraw import redraw_at_widths, redraw_letters
 from dmp_teach.studies.experiments.validation import choose_kernels, choose_width
+from dmp_teach.trajectory import Trajectory
 from dmp_teach.views import figures
 from dmp_teach.views.paper_figure import FIGURES
 from tests.dmp.ink import letter
@@ -169,6 +170,16 @@ def test_a_figure_names_the_letter_that_was_given_and_says_which_are_ours():
     for number in (7, 8, 9, 10):
         with pytest.raises(RecordingError, match=r"\? 1 has a 3-D stroke"):
             teach.figure(number, [letter(50, 1.0, dimensions=3)])
+
+
+def test_a_closed_letter_is_drawn_without_the_form_that_refuses_it():
+    t = np.linspace(0, 2, 60)
+    ring = np.column_stack([0.03 * np.sin(np.pi * t), 0.04 * np.cos(np.pi * t)])
+    ring[-1] = ring[0]
+    for number in (7, 8):
+        panel = teach.figure(number, [Trajectory(t, ring)]).axes[0]
+        assert "cannot learn a coordinate" in panel.get_title(loc="left")
+        assert "original" not in [line.get_label() for line in panel.lines]
 
 
 def test_there_are_ten_figures():

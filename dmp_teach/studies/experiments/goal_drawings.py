@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass
 
 import numpy as np
 
 from dmp_teach.arguments import checked
 from dmp_teach.dmp import DMP, check_point
+from dmp_teach.errors import SettingError
 from dmp_teach.studies.experiments.goal_change import both_forms, goal_factor
 from dmp_teach.trajectory import Array, Trajectory
 from dmp_teach.values import Value, locked
@@ -22,8 +24,9 @@ class GoalPaths(Value):
         stroke: Its name.
         t: From 0, shape (T,) [s].
         shift: How far the goal moved, shape (D,) [m].
-        paths: Of "demonstration", "DMP*" and "original", shape (T, D) each [m].
-        factor: (g' - y0) / (g - y0), shape (D,).
+        paths: Of "demonstration", "DMP*" and "original", shape (T, D) each [m]; without "original"
+            where that cannot learn the stroke, since a coordinate ends where it began.
+        factor: (g' - y0) / (g - y0), shape (D,); infinite in such a coordinate.
     """
 
     stroke: str
@@ -67,12 +70,14 @@ def draw_goal_change(
         shift: How far its goal moves, for each coordinate [m].
         name: What the stroke is called.
     """
-    star, original = (DMP.imitate(stroke, settings) for settings in both_forms())
     moved = locked(check_point("shift", shift, stroke.dimensions))
-    paths = {
-        "demonstration": stroke.position,
-        "DMP*": star.rollout(goal=star.goal + moved).position,
-        "original": original.rollout(goal=original.goal + moved).position,
-    }
-    factor = locked(goal_factor(original, moved))
+    forms = dict(zip(("DMP*", "original"), both_forms(), strict=True))
+    star = DMP.imitate(stroke, forms.pop("DMP*"))
+    learned = {"DMP*": star}
+    with suppress(SettingError):
+        learned["original"] = DMP.imitate(stroke, forms["original"])
+    paths = {"demonstration": stroke.position}
+    paths |= {form: each.rollout(goal=each.goal + moved).position for form, each in learned.items()}
+    with np.errstate(divide="ignore", invalid="ignore"):
+        factor = locked(goal_factor(star, moved))
     return GoalPaths(name, locked(stroke.t - stroke.t[0]), moved, paths, factor)

@@ -14,6 +14,7 @@ from dmp_teach.studies.inputs import RecordingsLike, list_recordings
 from dmp_teach.studies.parallel import Progress, run
 from dmp_teach.studies.tables import Columns, Tabled
 from dmp_teach.trajectory import Trajectory
+from dmp_teach.values import Value
 
 # An end is right if it is this near to the true one [s].
 END_TOLERANCE = 0.05
@@ -36,8 +37,8 @@ class RuleResult:
     off: float = float("inf")
 
 
-@dataclass(frozen=True)
-class SegmentationCase:
+@dataclass(frozen=True, eq=False, repr=False)
+class SegmentationCase(Value):
     """One recording in which the pen was lifted.
 
     Args:

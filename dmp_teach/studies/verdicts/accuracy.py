@@ -42,7 +42,7 @@ def accuracy_and_efficiency(evidence: Evidence, reading: Reading) -> Found:
     time = evidence.time_ratio(reading)
     cases = {"accuracy": usual <= 0.8, "time on this computer": time <= 0.8}
     figure = f"{per_cent(usual)}, {per_cent(alike)}, {per_cent(time)}"
-    return Found(cases, figure, len(star), "strokes", warning=evidence.borrowed)
+    return Found(cases, figure, len(star), evidence.strokes_open, warning=evidence.borrowed)
 
 
 @claim_by_reading(
@@ -64,7 +64,7 @@ def state_of_the_art(evidence: Evidence, reading: Reading) -> Found:
         words.append(f"{per_cent(float(np.median(ratio)))} ({per_cent(better)})")
     names = ", ".join(name.split(" (")[0] for name in STATE_OF_THE_ART)
     figure = f"{', '.join(words)} of {names}"
-    return Found(cases, figure, len(star), "strokes", warning=evidence.borrowed)
+    return Found(cases, figure, len(star), evidence.strokes_open, warning=evidence.borrowed)
 
 
 @claim_by_reading(
@@ -89,4 +89,4 @@ def linear_decay(evidence: Evidence, reading: Reading) -> Found:
         cases[f"kernels at {name}"] = ratio > 1
         words.append(per_cent(ratio))
     n = len(evidence.open_strokes)
-    return Found(cases, ", ".join(words), n, "strokes", warning=evidence.borrowed)
+    return Found(cases, ", ".join(words), n, evidence.strokes_open, warning=evidence.borrowed)

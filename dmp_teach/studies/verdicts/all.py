@@ -61,6 +61,7 @@ def claims(
             alphabets.
         labels: A pattern (regular expression) that finds letter and writer in a file's name, by a
             group `character`, a group `writer`, or both; of a folder it takes the files that match.
+            Names of people become "writer-1" and so on.
         readings: By which claims about DMP* are judged: ours, the text mended, the authors'
             program, and as printed, unless given.
         executor: Any `concurrent.futures.Executor`; the studies send it one stroke at a time.

@@ -31,7 +31,7 @@ class Claim(Value):
         depends_on: On what, or over what it holds or fails.
         call: The line that computes `figure` again, where `teach` is `dmp_teach` and `recordings`
             and `labels` are what was given.
-        n: Of how many, such as "19 strokes".
+        n: Of how many, such as "19 strokes of 14 letters".
         warning: What is wrong with them: too few, or letters that were not recorded; or "".
         by_reading: The verdict by each reading of the paper; empty where the claim is not about
             DMP*.
@@ -109,7 +109,7 @@ class Found:
         holds: Whether it holds; or a verdict; or whether it holds in several cases, by their names.
         figure: The numbers, as words.
         n: Of how many.
-        of: Of what, such as "strokes".
+        of: Of what, such as "strokes of 5 letters".
         why: On what it depends, besides.
         warning: What was missing, and what was taken instead.
     """
@@ -192,7 +192,8 @@ def _judged(
 
 def _sample(found: Found) -> tuple[str, str]:
     """Return of how many, and what is wrong with them."""
-    n = f"{found.n} {found.of if found.n != 1 else found.of.removesuffix('s')}"
+    kind, *rest = found.of.split(" of ")
+    n = " of ".join([f"{found.n} {kind if found.n != 1 else kind.removesuffix('s')}", *rest])
     few = f"{n} {'are' if found.n != 1 else 'is'} no proof" if found.n < NO_PROOF_BELOW else ""
     return n, "; ".join(filter(None, (found.warning, few)))
 

@@ -116,13 +116,22 @@ class Evidence(Value):
     @cached_property
     def open_letters(self) -> tuple[Written, ...]:
         """The letters, or our own where all strokes are closed, which the original form refuses."""
-        open_strokes = map(single.can_learn_original, named_strokes(self.letters))
-        return self.letters if any(open_strokes) else list_letters()
+        return self.letters if any(map(single.has_open_stroke, self.letters)) else list_letters()
 
     @cached_property
     def open_strokes(self) -> tuple[Stroke, ...]:
         """Their strokes that the original form can learn."""
         return tuple(filter(single.can_learn_original, named_strokes(self.open_letters)))
+
+    @property
+    def strokes(self) -> str:
+        """What verdicts about all strokes count."""
+        return single.tell_strokes(self.letters)
+
+    @cached_property
+    def strokes_open(self) -> str:
+        """What verdicts about strokes count that the original form can learn."""
+        return single.tell_strokes(filter(single.has_open_stroke, self.open_letters))
 
     @property
     def borrowed(self) -> str:

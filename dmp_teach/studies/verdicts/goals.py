@@ -10,6 +10,9 @@ from dmp_teach.studies.readings import Reading
 from dmp_teach.studies.verdicts.claim import Found, as_times, claim_by_reading, mm, per_cent
 from dmp_teach.studies.verdicts.evidence import Evidence
 
+# A form that is farther off its own demonstrations, in parts of their size, keeps no shape.
+BARELY_DRAWN = 0.05
+
 
 @claim_by_reading(
     "goal changes",
@@ -38,9 +41,13 @@ def goal_changes(evidence: Evidence, reading: Reading) -> Found:
             f"{mm(star.max(initial=0.0))} ({changes.turned_over}) and {mirrored} of "
             f"{len(changes.cases)} ({mm(farthest)})"
         )
-    n = len(evidence.open_strokes)
-    return Found(cases, " at 0.01 m, ".join(words) + " at 0.1 m", n, "strokes",
-                 warning=evidence.borrowed)  # fmt: skip
+    figure = " at 0.01 m, ".join(words) + " at 0.1 m"
+    own = float(np.median(evidence.errors(reading.star)))
+    if own > BARELY_DRAWN:
+        figure += f", where it draws the strokes themselves {per_cent(own)} of their size off"
+    return Found(
+        cases, figure, len(evidence.open_strokes), evidence.strokes_open, warning=evidence.borrowed
+    )
 
 
 @claim_by_reading(
@@ -65,7 +72,11 @@ def goal_on_start(evidence: Evidence, reading: Reading) -> Found:
         cases[name] = stay == len(far)
         words.append(f"{stay} of {len(far)} ({mm(far.max(initial=0.0))})")
     return Found(
-        cases, ", ".join(words), len(evidence.open_strokes), "strokes", warning=evidence.borrowed
+        cases,
+        ", ".join(words),
+        len(evidence.open_strokes),
+        evidence.strokes_open,
+        warning=evidence.borrowed,
     )
 
 
@@ -90,7 +101,9 @@ def huge_accelerations(evidence: Evidence, reading: Reading) -> Found:
         words.append(f"{as_times(growth[0])}, {per_cent(broken[0])} at {mm(way)}")
     star = f"{as_times(near.growth[:, 1].max())}, {per_cent(near.broken[:, 1].max())} with DMP*"
     n = len(evidence.open_strokes)
-    return Found(cases, ", ".join([*words, star]), n, "strokes", warning=evidence.borrowed)
+    return Found(
+        cases, ", ".join([*words, star]), n, evidence.strokes_open, warning=evidence.borrowed
+    )
 
 
 @claim_by_reading(
@@ -113,4 +126,4 @@ def decay_term(evidence: Evidence, reading: Reading) -> Found:
         f"{np.median(first.without):.2g} and {np.median(left):.2g} m/s2, at most {per_cent(worst)}"
     )
     fed = ", the goal fed forward" * reading.star.feed_goal
-    return Found(bool(worst <= 0.1), figure + fed, len(left), "strokes")
+    return Found(bool(worst <= 0.1), figure + fed, len(left), evidence.strokes)

@@ -46,12 +46,16 @@ def _errors(curves: ErrorCurves, variant: str, x: float) -> Array:
 
 
 def _gaussian(curves: ErrorCurves) -> tuple[str, ...]:
-    """Return the variants whose kernels without ends are full Gaussians."""
+    """Return the variants whose kernels without ends are full Gaussians.
+
+    As printed, x - c <= theta, they are never: those have one end wherever that is.
+    """
     kinds = {name: variant.settings for name, variant in WIDTH_VARIANTS.items()}
     return tuple(
         name
         for name in curves.variants
-        if math.isfinite(kinds[name].kernel_sigma) or kinds[name].kernel_spread is not None
+        if kinds[name].kernel_sides != "one"
+        and (math.isfinite(kinds[name].kernel_sigma) or kinds[name].kernel_spread is not None)
     )
 
 
@@ -82,7 +86,7 @@ def narrow_kernels(evidence: Evidence) -> Found:
         f"{as_times(np.max(ratios))} that of 1/N: {mm(narrow.min())} to {mm(narrow.max())} at "
         f"0.2/N, {mm(touching.min())} to {mm(touching.max())} at 1/N"
     )
-    return Found(cases, figure, len(curves.strokes), "strokes")
+    return Found(cases, figure, len(curves.strokes), evidence.strokes)
 
 
 @claim("best width", "The error is least for kernel widths between 1/N and 4/N.")
@@ -113,7 +117,7 @@ def best_width(evidence: Evidence) -> Found:
         f"least error inside for: {_names(curves, inside)}; all of 1, 2, 3, 4/N near it for: "
         f"{_names(curves, level)}"
     )
-    return Found(verdict, figure, len(curves.strokes), "strokes", why)
+    return Found(verdict, figure, len(curves.strokes), evidence.strokes, why)
 
 
 @claim("wide kernels", "The error rises above kernel width 4/N and is stable from 20/N on.")
@@ -136,7 +140,7 @@ def wide_kernels(evidence: Evidence) -> Found:
         "The error grows so many times from 4/N to 20/N, and from there to 40/N: "
         f"{', '.join(words)}"
     )
-    return Found(cases, figure, len(curves.strokes), "strokes")
+    return Found(cases, figure, len(curves.strokes), evidence.strokes)
 
 
 @claim(
@@ -157,7 +161,7 @@ def truncation(evidence: Evidence) -> Found:
             cases[variant] = bool(ratio >= 2)
             words.append(f"{as_times(ratio)} ({variant})")
     figure = f"Full Gaussians have so many times the error of the best cut ones: {', '.join(words)}"
-    return Found(cases, figure, len(curves.strokes), "strokes")
+    return Found(cases, figure, len(curves.strokes), evidence.strokes)
 
 
 @claim(
@@ -181,7 +185,7 @@ def gaps_between_kernels(evidence: Evidence) -> Found:
         f"Gaps cost {mm(gaps.min())} to {mm(gaps.max())}; they are the worst of the four in "
         f"{words} of the strokes"
     )
-    return Found(cases, figure, len(curves.strokes), "strokes")
+    return Found(cases, figure, len(curves.strokes), evidence.strokes)
 
 
 @claim("fewer kernels", "The error falls as the number of kernels grows from zero to N = Num/10.")
@@ -199,7 +203,7 @@ def fewer_kernels(evidence: Evidence) -> Found:
         cases[variant] = bool(falling.all() and tenth <= few / 2)
         words.append(f"{mm(few)} to {mm(tenth)} ({variant})")
     figure = f"From {curves.x[0]:g} Num to Num/10 kernels the error goes from {', '.join(words)}"
-    return Found(cases, figure, len(curves.strokes), "strokes")
+    return Found(cases, figure, len(curves.strokes), evidence.strokes)
 
 
 @claim("number of kernels", "The error is stable and low from N = Num/10 kernels on.")
@@ -227,7 +231,7 @@ def number_of_kernels(evidence: Evidence) -> Found:
         f". What counts is kernels in a second: Num/10 is {KERNELS_PER_SECOND} of them at 120 "
         "samples, and 3 at 30"
     )
-    return Found(cases, figure, len(evidence.numbers().strokes), "strokes", why)
+    return Found(cases, figure, len(evidence.numbers().strokes), evidence.strokes, why)
 
 
 @claim(
@@ -252,4 +256,5 @@ def four_widths_on_a(evidence: Evidence) -> Found:
         cases[variant] = bool((np.diff(order) > 0).all())
         words.append(f"{', '.join(map(mm, order))} ({variant})")
     figure = f"The errors of 1/N, 10/N, full and 2/3N over {of_a.sum()} strokes: {'; '.join(words)}"
-    return Found(cases, figure, int(of_a.sum()), "strokes", warning=warning)
+    strokes = evidence.strokes if of_a.all() else "strokes of a"
+    return Found(cases, figure, int(of_a.sum()), strokes, warning=warning)

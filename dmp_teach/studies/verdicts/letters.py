@@ -138,7 +138,9 @@ def any_ink(evidence: Evidence, reading: Reading) -> Found:
     for rate, e, m in zip(ink.rates, error, miss, strict=True):
         cases[f"{rate:g} Hz"] = bool(e <= 0.02 and m <= 0.02)
         words.append(f"{per_cent(e)} at {rate:g} Hz")
-    return Found(cases, f"{', '.join(words)}, {per_cent(miss.max())}", ink.error.size, "strokes")
+    return Found(
+        cases, f"{', '.join(words)}, {per_cent(miss.max())}", ink.error.size, "random strokes"
+    )
 
 
 @claim_by_reading(
@@ -164,7 +166,7 @@ def any_scale(evidence: Evidence, reading: Reading) -> Found:
     cases = {name: error <= 0.02 for name, error in found.items()}
     words = ", ".join(map(per_cent, found.values()))
     n = len(evidence.open_strokes)
-    return Found(cases, words, n, "strokes", warning=evidence.borrowed)
+    return Found(cases, words, n, evidence.strokes_open, warning=evidence.borrowed)
 
 
 @claim_by_reading(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from time import perf_counter
 
 import numpy as np
@@ -10,7 +10,7 @@ import numpy as np
 from dmp_teach.dmp import DMP, Settings
 from dmp_teach.errors import SettingError
 from dmp_teach.studies.experiments.variants import Variant, rms_error
-from dmp_teach.studies.inputs import Stroke
+from dmp_teach.studies.inputs import Stroke, Written, named_strokes
 from dmp_teach.trajectory import Trajectory
 
 REPEATS_PER_TIMING = 5
@@ -25,6 +25,17 @@ def can_learn_original(stroke: Stroke) -> bool:
     except SettingError:
         return False
     return True
+
+
+def has_open_stroke(letter: Written) -> bool:
+    """Return whether the original form can learn any of a letter's strokes."""
+    return any(map(can_learn_original, named_strokes(letter)))
+
+
+def tell_strokes(letters: Iterable[Written]) -> str:
+    """Return what is counted where strokes of letters are, such as "strokes of 5 letters"."""
+    count = len(list(letters))
+    return f"strokes of {count} letter{'s' * (count != 1)}"
 
 
 def find_stray(piece: tuple[Trajectory, Settings]) -> float:

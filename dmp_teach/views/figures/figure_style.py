@@ -27,6 +27,7 @@ CURVE_LINES = (
     (0, (1, 1)),
     (0, (3, 1, 3, 3)),
 )
+REFUSED = "The original form cannot learn a coordinate that ends where it began."
 RING_MARKER = {"marker": "o", "markersize": 9, "markerfacecolor": "none"}
 FIGURE_DPI = 144
 

@@ -11,6 +11,7 @@ from dmp_teach.letters import resample_evenly
 from dmp_teach.studies import GoalPaths, MadeLetter, MadeLetters, Redrawings, Redrawn
 from dmp_teach.trajectory import Array, all_points, path_length
 from dmp_teach.views.figures.figure_style import (
+    REFUSED,
     RING_MARKER,
     DrawStyle,
     add_legend_below,
@@ -118,15 +119,16 @@ def draw_goal_paths(paths: GoalPaths) -> Figure:
     in_mm = {name: 1e3 * path for name, path in paths.paths.items()}
     shown = in_mm["demonstration"]
     goal = shown[-1] + 1e3 * paths.shift
-    every = [shown, goal[None], *(in_mm[name] for name in FORM_LOOKS)]
+    forms = {name: look for name, look in FORM_LOOKS.items() if name in in_mm}
+    every = [shown, goal[None], *(in_mm[name] for name in forms)]
     kept = np.concatenate([path for path in every if not _leaves(path, shown)])
     upright = np.ptp(kept[:, 1]) > np.ptp(kept[:, 0])
-    shape = (1, 2, 8.0, 5.0) if upright else (2, 1, 7.0, 6.4)
+    shape = (1, len(forms), 8.0, 5.0) if upright else (len(forms), 1, 7.0, 6.4)
     figure, panels = new_figure(*shape, sharex=True, sharey=True)
     ring = RING_MARKER | {"linestyle": ""}
-    for panel, name in zip(panels.flat, FORM_LOOKS, strict=True):
+    for panel, name in zip(panels.flat, forms, strict=True):
         panel.plot(*_space_dots(shown).T, **DEMO_LOOK, label="demonstration")
-        for form, look in FORM_LOOKS.items():
+        for form, look in forms.items():
             # Both forms, so that one legend explains them.
             path = in_mm[form] if form == name else np.full((1, 2), np.nan)
             panel.plot(*path.T, **look, linewidth=2, label=form)
@@ -134,7 +136,7 @@ def draw_goal_paths(paths: GoalPaths) -> Figure:
         panel.plot(*goal, color=TEXT_COLOR, mew=2.2, label="new goal", **ring)
         axes = [axis for axis, factor in zip("xy", paths.factor, strict=True) if factor < 0]
         mirrored = f", mirrored in {' and '.join(axes)}" if name == "original" and axes else ""
-        style_paper(panel, name + mirrored)
+        style_paper(panel, name + mirrored + f"\n{REFUSED}" * (len(forms) == 1))
         _mark_leaving(panel, in_mm[name], shown)
     set_same_view(panels.flat, kept)
     add_legend_below(figure, panels.flat[0])

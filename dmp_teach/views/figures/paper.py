@@ -13,6 +13,7 @@ from dmp_teach.dmp import KERNELS, Kernels
 from dmp_teach.studies import Choice, ErrorCurves, GoalPaths
 from dmp_teach.trajectory import Array
 from dmp_teach.views.figures.figure_style import (
+    REFUSED,
     DrawStyle,
     add_legend,
     cycle_looks,
@@ -130,13 +131,14 @@ def draw_goal_change_over_time(traces: GoalPaths) -> Figure:
     figure, panels = new_figure(2, 1, 6.4, 5.6, sharex=True)
     position, velocity = panels[:, 0]
     for panel, values in ((position, traces.paths), (velocity, traces.velocities)):
-        for name, look in TRACE_LOOKS.items():
-            panel.plot(traces.t, 1e3 * values[name], label=name, **look)
+        for name in values:
+            panel.plot(traces.t, 1e3 * values[name], label=name, **TRACE_LOOKS[name])
     goal = 1e3 * (traces.paths["demonstration"][-1] + traces.shift)
     ring = {"marker": "o", "markerfacecolor": "white", "linestyle": ""}
     position.plot(traces.t[-1], goal, color=TEXT_COLOR, label="new goal", **ring)
     shift = f"{1e3 * traces.shift[0]:+.0f} mm".replace("-", "−")
     title = f"{traces.stroke}: the goal moves by {shift}".strip(": ")
+    title += "" if "original" in traces.paths else f"\n{REFUSED}"
     style_axes(position, "", "position [mm]", title)
     style_axes(velocity, "time [s]", "velocity [mm/s]")
     add_legend(position, loc="best", ncols=2)
