@@ -55,6 +55,12 @@ STATE = """() => {
     };
 }"""
 
+FORGET = "__import__('dmp_teach.classroom.panels.kept', fromlist=['kept']).forget_all('')"
+CLEAR = """() => {
+    window.jupyterapp.commands.execute('notebook:clear-all-cell-outputs');
+    window.jupyterapp.shell.currentWidget.content.activeCellIndex = 0;
+}"""
+
 ASK = """async (code) => {
     const kernel = window.jupyterapp.shell.currentWidget.sessionContext.session.kernel;
     const request = {code: '', silent: true, user_expressions: {it: code}};
@@ -215,18 +221,44 @@ def run_all(page):
     )
 
 
+@pytest.fixture(scope="module")
+def kept():
+    """Pages that tests of one file share: (notebook, its window) -> page."""
+    pages = {}
+    yield pages
+    for page in pages.values():
+        close(page)
+
+
+def close(page):
+    page.evaluate("() => window.jupyterapp?.shell?.currentWidget?.sessionContext?.shutdown()")
+    page.context.close()
+
+
 @pytest.fixture
-def open_notebook(chromium, lab, shot):
-    """Open a notebook of the copy in JupyterLab, run its cells, and watch it to the end."""
+def open_notebook(chromium, lab, shot, kept):
+    """Open a notebook of the copy in JupyterLab, run its cells, and watch it to the end.
+
+    With `again` a page on which another test of the file has run these cells runs them anew: for
+    tests that change nothing beyond what the cells make.
+    """
     pages = []
 
-    def open_it(name, run=True, view="lab", **context):
+    def open_it(name, run=True, view="lab", again=False, **context):
         surroundings = {"viewport": {"width": 1280, "height": 1400}, **context}
-        page = chromium.new_context(**surroundings).new_page()
-        listen(page)
-        pages.append(page)
-        page.set_default_timeout(PATIENCE / 4)
-        page.goto(f"{lab.url}/{view}/tree/notebooks/{name}?reset&token={TOKEN}")
+        size = surroundings.pop("viewport")
+        key = (name, str(surroundings))
+        page = kept.pop(key, None) if again else None
+        if page:
+            page.set_viewport_size(size)
+            page.evaluate(CLEAR)
+            page.evaluate(ASK, FORGET)
+        else:
+            page = chromium.new_context(viewport=size, **surroundings).new_page()
+            listen(page)
+            page.set_default_timeout(PATIENCE / 4)
+            page.goto(f"{lab.url}/{view}/tree/notebooks/{name}?reset&token={TOKEN}")
+        pages.append((page, key if again else None))
         try:
             page.wait_for_function(f"() => ({STATE})()?.status === 'idle'", timeout=PATIENCE)
             if run:
@@ -238,7 +270,7 @@ def open_notebook(chromium, lab, shot):
 
     yield open_it
     found = []
-    for number, page in enumerate(pages):
+    for number, (page, key) in enumerate(pages):
         troubles = page.troubles + seen_in_cells(page) + sockets_of_kernels(lab.process)
         unexpected = [
             trouble for trouble in troubles if not trouble.startswith((*page.expects, *page.allows))
@@ -250,8 +282,10 @@ def open_notebook(chromium, lab, shot):
         ]
         if unexpected or missing:
             shot(page, f"trouble_{number}")
-        page.evaluate("() => window.jupyterapp?.shell?.currentWidget?.sessionContext?.shutdown()")
-        page.context.close()
+        if key and not troubles:
+            kept[key] = page
+        else:
+            close(page)
         found += unexpected + missing
     assert found == []
 

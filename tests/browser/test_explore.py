@@ -26,10 +26,14 @@ COUNT_SENT = f"""() => {{
 }}"""
 
 
-@pytest.fixture
-def panel(open_notebook, lab):
+@pytest.fixture(scope="module")
+def notebook(lab):
     (lab.folder / NOTEBOOK).write_text(notebook_of("import dmp_teach as teach\nteach.explore()"))
-    page = open_notebook(NOTEBOOK)
+
+
+@pytest.fixture
+def panel(open_notebook, notebook):
+    page = open_notebook(NOTEBOOK, again=True)
     page.locator(".dt-explore").scroll_into_view_if_needed()
     page.wait_for_selector(".dt-explore[data-dt-drawing]")
     page.wait_for_selector(".dt-robot img")

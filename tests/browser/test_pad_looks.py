@@ -4,7 +4,18 @@ import numpy as np
 import pytest
 
 import dmp_teach
-from tests.browser.pads import Sheet, by_mouse, caught, into_sight, letter, open_pad, press, strokes
+from tests.browser.pads import (
+    PAD,
+    Sheet,
+    by_mouse,
+    caught,
+    into_sight,
+    letter,
+    open_pad,
+    press,
+    strokes,
+)
+from tests.browser.test_lab import notebook_of
 
 LEFT, RIGHT = (f".dt-stage > div:{which}-child" for which in ("first", "last"))
 ONE_LINE = 1.7  # of its font's size: what is higher has wrapped
@@ -15,9 +26,14 @@ LINES = """nodes => nodes.map((node) => {
 })"""
 
 
+@pytest.fixture(scope="module")
+def notebook(lab):
+    (lab.folder / "pad.ipynb").write_text(notebook_of(PAD))
+
+
 @pytest.fixture
-def panel(open_notebook, lab):
-    return lambda **context: open_pad(open_notebook, lab, **context)
+def panel(open_notebook, lab, notebook):
+    return lambda again=True, **context: open_pad(open_notebook, lab, again=again, **context)
 
 
 def write(page, ask, size=1.0, number=1):
@@ -182,7 +198,7 @@ def test_a_pen_that_leaves_the_sheet_is_told_so(panel, ask):
 def test_on_a_small_laptop_the_letter_the_sentence_and_the_robot_are_seen_together(
     panel, ask, shot
 ):
-    page = panel(viewport={"width": 1366, "height": 768})
+    page = panel(again=False, viewport={"width": 1366, "height": 768})
     assert len(dmp_teach.recording_of("a").strokes()) == 1
     write(page, ask)
     press(page, "Robot, write it")

@@ -57,8 +57,11 @@ def show(lab, open_notebook):
     """A notebook of these cells, run; awake when all its views are."""
 
     def show_it(*cells, **context):
-        (lab.folder / "view.ipynb").write_text(notebook(*cells), encoding="utf-8")
-        page = open_notebook("view.ipynb", **context)
+        again = list(cells) == CELLS
+        path = lab.folder / ("sway.ipynb" if again else "view.ipynb")
+        if not (again and path.exists()):
+            path.write_text(notebook(*cells), encoding="utf-8")
+        page = open_notebook(path.name, again=again, **context)
         page.locator(ROOT).first.scroll_into_view_if_needed()
         page.wait_for_selector(f"{ROOT}[data-dt-awake='true']")
         return page
