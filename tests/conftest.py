@@ -14,7 +14,8 @@ STRICT = os.environ.get("CI", "").lower() == "true"
 FEW = 5
 NOT_QUICK = {"benchmarks", "browser", "classroom", "launcher"}
 NOT_QUICK |= {"notebooks", "pyodide", "robot", "studies", "views"}
-LONGEST_FIRST = ["browser", "studies", "robot", "pyodide"]
+LONGEST_FIRST = ["browser", "pyodide", "test_wheel", "studies", "robot"]
+LONGEST_FIRST += ["notebooks", "launcher", "classroom"]
 
 
 class FewExamples(hypothesis.settings):
@@ -53,9 +54,15 @@ def pytest_itemcollected(item):
 
 
 def pytest_collection_modifyitems(config, items):
-    """Let several processes begin with what takes longest."""
+    """Let several processes begin with what takes longest, and end together with short files."""
     if hasattr(config, "workerinput"):
-        items.sort(key=lambda item: item.path.parent.name not in LONGEST_FIRST)
+        places = {name: place for place, name in enumerate(LONGEST_FIRST)}
+        last = len(places)
+        items.sort(
+            key=lambda item: min(
+                places.get(name, last) for name in (item.path.parent.name, item.path.stem)
+            )
+        )
 
 
 @pytest.hookimpl(optionalhook=True)
