@@ -143,13 +143,6 @@ def test_steps_of_the_device_are_those_of_its_resolution(tmp_path):
     check_d(read(tmp_path, inkml(body, form, extra=steps)), within=2e-5, pressure=False)
 
 
-def test_ink_without_a_unit_is_50_mm_high(tmp_path):
-    recording = read(tmp_path, inkml(BODY, FORCED.replace(' units="mm"', "")))
-    ink = np.vstack([stroke.position for stroke in recording.strokes()])
-    assert np.ptp(ink[:, 1]) == pytest.approx(0.05)
-    assert np.ptp(ink[:, 0]) == pytest.approx(0.05 * 0.035 / 0.06, rel=1e-3)
-
-
 def test_y_points_down_unless_the_file_says_otherwise(tmp_path):
     up = [stroke * [1, 1, -1, 1] for stroke in d_strokes()]
     form = FORCED.replace('name="Y"', 'name="Y" orientation="-ve"')
@@ -381,17 +374,6 @@ def test_labelled_groups_are_letters(tmp_path):
             RecordingError, match=r"number is .*has the letters 0 to 2 to choose from"
         ):
             read(tmp_path, text, number=odd)
-
-
-def test_groups_may_view_traces_that_stand_elsewhere(tmp_path):
-    bar, bowl = (trace(s, attributes=f' xml:id="t{k}"') for k, s in enumerate(d_strokes()))
-    views = '<traceView traceDataRef="#t0"/><traceView traceDataRef="t1"/>'
-    inner = f'<traceGroup><annotation type="truth">D</annotation>{views}</traceGroup>'
-    dash = trace(d_strokes()[0] + np.array([3, 0.1, 0, 0]), attributes=' xml:id="t9"')
-    outer = f'<traceGroup><annotation type="truth">D -</annotation>{inner}</traceGroup>'
-    recording = read(tmp_path, inkml(bar + bowl + dash + outer))
-    check_d(recording)
-    assert recording.character == "D"
 
 
 def test_real_names_stay_out(tmp_path):

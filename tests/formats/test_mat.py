@@ -7,8 +7,6 @@ import zlib
 import numpy as np
 import pytest
 import scipy.io
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.formats.mat import parser as matfile
@@ -315,13 +313,3 @@ def test_a_letter_that_cannot_be_read_is_left_out_of_its_set_and_told(tmp_path):
     letters = read_recordings(saved(tmp_path, broken))
     assert len(letters) == 3
     assert "mixout, letter 3: moves in 0 samples" in letters[0].notes[-1]
-
-
-@settings(max_examples=20, deadline=None)
-@given(factor=st.floats(1e-6, 1e6))
-def test_the_unit_of_a_set_without_one_does_not_matter(tmp_path_factory, factor):
-    folder = tmp_path_factory.mktemp("unit")
-    once = read_recordings(saved(folder, uci(PATHS)))
-    again = read_recordings(saved(folder, uci([factor * path for path in PATHS])))
-    for one, other in zip(once, again, strict=True):
-        np.testing.assert_allclose(one.position, other.position, atol=1e-9)

@@ -231,22 +231,6 @@ def test_what_is_hidden_may_have_what_is_not_followed(tmp_path):
     check_hook(read(tmp_path, svg(f'<g display="none"><g mask="url(#m)">{L}</g></g>{L}')))
 
 
-BROKEN = {
-    "in depth": (
-        svg('<path style="transform:rotate3d(1,1,1,9deg)" d="M0 0"/>'),
-        "transform is 'rotate3d.*cannot be read",
-    ),
-}
-
-
-@pytest.mark.parametrize("fault", BROKEN)
-def test_a_look_that_cannot_be_says_why(tmp_path, fault):
-    text, sentence = BROKEN[fault]
-    with pytest.raises(RecordingError, match=rf"a\.svg: .*{sentence}") as caught:
-        read(tmp_path, text)
-    assert len(str(caught.value)) < 400
-
-
 @QUIET
 @given(
     sheet=st.text("a.#*{}:;,>/@!display nonetrkfil0m-<", max_size=60),
