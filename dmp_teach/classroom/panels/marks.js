@@ -199,12 +199,12 @@ export function placeThreshold(node, view, threshold, isLow) {
   const d = isUpright ? `M${at} ${top}V${bottom}` : `M${left} ${at}H${right}`;
   const isBelow = at < top + 22 || (isLow && at < bottom - 22);
   const isRight = isLow ? at < left + 120 : at < right - 120;
-  const beside = { x: at + (isRight ? 10 : -10), "text-anchor": isRight ? "start" : "end" };
+  const beside = { x: at + (isRight ? 16 : -16), "text-anchor": isRight ? "start" : "end" };
   const height = at + (isBelow ? 20 : -9);
   const [name, words] = isUpright
     ? [
-        { ...beside, y: top + 56 },
-        { ...beside, y: top + 38 },
+        { ...beside, y: top - 6 },
+        { ...beside, y: top + 12 },
       ]
     : [
         { x: left + 8, y: height },
