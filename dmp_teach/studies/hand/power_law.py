@@ -95,38 +95,10 @@ class Bends(Value):
     size: float
     dt: float
 
-    @classmethod
-    def of(cls, path: Array, dt: float, size: float, cutoff: float) -> Bends:
-        """Smooth a path (T, 2) [m], and choose its bends.
-
-        Left out are straight lines, and corners and rests (both ends of a stroke) with what lies
-        beside them. No sample is left out for its speed, as that would bend the law.
-        """
-        smooth = lowpass(path, min(cutoff * dt, 0.45), min(PADDING, len(path) - 1))
-        velocity = np.gradient(smooth, dt, axis=0)
-        turn = np.gradient(velocity, dt, axis=0)
-        speed = np.maximum(np.hypot(*velocity.T), 1e-9)
-        curvature = np.abs(velocity[:, 0] * turn[:, 1] - velocity[:, 1] * turn[:, 0]) / speed**3
-        is_rest = curvature * size > 1 / SMALLEST_RADIUS
-        is_rest[[0, -1]] = True
-        beside = np.ones(2 * round(TIME_OF_REST / dt) + 1)
-        is_resting = np.convolve(is_rest, beside, mode="same") > 0
-        is_bend = curvature * size > 1 / LARGEST_RADIUS
-        return cls(smooth, speed, curvature, is_bend & ~is_resting, size, dt)
-
     def logarithms(self) -> Array:
         """Return log curvature and log speed of the bends, each about its mean, shape (N, 2)."""
         pairs = np.log(np.column_stack([self.curvature, self.speed])[self.is_used])
         return pairs - pairs.mean(axis=0)
-
-    def rewritten(self, beta: float) -> Array:
-        """Return the path as it is written with another exponent, on the same clock (T', 2)."""
-        bent = self.curvature * self.size
-        speed = np.clip(bent, 1 / STRAIGHTEST_RADIUS, 1 / SMALLEST_RADIUS) ** -beta
-        speed *= np.exp(np.log(self.speed / speed)[self.is_used].mean())
-        step = np.diff(arc_lengths(self.path))
-        t = np.concatenate([[0.0], np.cumsum(2 * step / (speed[1:] + speed[:-1]))])
-        return scipy.interpolate.CubicSpline(t, self.path)(np.arange(0.0, t[-1], self.dt))
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -174,22 +146,22 @@ def measure_power_law(strokes: Sequence[Trajectory], sizes: Sequence[float]) -> 
 
 def _through(inks: list[tuple[Array, float, float]], cutoff: float) -> MeasuredInk | None:
     """Measure paths (T, 2) with their steps [s] and sizes [m] through one low-pass."""
-    all_bends = [Bends.of(*ink, cutoff) for ink in inks]
+    all_bends = [_bends_of(*ink, cutoff) for ink in inks]
     kept = [k for k, each in enumerate(all_bends) if each.is_used.sum() >= FEWEST_BEND_SAMPLES]
     bends = tuple(all_bends[k] for k in kept)
     if sum(each.is_used.sum() for each in bends) < 4 * FEWEST_BEND_SAMPLES:
         return None
-    models = [Bends.of(*inks[k], CUTOFF_WRITTEN * cutoff) for k in kept]
+    models = [_bends_of(*inks[k], CUTOFF_WRITTEN * cutoff) for k in kept]
     if not all(each.is_used.any() for each in models):
         return None
     noise = [_noise(inks[k][0], cutoff * inks[k][1]) for k in kept]
     draw = np.random.default_rng(1).normal
     slopes = np.zeros((len(KNOWN_EXPONENTS), DRAWS))
     for row, beta in zip(slopes, KNOWN_EXPONENTS, strict=True):
-        paths = [each.rewritten(beta) for each in models]
+        paths = [_rewritten(each, beta) for each in models]
         for k in range(DRAWS):
             noisy = [
-                Bends.of(path + level * draw(size=path.shape), each.dt, each.size, cutoff)
+                _bends_of(path + level * draw(size=path.shape), each.dt, each.size, cutoff)
                 for path, level, each in zip(paths, noise, bends, strict=True)
             ]
             row[k] = _slope(noisy)
@@ -208,6 +180,35 @@ def _moments(pairs: Array) -> Array:
         return np.zeros(2)
     x, y = (pairs - pairs.mean(axis=0)).T
     return np.array([x @ y, x @ x])
+
+
+def _bends_of(path: Array, dt: float, size: float, cutoff: float) -> Bends:
+    """Smooth a path (T, 2) [m], and choose its bends.
+
+    Left out are straight lines, and corners and rests (both ends of a stroke) with what lies
+    beside them. No sample is left out for its speed, as that would bend the law.
+    """
+    smooth = lowpass(path, min(cutoff * dt, 0.45), min(PADDING, len(path) - 1))
+    velocity = np.gradient(smooth, dt, axis=0)
+    turn = np.gradient(velocity, dt, axis=0)
+    speed = np.maximum(np.hypot(*velocity.T), 1e-9)
+    curvature = np.abs(velocity[:, 0] * turn[:, 1] - velocity[:, 1] * turn[:, 0]) / speed**3
+    is_rest = curvature * size > 1 / SMALLEST_RADIUS
+    is_rest[[0, -1]] = True
+    beside = np.ones(2 * round(TIME_OF_REST / dt) + 1)
+    is_resting = np.convolve(is_rest, beside, mode="same") > 0
+    is_bend = curvature * size > 1 / LARGEST_RADIUS
+    return Bends(smooth, speed, curvature, is_bend & ~is_resting, size, dt)
+
+
+def _rewritten(bends: Bends, beta: float) -> Array:
+    """Return the path as it is written with another exponent, on the same clock (T', 2)."""
+    bent = bends.curvature * bends.size
+    speed = np.clip(bent, 1 / STRAIGHTEST_RADIUS, 1 / SMALLEST_RADIUS) ** -beta
+    speed *= np.exp(np.log(bends.speed / speed)[bends.is_used].mean())
+    step = np.diff(arc_lengths(bends.path))
+    t = np.concatenate([[0.0], np.cumsum(2 * step / (speed[1:] + speed[:-1]))])
+    return scipy.interpolate.CubicSpline(t, bends.path)(np.arange(0.0, t[-1], bends.dt))
 
 
 def _slope(bends: Sequence[Bends]) -> float:

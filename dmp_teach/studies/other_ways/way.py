@@ -14,7 +14,7 @@ from typing import Any, ClassVar, Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from dmp_teach.arguments import checked
+from dmp_teach.arguments import check_whole, checked
 from dmp_teach.dmp import check_point
 from dmp_teach.errors import MissingPartError, TrajectoryError, kind_of
 from dmp_teach.trajectory import Array, Trajectory, resample_in_time
@@ -47,6 +47,7 @@ class Aligned(Value):
 
     def derivative(self, order: int) -> Array:
         """Return how paths change in a tenth of the movement, shape (n, CUTS + 1, D) [sizes]."""
+        check_whole("order", order, 0, 3)
         values = self.paths
         for _ in range(order):
             values = np.gradient(values, 10 / CUTS, axis=1)
