@@ -8,6 +8,7 @@ Read in this order:
     pen_lifts         heights for flat ink
     pad               events of a mouse, a finger or a stylus become a recording
     svg_repr          a small picture for a notebook
+    marks             how a server knows such a picture
 """
 
 import lazy_loader

@@ -7,6 +7,8 @@ from .alphabet import recording_of as recording_of
 from .alphabet import signs as signs
 from .left_hand import check_hand as check_hand
 from .left_hand import is_level as is_level
+from .marks import INK_CLASS as INK_CLASS
+from .marks import PICTURES_STAY_OUT as PICTURES_STAY_OUT
 from .pad import LONGEST_PAD_STROKE as LONGEST_PAD_STROKE
 from .pad import PadStroke as PadStroke
 from .pad import pad_recording as pad_recording
@@ -17,7 +19,6 @@ from .recording_json import check_pseudonym as check_pseudonym
 from .recording_json import recording_from_json as recording_from_json
 from .recording_json import recording_to_json as recording_to_json
 from .recording_json import write_json as write_json
-from .svg_repr import INK_CLASS as INK_CLASS
 from .svg_repr import PERSON_INK as PERSON_INK
 from .svg_repr import ROBOT_INK as ROBOT_INK
 from .svg_repr import SHEET_COLOR as SHEET_COLOR

@@ -8,12 +8,8 @@ from html import escape
 
 import numpy as np
 
+from dmp_teach.ink.marks import INK_CLASS, PICTURES_STAY_OUT
 from dmp_teach.trajectory import Array, Trajectory
-
-INK_CLASS = "dmp-teach-ink"
-"""The class of every picture: by it our launcher's server leaves them out of a saved notebook."""
-PICTURES_STAY_OUT = "DMP_TEACH_PICTURES_STAY_OUT"
-"""The environment variable that says that a server does so; nothing is drawn for any other."""
 
 # Colours of the panels, see `tokens.css`.
 PERSON_INK = "#d55e00"

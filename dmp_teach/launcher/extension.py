@@ -21,6 +21,7 @@ from typing import Any
 
 from traitlets.config import Config
 
+from dmp_teach.ink import PICTURES_STAY_OUT
 from dmp_teach.launcher.lab import EXTENSIONS, NOTEBOOKS, WINDOWS
 from dmp_teach.launcher.notebook_privacy import without_ink
 from dmp_teach.launcher.work import copy_lessons
@@ -46,8 +47,7 @@ SETTINGS = {
 FOR_KERNELS = {
     # What a browser sets need not be told back to it.
     "JUPYTER_WIDGETS_ECHO": "0",
-    # Its name is in `svg_repr.py`.
-    "DMP_TEACH_PICTURES_STAY_OUT": "1",
+    PICTURES_STAY_OUT: "1",
 }
 
 

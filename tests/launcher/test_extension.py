@@ -3,6 +3,7 @@
 import json
 import logging
 import os
+import subprocess
 import sys
 from types import SimpleNamespace
 
@@ -14,6 +15,7 @@ from traitlets.config import Config
 
 from dmp_teach.launcher import lab
 
+MODULE = "dmp_teach.launcher.extension"
 WIDGETS = "@jupyter-widgets/jupyterlab-manager:plugin"
 
 
@@ -40,6 +42,11 @@ def test_a_server_is_set_by_us_but_where_somebody_has_set_it(point):
     assert server.config.LabApp.extension_manager == "readonly"
     assert dict(server.config.KernelManager) == {"x": 1, "transport": "ipc"}
     assert os.environ["JUPYTER_WIDGETS_ECHO"] == "0"
+
+
+def test_a_pupils_server_does_without_numpy():
+    code = f"import sys, {MODULE}; sys.exit('numpy' in sys.modules)"
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
 
 
 def test_jupyterlab_is_set_by_us_but_where_somebody_has_set_it(tmp_path, monkeypatch):
