@@ -25,6 +25,7 @@ from dmp_teach.launcher.lab import (
     clean_environment,
     end_family,
     lab,
+    run_site,
     say,
 )
 
@@ -53,10 +54,8 @@ PARALLEL = ["-n", "logical", "--maxprocesses", "8", "--dist", "loadfile", "--no-
 
 def main(arguments=None):
     """Run the command line and return the exit code."""
-    parser = argparse.ArgumentParser(
-        prog="python3 -m dmp_teach", description="Teach a robot to write."
-    )
-    commands = parser.add_subparsers(dest="command", metavar="lab | test")
+    parser = argparse.ArgumentParser("python3 -m dmp_teach", description="Teach a robot to write.")
+    commands = parser.add_subparsers(dest="command", metavar="lab | site | test")
     commands.required = True
     lab_parser = commands.add_parser("lab", help="open the notebooks in JupyterLab")
     lab_parser.add_argument("--no-browser", action="store_true", help="only say where it is")
@@ -69,28 +68,26 @@ def main(arguments=None):
         help="begin lessons anew, such as 03, or all; what you changed is moved to work/earlier",
     )
     lab_parser.add_argument("--full", action="store_true", help="show all of JupyterLab")
+    site_parser = commands.add_parser("site", help="make the lessons a site for any web server")
+    site_parser.add_argument("folder", type=Path, help="a new or an empty one, or an older site")
     commands.add_parser(
         "test",
         help="run every test; --quick: in a minute; whatever else follows goes to pytest",
         add_help=False,
     )
     options, rest = parser.parse_known_args(arguments)
-    if rest and options.command == "lab":
-        parser.error("lab does not know " + " ".join(rest))
+    if rest and options.command != "test":
+        parser.error("{} does not know {}".format(options.command, " ".join(rest)))
     answer_signals(stop)
     try:
         python = prepare()
         if options.command == "test":
             return run_tests(python, rest)
+        if options.command == "site":
+            return run_site(python, options.folder)
         fresh = () if options.fresh is None else options.fresh or ("",)
-        return lab(
-            python,
-            options.port,
-            not options.no_browser,
-            work=options.work.resolve(),
-            fresh=fresh,
-            full=options.full,
-        )
+        kept = {"work": options.work.resolve(), "fresh": fresh, "full": options.full}
+        return lab(python, options.port, not options.no_browser, **kept)
     except SetupError as error:
         print(error, file=sys.stderr)
         return 1
@@ -129,8 +126,7 @@ def prepare():
     place = Path(subprocess.check_output([str(python), "-c", ask]).decode().strip())
     (place / "dmp_teach.pth").write_text(os.path.relpath(str(ROOT), str(place)) + "\n")
     stamp.write_text(pins)
-    seconds = time.monotonic() - began
-    say("Ready after {:.0f} seconds. The next start needs none of this.".format(seconds))
+    say("Ready after {:.0f} s.".format(time.monotonic() - began))
     return str(python)
 
 

@@ -62,6 +62,8 @@ ROOMS = {  # where a library from elsewhere may be imported
     "anywidget": ["views/unsaved.py", "classroom/panels/robot_panel.py"],
     "ipywidgets": ["classroom/"],
     "jupyter_server": ["launcher/"],
+    "js": ["launcher/site_page/"],
+    "pyodide_js": ["launcher/site_page/"],
 }
 # Rooms in which not every `Any` says why yet.
 UNTOLD = {"scoring", "dmp", "letters", "robot", "ros", "studies", "views", "classroom", "launcher"}

@@ -100,6 +100,12 @@ def lab(python, port=None, browser=True, *, work=WORK, fresh=(), full=False):
             end_family(python, process)
 
 
+def run_site(python, folder):
+    """Make the lessons a site in a folder, and return the exit code."""
+    command = [python, "-m", "dmp_teach.launcher.static_site", str(folder)]
+    return subprocess.call(command, env=clean_environment())
+
+
 def prepare_work(work, fresh=()):
     """Copy the lessons, and name those that stay as somebody has changed them."""
     try:

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator
 from functools import lru_cache
 from importlib.metadata import PackageNotFoundError, distribution
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import umsgpack
@@ -205,7 +205,8 @@ def pack_viewer() -> bytes:
         MissingPartError: meshcat is not installed.
     """
     try:
-        script = distribution("meshcat").locate_file("meshcat/viewer/dist/main.min.js")
+        viewer = distribution("meshcat").locate_file("meshcat/viewer/dist/main.min.js")
     except PackageNotFoundError:
         raise MissingPartError("The 3-D view needs meshcat: pip install meshcat.") from None
-    return gzip.compress(Path(str(script)).read_bytes(), 9, mtime=0)
+    # It may stand in an archive.
+    return gzip.compress(cast("Path", viewer).read_bytes(), 9, mtime=0)

@@ -6,7 +6,6 @@ import io
 
 import numpy as np
 from numpy.typing import NDArray
-from PIL import Image
 
 from dmp_teach.errors import SettingError
 from dmp_teach.robot import Mesh, render_meshes
@@ -92,6 +91,8 @@ def _build_flat_mesh(stage: Stage, line: Ribbon, color: Rgba, faces: Faces) -> M
 
 def _encode_png(pixels: NDArray[np.uint8]) -> bytes:
     """Return pixels as the bytes of a PNG file."""
+    from PIL import Image  # noqa: PLC0415 (a panel in a static site waits for no more than it needs)
+
     file = io.BytesIO()
     Image.fromarray(pixels).save(file, format="PNG")
     return file.getvalue()

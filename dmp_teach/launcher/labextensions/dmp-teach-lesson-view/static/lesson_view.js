@@ -49,6 +49,15 @@ function make(tag, properties, ...children) {
   return made;
 }
 
+/**
+ * Return how often a kernel has run a cell.
+ * @param {any} kernel
+ */
+async function countRuns(kernel) {
+  const nothing = { code: "", silent: true, store_history: false };
+  return (await kernel.requestExecute(nothing).done).content.execution_count;
+}
+
 /** @type {WeakSet<object>} lessons that were left, and whose kernels are ended */
 const ended = new WeakSet();
 
@@ -63,8 +72,7 @@ async function leave({ content, sessionContext }) {
   const isKept = () =>
     panels.every((each) => each.matches("[data-dt-kept]:not(:has(.dt-work:not([hidden])))"));
   if (!kernel || !panels.length || !isKept()) return;
-  const reply = await kernel.requestExecute({ code: "", silent: true }).done;
-  if (reply.content.execution_count > 1 || !isKept()) return;
+  if ((await countRuns(kernel)) > 1 || !isKept()) return;
   ended.add(sessionContext);
   await sessionContext.shutdown();
 }
@@ -73,6 +81,7 @@ async function leave({ content, sessionContext }) {
  * Run the first code cell of a lesson, unless its panel still lives from before the page's reload.
  * @param {any} app
  * @param {any} notebook
+ * @returns {Promise<void>}
  */
 async function wake({ commands }, notebook) {
   const { context, content, sessionContext } = notebook;
@@ -89,10 +98,9 @@ async function wake({ commands }, notebook) {
   const why = content.widgets.find((/** @type {any} */ each) => each.model.id === WHY);
   if (why)
     why.node.dataset.dtWhy = t("What happened is told here, once the truth is laid over your bet.");
-  const reply = await kernel.requestExecute({ code: "", silent: true }).done;
   // Where not all is seen at once, the panel is: the words above it are a turn of the wheel away.
   const see = () => window.innerHeight < 1000 && cell.node.scrollIntoView();
-  if (reply.content.execution_count > 0 && cell.model.outputs.length) return void see();
+  if ((await countRuns(kernel)) > 0 && cell.model.outputs.length) return void see();
   content.activeCellIndex = content.widgets.indexOf(cell);
   cell.node.dataset.dtWaking = t("The panel wakes up …");
   see();
@@ -131,7 +139,8 @@ async function drawLessons({ shell, commands, serviceManager }, strip) {
     const [, number, words] = name.match(LESSON);
     const title = words[0].toUpperCase() + words.slice(1).replaceAll("_", " ");
     const path = folder + name;
-    const href = `${config.baseUrl}doc/tree/${encodeURI(path)}`;
+    const page = config.dmpTeachSite ? "lab/index.html?path=" : "doc/tree/";
+    const href = config.baseUrl + page + encodeURI(path);
     const onclick = (/** @type {Event} */ event) => {
       event.preventDefault();
       commands.execute("docmanager:open", { path });
@@ -189,6 +198,13 @@ async function lessonView(app) {
   bar.id = NAME;
   app.shell.add(bar, "header");
   document.head.append(make("style", { textContent: STYLE }));
+  // JupyterLite shows a lesson's folder beside it.
+  app.commands.commandExecuted.connect(
+    (/** @type {any} */ _, /** @type {any} */ { id, result }) => {
+      const collapse = () => menus.ariaPressed === "false" && app.shell.collapseLeft();
+      if (id === "docmanager:show-in-file-browser") result.then(collapse);
+    },
+  );
   const show = () => {
     const notebook = app.shell.currentWidget;
     if (!notebook?.sessionContext) return;
@@ -240,7 +256,10 @@ const plugin = {
   id: `${NAME}:plugin`,
   autoStart: true,
   activate: (/** @type {any} */ app) => {
-    if (config.mode === "single-document") app.restored.then(() => lessonView(app));
+    if (config.mode !== "single-document") return;
+    // JupyterLite would do so later, after its folder has been opened beside the lesson.
+    app.shell.mode = config.mode;
+    app.restored.then(() => lessonView(app));
   },
 };
 const containers = /** @type {any} */ (window);

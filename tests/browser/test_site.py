@@ -1,0 +1,115 @@
+"""The static site in a browser that reaches nothing else: lessons wake, figures come."""
+
+import functools
+import json
+import threading
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+
+import pytest
+
+from dmp_teach.launcher.static_site import make_site
+from tests.browser.conftest import PATIENCE, listen, seen_in_cells
+
+ROOT = Path(__file__).parents[2]
+LESSONS = sorted(path.name for path in (ROOT / "notebooks").glob("[0-9]*.ipynb"))
+EVERY_TIME = ("00", "02", "08")
+PANEL = ".dt-lesson[data-dt-drawing]"
+# Those of the large packages that are still on the server.
+LATE = "sorted({'matplotlib', 'scipy'} & __import__('piplite.piplite').piplite.LATE.keys())"
+LARGEST = 60e6  # [bytes]
+# This kernel evaluates no expressions of a request.
+ASK = """async (code) => {
+    const kernel = jupyterapp.shell.currentWidget.sessionContext.session.kernel;
+    const request = { code: `print(repr(${code}))`, store_history: false };
+    const future = kernel.requestExecute(request);
+    let said = "";
+    future.onIOPub = ({ content }) => { said += content.text ?? content.evalue ?? ""; };
+    await future.done;
+    return said.trim();
+}"""
+# All that the browser keeps of notebooks, as one text.
+KEPT = """async () => {
+    const asked = request => new Promise((done, fail) => {
+        request.onsuccess = () => done(request.result);
+        request.onerror = () => fail(request.error);
+    });
+    const kept = [];
+    for (const { name } of await indexedDB.databases()) {
+        const base = await asked(indexedDB.open(name));
+        for (const store of base.objectStoreNames)
+            kept.push(...await asked(base.transaction(store).objectStore(store).getAll()));
+        base.close();
+    }
+    return JSON.stringify(kept);
+}"""
+pytestmark = pytest.mark.slow
+
+
+class Quiet(SimpleHTTPRequestHandler):
+    """Any web server would do."""
+
+    def log_message(self, *_):
+        """Say nothing."""
+
+
+@pytest.fixture(scope="module")
+def site(tmp_path_factory):
+    """Where the site is served; an address of this computer."""
+    folder = tmp_path_factory.mktemp("site") / "lessons"
+    assert make_site(folder) < LARGEST
+    settings = folder / "jupyter-lite.json"
+    content = json.loads(settings.read_text())
+    content["jupyter-config-data"]["exposeAppInBrowser"] = True
+    settings.write_text(json.dumps(content))
+    answer = functools.partial(Quiet, directory=folder)
+    with ThreadingHTTPServer(("127.0.0.1", 0), answer) as server:
+        threading.Thread(target=server.serve_forever, daemon=True).start()
+        yield f"http://127.0.0.1:{server.server_port}/"
+        server.shutdown()
+
+
+@pytest.fixture(scope="module")
+def visitor(site, chromium):
+    """A browser that keeps what it has fetched from one lesson to the next."""
+    context = chromium.new_context(viewport={"width": 1366, "height": 768})
+    yield context
+    context.close()
+
+
+@pytest.fixture
+def page(site, visitor):
+    page = visitor.new_page()
+    listen(page)
+    page.set_default_timeout(2 * PATIENCE)
+    yield page
+    troubles = page.troubles + seen_in_cells(page)
+    page.close()
+    assert [each for each in troubles if not each.startswith(tuple(page.allows))] == []
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        pytest.param(name, marks=[] if name[:2] in EVERY_TIME else pytest.mark.thorough)
+        for name in LESSONS
+    ],
+)
+def test_a_lesson_wakes_alone_in_sight(page, site, shot, name):
+    first = name == LESSONS[0]
+    page.goto(site if first else f"{site}lab/index.html?path={name}")
+    page.wait_for_selector(PANEL)
+    shot(page, f"site_{name[:2]}")
+    here = page.get_by_role("navigation", name="Lessons").locator("[aria-current=page]")
+    assert here.inner_text().split()[0] == name[:2]
+    assert page.locator("#jp-menu-panel, .jp-SideBar").locator("visible=true").count() == 0
+
+
+def test_scipy_and_figures_come_when_they_are_asked_for(page, site):
+    page.goto(f"{site}lab/index.html?path={LESSONS[0]}")
+    page.wait_for_selector(PANEL)
+    assert page.evaluate(ASK, LATE) == "['matplotlib', 'scipy']", "a panel needs neither"
+    figure = "teach.figures.draw_worksheet([teach.recording_of('a')])"
+    assert "Figure size" in page.evaluate(ASK, figure)
+    page.evaluate(ASK, "__import__('scipy.interpolate')")
+    assert page.evaluate(ASK, LATE) == "[]"
