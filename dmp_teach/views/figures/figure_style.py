@@ -16,7 +16,7 @@ from matplotlib.ticker import FixedLocator, FuncFormatter, NullLocator
 from dmp_teach.trajectory import Array
 from dmp_teach.views.palette import GRID_COLOR, MUTED_COLOR, STROKE_COLORS, TEXT_COLOR
 
-CURVE_MARKERS = ("o", "s", "^", "D", "v", "P", "X", "*")
+CURVE_MARKERS = ("o", "s", "^", "D", "v", "P", "X", "*", "<")
 CURVE_LINES = (
     "-",
     "--",
