@@ -37,6 +37,7 @@ class PenMotion:
 
     Args:
         dt: Its step [s].
+        raw: The height as it was, shape (K,) [m].
         z: The height, low-passed at 12 Hz, shape (K,) [m].
         rise: The rate of that, shape (K,) [m/s].
         speed: Over the page, shape (K,) [m/s].
@@ -44,6 +45,7 @@ class PenMotion:
     """
 
     dt: float
+    raw: Array
     z: Array
     rise: Array
     speed: Array
@@ -68,7 +70,7 @@ def to_even_clock(t: Array, position: Array) -> PenMotion:
     even = interpolate_points(clock, t, straightened(t, position))
     z, path = lowpass_hertz(even[:, 2], dt, 12.0), lowpass_hertz(even[:, :2], dt, 10.0)
     speed = np.linalg.norm(np.gradient(path, dt, axis=0), axis=1)
-    return PenMotion(dt, z, np.gradient(z, dt), speed, path)
+    return PenMotion(dt, even[:, 2], z, np.gradient(z, dt), speed, path)
 
 
 def lowpass_hertz(values: Array, dt: float, cutoff: float) -> Array:

@@ -22,7 +22,9 @@ WRITING_PACE = 0.15  # writing is faster than this share of the letter's pace
 TAP_DURATION = (
     0.05,
     1.5,
-)  # a pen that is down so long between two lifts, and rests, made a dot [s]
+)  # a pen that is down so long between lifts, and rests, made a dot [s] ...
+HOVERED = (0.008, 0.002)  # ... unless it then touches so near to there, and lower: it hovered [m]
+HAND_RISE = 0.1  # a hand takes longer than this to rise; a marker may leap in one sample [s]
 SHORTEST_MOVE = 0.001  # a shorter move draws no line, however often it is made [m]
 TWITCH_SHARE = 0.05  # a move at either end under this share of the stroke is no writing ...
 STEEPEST_MOVE = 0.2  # ... nor is one that goes up or down by more than this share of its length
@@ -34,15 +36,40 @@ def trim_to_writing(motion: PenMotion, spans: list[Span]) -> list[Span]:
     """Trim each span to its writing; drop those without any, by speed and never by length."""
     landed = [_without_flight(motion, a, b) for a, b in spans]
     pace = max((_pace(motion.speed[a:b]) for a, b in landed), default=0.0)
-    shortest, longest = TAP_DURATION
     kept: list[Span] = []
-    for (a, b), (_, lift) in zip(landed, spans, strict=True):
+    for k, ((a, b), (_, lift)) in enumerate(zip(landed, spans, strict=True)):
         brisk = _pace(motion.speed[a:b]) > WRITING_PACE * pace
         if brisk and np.ptp(motion.path[a:b], axis=0).max() > SHORTEST_MOVE:
             kept.append(_crop(motion, a, b))
-        elif kept and lift < len(motion.z) and shortest < (b - a) * motion.dt < longest:
+        elif kept and lift < len(motion.z) and _is_dot(motion, (a, b), landed[k + 1 :]):
             kept.append((a, b))
-    return kept
+    return kept[1:] if len(kept) > 1 and _is_swing(motion, kept, spans[0]) else kept
+
+
+def _is_dot(motion: PenMotion, tap: Span, later: list[Span]) -> bool:
+    """Return whether a pen that hardly moved between two lifts made a dot, and did not hover."""
+    shortest, longest = TAP_DURATION
+    if not shortest < (tap[1] - tap[0]) * motion.dt < longest:
+        return False
+    if not later or later[0][1] - later[0][0] < 2:
+        return True
+    touch = later[0][0]
+    away = np.linalg.norm(motion.path[touch] - motion.path[tap[1] - 1])
+    above = np.median(motion.z[slice(*tap)]) - motion.z[touch]
+    return not (away < HOVERED[0] and above > HOVERED[1])
+
+
+def _is_swing(motion: PenMotion, kept: list[Span], first: Span) -> bool:
+    """Return whether the first stroke is the swing of a resting hand into the hop to its letter.
+
+    A marker that leaps is no hand: there the stroke is kept, for whoever looks for leaps.
+    """
+    (a, b), (begin, lift) = kept[0], first
+    ways = [motion.speed[slice(*each)].sum() for each in kept]
+    if begin > 0 or a == 0 or not lift - 1 <= b <= lift or ways[0] >= TWITCH_SHARE * max(ways):
+        return False
+    rise = motion.raw[b - 1 : b + max(1, round(HAND_RISE / motion.dt))]
+    return bool(np.abs(np.diff(rise)).max() < 0.8 * np.ptp(rise))
 
 
 def _pace(speed: Array) -> float:

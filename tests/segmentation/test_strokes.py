@@ -180,6 +180,36 @@ def test_a_hand_that_falters_as_it_begins_has_begun(slow, lifted, rest):
     assert abs(t[find_strokes(t, page)[-1][0]] - begun) < 0.05
 
 
+@pytest.mark.parametrize("bend", [1.0, 1.5])
+@pytest.mark.parametrize("seconds", [0.15, 0.25])
+@pytest.mark.parametrize("lift", [0.02, 0.04])
+def test_a_resting_hand_that_swings_into_its_hop_wrote_nothing(lift, seconds, bend):
+    """It moves along the page before it is off it, and only then goes to its letter."""
+    pen = Pen().rest(1.0)
+    over = np.array([-0.05, 0.03])
+    eased = [(s, 10 * s**3 - 15 * s**4 + 6 * s**5) for s in np.linspace(0.02, 1, 50)]
+    pen._go([(s, (*over * s**bend, lift * e)) for s, e in eased], seconds)
+    pen.fly((0.0, 0.0), 0.0, 0.4).rest(0.2).draw(letter_a()).rest(0.5)
+    t, page = pen.sampled()
+    for theta, sigma in GRID:
+        check_ends(pen, t, find_strokes(t, page, theta, sigma))
+
+
+@pytest.mark.parametrize("height", [0.003, 0.0042, 0.0055])
+@pytest.mark.parametrize("sink", [0.04, 0.06, 0.1])
+def test_a_pen_that_stood_over_the_place_where_it_then_touches_made_no_dot(height, sink):
+    pen = (
+        Pen()
+        .rest(0.4)
+        .draw(bar())
+        .fly((0.0, -0.05), 0.03, 0.3)
+        .fly((0.002, 0.001), height, 0.2)
+        .rest(0.3)
+    )
+    t, page = pen.fly((0.0, 0.0), 0.0, sink).rest(0.1).draw(bowl()).rest(0.5).sampled()
+    assert {len(find_strokes(t, page, theta, sigma)) for theta, sigma in GRID} == {2}
+
+
 @pytest.mark.parametrize("seed", range(6))
 def test_a_hand_that_trembles_along_while_it_sinks_is_still_landing(seed):
     """Moves in fits and starts, each a little lower: together they sink too steeply for writing."""
@@ -273,6 +303,12 @@ def test_a_low_lift_counts_only_over_sigma():
     )
     assert len(found_in(pen, sigma=0.006)[1]) == 2
     assert len(found_in(pen, sigma=0.020)[1]) == 1
+
+
+def test_height_that_wanders_is_no_lift():
+    pen = Pen().rest(0.3).draw(letter_a(), wander=0.005).rest(0.3)
+    t, found = found_in(pen)
+    check_ends(pen, t, found)
 
 
 @settings(max_examples=25, deadline=None)
