@@ -134,6 +134,17 @@ def test_gaps_are_those_of_another_library():
     np.testing.assert_allclose(gaps[solid], theirs[solid], rtol=0, atol=1.5e-3)
 
 
+def test_boxes_whose_sides_are_parallel_overlap_by_the_shortest_way_out():
+    one, other = random_shapes(300, 3), random_shapes(300, 4)
+    still, none = np.broadcast_to(np.eye(3), (300, 3, 3)), np.zeros(300)
+    one, other = (Shapes(still, each.p, 0.1 + each.half, none, none) for each in (one, other))
+    beyond = (np.abs(one.p - other.p) - one.half - other.half).max(axis=1)
+    inside = beyond < 0
+    assert inside.any()
+    gaps = measure_gaps(one, other, np.full(300, np.inf))
+    np.testing.assert_allclose(gaps[inside], beyond[inside], atol=1e-6)
+
+
 def test_overlap_is_as_deep_as_the_way_out_is_long():
     """The tip of the pen, a small ball, in the block under the page."""
     q = np.array([0.386, -0.11, -0.45, -0.37, 1.53, -1.39, -0.88, 0.82])

@@ -227,7 +227,9 @@ def _escape(pairs: _Pairs) -> Array:
 
 def _best(pairs: _Pairs, ways: Array) -> tuple[Array, Array]:
     """Return how far apart the shapes are along the best of directions (N, K, 3), and which."""
-    ways = ways / np.maximum(np.linalg.norm(ways, axis=2, keepdims=True), 1e-12)
+    # The cross product of parallel axes is no way.
+    length = np.linalg.norm(ways, axis=2, keepdims=True)
+    ways = np.where(length > 1e-6, ways / np.maximum(length, 1e-6), [0.0, 0.0, 1.0])
     rows = np.repeat(np.arange(len(ways)), ways.shape[1])
     flat = ways.reshape(-1, 3)
     apart = inner(pairs.take(rows).nearest(flat), flat).reshape(ways.shape[:2])
