@@ -77,7 +77,7 @@ BUSY |= {
 }
 # Of one's own lessons, and old names that pass on what they are given.
 HOOKS = {"conditions", "draw", "mistakes", "praise", "tell_bet", "tell_refusal", "tell_run", "vary"}
-HOOKS |= {"values_on", "panel", "make", "joined", "showing"}
+HOOKS |= {"values_on", "panel", "make", "joined", "showing", "choose", "done", "tell"}
 # They plan for seconds before they report anything.
 HOOKS |= {"reach_map", "reach_around"}
 
