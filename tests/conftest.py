@@ -15,7 +15,7 @@ FEW = 5
 NOT_QUICK = {"benchmarks", "browser", "classroom", "launcher"}
 NOT_QUICK |= {"notebooks", "pyodide", "robot", "studies", "views"}
 LONGEST_FIRST = ["browser", "pyodide", "test_wheel", "studies", "robot"]
-LONGEST_FIRST += ["notebooks", "launcher", "classroom"]
+LONGEST_FIRST += ["lessons", "notebooks", "launcher", "classroom", "views"]
 
 
 class FewExamples(hypothesis.settings):
