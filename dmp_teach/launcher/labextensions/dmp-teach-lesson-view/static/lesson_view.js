@@ -33,6 +33,10 @@ let shared;
 
 const t = (/** @type {string} */ text) => config.dmpTeachTexts?.[text] ?? text;
 
+// The address of a lesson: of Jupyter's server, or in our static site.
+const addressOf = (/** @type {string} */ path) =>
+  config.baseUrl + (config.dmpTeachSite ? "lab/index.html?path=" : "doc/tree/") + encodeURI(path);
+
 const isHarmless = (/** @type {string} */ source) =>
   source.split("\n").every((line) => HARMLESS.test(line.trim()));
 
@@ -139,8 +143,7 @@ async function drawLessons({ shell, commands, serviceManager }, strip) {
     const [, number, words] = name.match(LESSON);
     const title = words[0].toUpperCase() + words.slice(1).replaceAll("_", " ");
     const path = folder + name;
-    const page = config.dmpTeachSite ? "lab/index.html?path=" : "doc/tree/";
-    const href = config.baseUrl + page + encodeURI(path);
+    const href = addressOf(path);
     const onclick = (/** @type {Event} */ event) => {
       event.preventDefault();
       commands.execute("docmanager:open", { path });
@@ -208,6 +211,8 @@ async function lessonView(app) {
   const show = () => {
     const notebook = app.shell.currentWidget;
     if (!notebook?.sessionContext) return;
+    // JupyterLite takes the lesson out of the address, and a page loaded anew would be empty.
+    if (config.dmpTeachSite) history.replaceState(null, "", addressOf(notebook.context.path));
     showMenus(app, menus.ariaPressed === "true");
     drawLessons(app, strip);
     wake(app, notebook);
