@@ -26,7 +26,8 @@ TAP_DURATION = (
 HOVERED = (0.008, 0.002)  # ... unless it then touches so near to there, and lower: it hovered [m]
 HAND_RISE = 0.1  # a hand takes longer than this to rise; a marker may leap in one sample [s]
 SHORTEST_MOVE = 0.001  # a shorter move draws no line, however often it is made [m]
-TWITCH_SHARE = 0.05  # a move at either end under this share of the stroke is no writing ...
+TWITCH_SHARE = 0.01  # a move at either end under this share of the stroke is no writing ...
+SWING_SHARE = 0.05  # ... nor is one under this that runs into the lift: a rested hand takes a swing
 STEEPEST_MOVE = 0.2  # ... nor is one that goes up or down by more than this share of its length
 
 Span = tuple[int, int]
@@ -66,7 +67,7 @@ def _is_swing(motion: PenMotion, kept: list[Span], first: Span) -> bool:
     """
     (a, b), (begin, lift) = kept[0], first
     ways = [motion.speed[slice(*each)].sum() for each in kept]
-    if begin > 0 or a == 0 or not lift - 1 <= b <= lift or ways[0] >= TWITCH_SHARE * max(ways):
+    if begin > 0 or a == 0 or not lift - 1 <= b <= lift or ways[0] >= SWING_SHARE * max(ways):
         return False
     rise = motion.raw[b - 1 : b + max(1, round(HAND_RISE / motion.dt))]
     return bool(np.abs(np.diff(rise)).max() < 0.8 * np.ptp(rise))
@@ -133,5 +134,5 @@ def _find_moves(z: Array, speed: Array, dt: float, lifts: tuple[bool, bool]) -> 
     after = moves[:, 1] - np.append(0, moves[:-1, 1])
     durations = np.where(np.arange(len(moves)) < np.argmax(way), before, after)
     near = (way > JOINED_PACE * pace * dt * durations) & ~swings
-    large = way > TWITCH_SHARE * way.sum()
+    large = way > np.where(swings, SWING_SHARE, TWITCH_SHARE) * way.sum()
     return moves[((way > SHORTEST_MOVE) & level & (large | near)) | (way == way.max())]

@@ -210,6 +210,17 @@ def test_a_pen_that_stood_over_the_place_where_it_then_touches_made_no_dot(heigh
     assert {len(find_strokes(t, page, theta, sigma)) for theta, sigma in GRID} == {2}
 
 
+@pytest.mark.parametrize("part", [3, -2])
+def test_a_pen_that_pauses_near_an_end_of_its_stroke_keeps_all_of_it(part):
+    """It wrote 4 % of it before or after."""
+    ink = letter_a() if part > 0 else letter_a()[::-1]
+    pen = Pen(path=[(0.0, np.append(ink[0], 0.0))]).rest(0.5)
+    t, page = pen.draw(ink[1:part]).rest(2.0).draw(ink[part:]).rest(0.5).sampled()
+    ((a, b),) = find_strokes(t, page)
+    assert abs(t[a] - pen.touches[0][0]) < 0.05
+    assert abs(t[b - 1] - pen.touches[-1][1]) < 0.05
+
+
 @pytest.mark.parametrize("seed", range(6))
 def test_a_hand_that_trembles_along_while_it_sinks_is_still_landing(seed):
     """Moves in fits and starts, each a little lower: together they sink too steeply for writing."""
