@@ -71,7 +71,8 @@ def test_a_kernel_that_is_killed_while_the_robot_plans_leaves_nothing_and_run_al
 def test_a_notebook_in_two_tabs_is_one_panel_that_outlives_both(page, lab, ask):
     bumps = bumps_of(page)
     press_to(page, "ArrowRight", bumps + 1)
-    page.evaluate("() => jupyterapp.shell.currentWidget.context.save()")
+    # The lesson view has saved it.
+    page.wait_for_function("() => !jupyterapp.shell.currentWidget.context.model.dirty")
     other = again(page, lab)
     assert bumps_of(other) == bumps + 1
     press_to(other, "ArrowRight", bumps + 2)
