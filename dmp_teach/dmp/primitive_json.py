@@ -8,8 +8,9 @@ from typing import Any, TypeVar
 
 import numpy as np
 
+from dmp_teach.dmp.checks import check_duration
 from dmp_teach.dmp.settings import Settings
-from dmp_teach.files import array_from_json
+from dmp_teach.files import array_from_json, must
 from dmp_teach.trajectory import Trajectory
 
 # JSON has no infinity.
@@ -51,11 +52,14 @@ def primitive_from_json(kind: type[_Primitive], values: dict[str, Any]) -> _Prim
     shapes |= dict.fromkeys(["start", "goal", "start_velocity"], (size,))
     shapes |= {"times": (len(values["times"]),), "path": (values["steps"] + 1, size)}
     arrays = {
-        name: None if values[name] is None else array_from_json(name, values[name], shape)
+        name: array_from_json(name, values[name], shape)
         for name, shape in shapes.items()
+        if name != "biases" or values[name] is not None
     }
     path, notes = arrays.pop("path"), tuple(values["notes"])
+    must(all(isinstance(note, str) for note in notes), "notes", notes, "texts")
     own = {name: value for name, value in values.items() if name != "path"}
+    own["duration"] = check_duration("duration", values["duration"])
     primitive = kind(**{**own, **arrays, "settings": settings, "notes": notes})
     # Refused: times that do not increase.
     Trajectory(primitive.times, primitive.times)

@@ -44,11 +44,16 @@ def letter_parts(content: dict[str, Any]) -> dict[str, Any]:
         )
     if not 0 < len(strokes) == len(content["primitives"]):
         raise LetterError("it must have strokes, and a primitive for each.")
+    primitives = tuple(primitive_from_json(DMP, each) for each in content["primitives"])
+    if any(len(a) != len(b.times) for a, b in zip(strokes, primitives, strict=True)):
+        raise LetterError("each primitive must have the times of its stroke.")
+    made_of = tuple(content["made_of"])
+    must(all(isinstance(name, str) for name in made_of), "made_of", made_of, "names of strokes")
     return {
         "strokes": strokes,
-        "primitives": tuple(primitive_from_json(DMP, each) for each in content["primitives"]),
+        "primitives": primitives,
         "led_to": {int(n): np.array(goal, float) for n, goal in content["led_to"].items()},
-        "made_of": tuple(content["made_of"]),
+        "made_of": made_of,
     }
 
 

@@ -46,16 +46,14 @@ def learn_alike(
         )
     ordered = [_reordered(letter, letters[0], number) for number, letter in enumerate(letters)]
     ink = _superposed(ordered, same_size)
-    learned = []
+    shown, learned = [], []
     for strokes in zip(*ink, strict=True):
         mean = float(np.mean([stroke.duration for stroke in strokes]))
         samples = max(len(stroke) for stroke in strokes)
         common = settings.resolved(mean, samples)
-        learned.append([DMP.imitate(_resampled(stroke, samples), common) for stroke in strokes])
-    return [
-        Letter(strokes, primitives)
-        for strokes, primitives in zip(ink, zip(*learned, strict=True), strict=True)
-    ]
+        shown.append([_resampled(stroke, samples) for stroke in strokes])
+        learned.append([DMP.imitate(stroke, common) for stroke in shown[-1]])
+    return list(map(Letter, zip(*shown, strict=True), zip(*learned, strict=True)))
 
 
 def letter_to_row(letter: Letter) -> Array:

@@ -131,6 +131,11 @@ FORGED = {
     "ragged": (("primitives", 1, "weights"), [[1.0], [1.0, 2.0]], "no letter as Letter.save"),
     "a step too few": (("primitives", 0, "steps"), 3, "path has shape ("),
     "a field": (("primitives", 0, "code"), "import os", "unexpected keyword argument 'code'"),
+    "no weights": (("primitives", 0, "weights"), None, "no letter as Letter.save writes it"),
+    "no time": (("primitives", 0, "duration"), "long", "duration is 'long', but it must be"),
+    "notes": (("primitives", 0, "notes"), [{}], "but must be texts"),
+    "other times": (("primitives", 0, "times"), [0.0, 1.0], "must have the times of its stroke"),
+    "names": (("made_of",), [1], "made_of is (1,), but must be names of strokes"),
     "a setting": (("primitives", 0, "settings", "phase"), "moon", "phase is 'moon', but it must"),
     "a setting more": (("primitives", 0, "settings", "name"), "Kim", "keyword argument 'name'"),
 }

@@ -75,6 +75,7 @@ def test_learned_alike_a_letter_is_as_near_as_learned_alone():
         strict=True,
     ):
         own = Letter.learn(recording_of("D", hand))
+        assert letter.error < 5e-4
         again = [p.rollout(dt=p.duration / 100).position for p in letter.primitives]
         alone = [p.rollout(dt=p.duration / 100).position for p in own.primitives]
         moved = np.concatenate(again) - np.concatenate(alone)
