@@ -27,7 +27,7 @@ _NAMES = {
     "views": "figure view read_stamp write_stamp",
     "classroom": "explore pad Lesson Verdict challenge at_most at_least between exactly sliders "
     "RobotPupil PupilTraits TeachingSession",
-    "lessons": "lesson check",
+    "lessons": "lesson check class_overview",
 }
 _HOME = {name: room for room, names in _NAMES.items() for name in names.split()}
 _HOME.update(errors="errors", figures="views.figures", studies="studies")  # modules of their own

@@ -38,6 +38,7 @@ from dmp_teach.formats import write_recording as write_recording
 from dmp_teach.ink import Recording as Recording
 from dmp_teach.ink import recording_of as recording_of
 from dmp_teach.lessons import check as check
+from dmp_teach.lessons import class_overview as class_overview
 from dmp_teach.lessons import lesson as lesson
 from dmp_teach.letters import Letter as Letter
 from dmp_teach.letters import Piece as Piece

@@ -15,6 +15,8 @@ from .lesson.check import between as between
 from .lesson.check import exactly as exactly
 from .lesson.check import holds as holds
 from .lesson.check import tell_number as tell_number
+from .lesson.class_files import read_class as read_class
+from .lesson.class_overview import ClassOverview as ClassOverview
 from .lesson.content import Affine as Affine
 from .lesson.content import Drawing as Drawing
 from .lesson.content import Pick as Pick

@@ -3,10 +3,16 @@
 from __future__ import annotations
 
 from importlib import import_module
+from os import PathLike
+from pathlib import Path
+from typing import TYPE_CHECKING
 
 from dmp_teach.arguments import checked
 from dmp_teach.classroom import Lesson, Verdict
-from dmp_teach.errors import SettingError, shown
+from dmp_teach.errors import PathError, SettingError, shown
+
+if TYPE_CHECKING:
+    from dmp_teach.classroom import ClassOverview
 
 _PACKAGE = __name__.rpartition(".")[0]
 # The modules of the lessons, from number "00".
@@ -71,6 +77,38 @@ def check(key: str, answer: object, pupil: str | None = None, hints: int = 0) ->
             nothing: the verdict says why.
     """
     return lesson(key, pupil).check(answer, hints)
+
+
+def class_overview(folder: str | PathLike[str]) -> ClassOverview:
+    """Read what a class has saved: who is where, what is hard, and the spread of bets.
+
+        teach.class_overview("class_7b").html("class_7b.html")
+
+    Args:
+        folder: With the files that *Save* writes, `work_w01.json` and `a_w01.json`, or with such
+            a folder for each pupil, as a hub's homes. A check counts as passed where the file
+            says so: `check` judges an answer.
+
+    Raises:
+        PathError: There is no such folder.
+    """
+    # Whoever opens a lesson does not wait for it.
+    from dmp_teach.classroom import ClassOverview, read_class  # noqa: PLC0415
+
+    try:
+        place = Path(folder).expanduser()
+        is_there = place.is_dir()
+    except (OSError, RuntimeError, TypeError, ValueError):
+        is_there = False
+    if not is_there:
+        raise PathError(f"There is no folder {shown(folder)}; give the one with the pupils' files.")
+    pupils, notes = read_class(place)
+    found = {}
+    for number, name in lessons().items():
+        if any(number in pupil.lessons for pupil in pupils):
+            content = _import_lesson(name)()
+            found[number] = (content.question, content.bet)
+    return ClassOverview(tuple(pupils), found, tuple(notes))
 
 
 def _import_lesson(name: str) -> type[Lesson]:

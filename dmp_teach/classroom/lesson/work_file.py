@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.files import contents, loaded, parse_json, write_whole
+from dmp_teach.files import contents, loaded, must, parse_json, write_whole
 
 # Any, here and below: what a lesson keeps, which checks it when it takes it up.
 Work = dict[str, Any]
@@ -26,14 +26,26 @@ def read_work(folder: Path, pupil: str) -> Work:
     path = _path_of(folder, pupil)
     if not path.exists():
         return {}
+    told, lessons = read_work_file(path)
+    if told != pupil:
+        raise RecordingError(f"{path.name} is not the work of {pupil}: move it, and save again.")
+    return lessons
+
+
+def read_work_file(path: Path) -> tuple[str, Work]:
+    """Return whose work a file says that it is, and the work by the number of the lesson.
+
+    Raises:
+        RecordingError: The file is not one of ours.
+    """
     data, name = contents(path)
     try:
         work = loaded(data, _KIND, (1,), _FIELDS)
+        must(isinstance(work["pupil"], str), "pupil", work["pupil"], "a pseudonym")
+        must(isinstance(work["lessons"], dict), "lessons", work["lessons"], "an object")
     except RecordingError as error:
         raise RecordingError(f"{name}: {error}") from None
-    if work["pupil"] != pupil or not isinstance(work["lessons"], dict):
-        raise RecordingError(f"{name} is not the work of {pupil}: move it, and save again.")
-    return work["lessons"]
+    return work["pupil"], work["lessons"]
 
 
 def save_work(folder: Path, pupil: str, lesson: str, work: Work) -> Path:
