@@ -42,7 +42,9 @@ def progress_bar(
 
             stays = {"disable": None, "leave": False} if patience else {}
             kinds = {"desc": words or None, "file": stream, "ncols": width, **stays}
-            bar = tqdm(total=total, initial=done, **kinds)
+            # Without the thread that tqdm would watch it from: a browser has none.
+            unwatched = type("Bar", (tqdm,), {"monitor_interval": 0})
+            bar = unwatched(total=total, initial=done, miniters=1, **kinds)
         bar.update(done - bar.n)
         if done >= total:
             bar.close()

@@ -2,8 +2,10 @@
 
 import io
 import sys
+import threading
 
 import pytest
+from tqdm.auto import tqdm
 
 from dmp_teach import progress
 from dmp_teach.errors import SettingError
@@ -50,6 +52,13 @@ def test_quick_work_work_within_work_and_work_without_a_terminal_are_silent(monk
     monkeypatch.setattr(sys, "stderr", io.StringIO())
     reporter(None)(1, 2)
     assert sys.stderr.getvalue() == ""
+
+
+def test_a_bar_needs_no_thread(monkeypatch, recwarn):
+    monkeypatch.setattr(threading.Thread, "start", lambda self: 1 / 0)
+    monkeypatch.setattr(tqdm, "monitor", None)
+    progress_bar(stream=Terminal())(1, 2)
+    assert not recwarn.list
 
 
 def test_a_function_is_called_as_it_is_and_anything_else_refused():
