@@ -76,7 +76,7 @@ def read_class(folder: Path) -> tuple[list[PupilRecord], list[str]]:
     for path in _find_files(folder, notes):
         told = path.relative_to(folder)
         try:
-            _read_file(path, told.parts[0] if len(told.parts) > 1 else "", pupils, notes)
+            _read_file(path, told.parts[0] if len(told.parts) > 1 else "", pupils)
         except (TeachError, OSError, ValueError) as error:
             notes.append(f"{told}: {str(error).removeprefix(path.name + ': ')}")
     return _named(pupils, notes), notes
@@ -131,9 +131,7 @@ def _by_length(name: str) -> tuple[int, str]:
     return len(name), name
 
 
-def _read_file(
-    path: Path, place: str, pupils: dict[tuple[str, str], PupilRecord], notes: list[str]
-) -> None:
+def _read_file(path: Path, place: str, pupils: dict[tuple[str, str], PupilRecord]) -> None:
     """Add a file to its pupil; errors where it is none of ours."""
 
     def pupil_of(pseudonym: str) -> PupilRecord:
@@ -152,11 +150,14 @@ def _read_file(
         if pupil.lessons:
             words = _("one more file of {name}; the first counts.")
             raise RecordingError(words.format(name=pseudonym))
+        bad = []
         for key, work in lessons.items():
             try:
                 pupil.lessons[key] = _read_lesson(work)
             except (KeyError, TypeError, RecordingError) as error:
-                notes.append(f"{path.name}, {key}: {error}")
+                bad.append(f"{key}: {error}")
+        if bad:
+            raise RecordingError("; ".join(bad[:3]))
     else:
         data, _name = contents(path)
         recording = recording_from_json(data)
