@@ -2,7 +2,8 @@
 
 Touching box kernels make the acceleration of a learned stroke step at each of their edges. The
 stroke drawn instead is the smoothest on the same path: least squared fourth differences (Whittaker
-1923), a little sooner or later at each place. Where the path forces a step, the pen takes longer.
+1923), a little sooner or later at each place. Where the path forces a step, the pen takes longer;
+what that leaves, the whole stroke does.
 """
 
 from __future__ import annotations
@@ -12,10 +13,16 @@ from collections.abc import Callable
 import numpy as np
 import scipy
 
-from dmp_teach.robot.pen_path import MOTION_RATE, PenPath, connect_strokes, interpolate
+from dmp_teach.robot.pen_path import (
+    MOTION_RATE,
+    PenPath,
+    connect_strokes,
+    ease_in_and_out,
+    interpolate,
+)
 from dmp_teach.trajectory import Array, Trajectory
 
-LARGEST_STEP = 0.15
+LARGEST_STEP = 0.18
 """The pen's acceleration may change so much from sample to sample, less than in a lift [m/s^2]."""
 
 PATH_TOLERANCE = 2e-5
@@ -25,7 +32,7 @@ PATH_TOLERANCE = 2e-5
 _RIPPLE = 0.08
 _HAND = 0.12
 # The part of the hand's largest step that is allowed, where that is more than LARGEST_STEP.
-_SHARE = 0.75
+_SHARE = 0.62
 # With kernels that touch, the median of the steps is a tenth of the larger ones; a hand's is a
 # quarter or more.
 _SPARSE = 0.22
@@ -67,18 +74,35 @@ def smooth_stroke(stroke: Trajectory) -> Trajectory:
     if rough <= LARGEST_STEP:
         return stroke
     hand = _solve(path, np.tile(np.eye(2), (n + 1, 1, 1)), _HAND)
-    limit = max(LARGEST_STEP, _SHARE * measure_steps(hand).max())
+    limit = max(LARGEST_STEP, _SHARE * _measure_drawn(hand).max())
     stepwise = np.median(steps) < _SPARSE * np.percentile(steps, 95)
+    best, least = path, np.inf
     for _ in range(_ROUNDS if stepwise else 1):
         path = _smooth(curve, times)
-        steps = measure_steps(path)
-        if steps.max() <= limit:
-            break
         # Where all takes longer, steps fall with its third power.
-        times = _slow_down(times, np.cbrt(np.pad(steps, (1, 2), "edge") / limit))
-    if steps.max() >= rough:
+        longer = np.cbrt(_measure_drawn(path) / limit)
+        needed = (len(path) - 1) * max(1, longer.max())
+        if needed < least:
+            best, least = path, needed
+        times = _slow_down(times, longer)
+        if len(times) > least:
+            break
+    if measure_steps(best).max() >= rough:
         return stroke
-    return Trajectory(stroke.t[0] + np.arange(len(path)) / MOTION_RATE, path)
+    samples = least if stepwise else len(best) - 1
+    return Trajectory(stroke.t[0] + np.linspace(0, samples / MOTION_RATE, len(best)), best)
+
+
+def _measure_drawn(path: Array) -> Array:
+    """Return the steps at each sample (T,) of a path (T, 2) that is drawn from rest to rest."""
+    last = len(path) - 1
+    lasts, clock = ease_in_and_out(last / MOTION_RATE)
+    shown = clock(np.arange(int(np.ceil(lasts * MOTION_RATE)) + 1) / MOTION_RATE) * MOTION_RATE
+    shown = np.clip(shown, 0, last)
+    steps = np.zeros(last + 1)
+    drawn = scipy.interpolate.CubicSpline(np.arange(last + 1), path)(shown)
+    np.maximum.at(steps, shown[1:-2].round().astype(int), measure_steps(drawn))
+    return steps
 
 
 def _slow_down(times: Array, longer: Array) -> Array:
