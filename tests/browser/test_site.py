@@ -13,7 +13,7 @@ from tests.browser.conftest import PATIENCE, listen, seen_in_cells
 
 ROOT = Path(__file__).parents[2]
 LESSONS = sorted(path.name for path in (ROOT / "notebooks").glob("[0-9]*.ipynb"))
-EVERY_TIME = ("00", "08")
+ROBOT = "08_robot_writes.ipynb"
 PANEL = ".dt-lesson[data-dt-drawing]"
 # Those of the large packages that are still on the server.
 LATE = "sorted({'matplotlib', 'scipy'} & __import__('piplite.piplite').piplite.LATE.keys())"
@@ -50,6 +50,9 @@ KEPT = """async () => {
     }
     return JSON.stringify(kept);
 }"""
+SHOWS_PAD = """() => JSON.stringify(
+    window.jupyterapp?.shell?.currentWidget?.context?.model?.toJSON() ?? "",
+).includes("teach.pad('a')")"""
 pytestmark = pytest.mark.slow
 
 
@@ -95,16 +98,7 @@ def page(site, visitor):
     assert [each for each in troubles if not each.startswith(tuple(page.allows))] == []
 
 
-@pytest.mark.parametrize(
-    "name",
-    [
-        pytest.param(name, marks=[] if name[:2] in EVERY_TIME else pytest.mark.thorough)
-        for name in LESSONS
-    ],
-)
-def test_a_lesson_wakes_alone_in_sight(page, site, shot, name):
-    first = name == LESSONS[0]
-    page.goto(site if first else f"{site}lab/index.html?path={name}")
+def see_lesson(page, shot, name):
     page.wait_for_selector(PANEL)
     shot(page, f"site_{name[:2]}")
     here = page.get_by_role("navigation", name="Lessons").locator("[aria-current=page]")
@@ -112,10 +106,16 @@ def test_a_lesson_wakes_alone_in_sight(page, site, shot, name):
     assert page.locator("#jp-menu-panel, .jp-SideBar").locator("visible=true").count() == 0
 
 
-def test_a_page_fetches_what_is_used_and_keeps_no_ink(page, site):
-    page.goto(f"{site}lab/index.html?path={LESSONS[0]}")
-    page.wait_for_selector(PANEL)
-    assert page.evaluate(ASK, LATE) == "['matplotlib', 'scipy']", "a panel needs neither"
+@pytest.mark.thorough
+@pytest.mark.parametrize("name", LESSONS)
+def test_a_lesson_wakes_alone_in_sight(page, site, shot, name):
+    page.goto(f"{site}lab/index.html?path={name}")
+    see_lesson(page, shot, name)
+
+
+def test_a_visit_fetches_what_is_used_and_keeps_no_ink(page, site, shot):
+    page.goto(site)
+    see_lesson(page, shot, LESSONS[0])
     figure = "teach.figures.draw_worksheet([teach.recording_of('a')])"
     assert "Figure size" in page.evaluate(ASK, figure)
     page.evaluate(ASK, "__import__('scipy.interpolate')")
@@ -131,4 +131,7 @@ def test_a_page_fetches_what_is_used_and_keeps_no_ink(page, site):
     page.evaluate(SAVE)
     assert len(page.evaluate(KEPT)) < len(before) + 1000
     page.reload()
-    page.wait_for_selector(".dt-pad")
+    page.wait_for_function(SHOWS_PAD)
+    page.goto(f"{site}lab/index.html?path={ROBOT}")
+    see_lesson(page, shot, ROBOT)
+    assert page.evaluate(ASK, LATE) == "['matplotlib', 'scipy']", "a panel needs neither"
