@@ -54,7 +54,6 @@ WIDTH_VARIANTS: Mapping[str, Variant] = {
     "the authors' program": Variant(
         Settings.as_coded(n_kernels=200, kernel_spread=0.02, kernel_floor=1e-10), share=None
     ),
-    "as printed": Variant(Settings.as_printed()),
     "Gaussian, LWR": Variant(Settings.as_fixed()),
     "Gaussian, joint": Variant(Settings.joint()),
     "box, LWR": Variant(Settings.star(**AS_PRINTED_FIT)),
@@ -71,7 +70,6 @@ formulas, the second is their program with the kernels of its class that has sev
 
 NUMBER_VARIANTS: Mapping[str, Variant] = {
     "the authors' program": Variant(Settings.as_coded()),
-    "as printed": Variant(Settings.as_printed()),
     "soft spring": Variant(Settings.as_fixed(alpha=25.0)),
     "spring as stiff as 2 N": Variant(Settings.as_fixed()),
     "our DMP*": Variant(Settings.star()),
@@ -92,5 +90,4 @@ def both_errors(path: Trajectory, settings: Settings) -> tuple[float, float]:
 
 def has_ends(settings: Settings, width: float) -> bool:
     """Return whether these kernels may have this width: some must end somewhere."""
-    endless = KERNELS[settings.kernel].endless and settings.kernel_sides != "one"
-    return endless or math.isfinite(width)
+    return KERNELS[settings.kernel].endless or math.isfinite(width)

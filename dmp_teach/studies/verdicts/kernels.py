@@ -46,16 +46,12 @@ def _errors(curves: ErrorCurves, variant: str, x: float) -> Array:
 
 
 def _gaussian(curves: ErrorCurves) -> tuple[str, ...]:
-    """Return the variants whose kernels without ends are full Gaussians.
-
-    As printed, x - c <= theta, they are never: those have one end wherever that is.
-    """
+    """Return the variants whose kernels without ends are full Gaussians."""
     kinds = {name: variant.settings for name, variant in WIDTH_VARIANTS.items()}
     return tuple(
         name
         for name in curves.variants
-        if kinds[name].kernel_sides != "one"
-        and (math.isfinite(kinds[name].kernel_sigma) or kinds[name].kernel_spread is not None)
+        if math.isfinite(kinds[name].kernel_sigma) or kinds[name].kernel_spread is not None
     )
 
 
