@@ -28,6 +28,8 @@ LARGEST_STEP = 0.18
 PATH_TOLERANCE = 2e-5
 """No smoothed stroke leaves its path by more [m]."""
 
+# At the samples; between two of them the stroke may be a little farther off [m].
+_AIM = 0.92 * PATH_TOLERANCE
 # Half of a wave so long passes: of ripple, where nothing else holds the path, and of a hand's [s].
 _RIPPLE = 0.08
 _HAND = 0.12
@@ -124,10 +126,10 @@ def _smooth(curve: Callable[[Array], Array], times: Array) -> Array:
         smooth = _solve(path, weights, _RIPPLE)
         later = times + ((smooth - path) * forward).sum(axis=1)
         miss = np.linalg.norm(smooth - curve(np.clip(later, times[0], times[-1])), axis=1)
-        if miss.max() <= PATH_TOLERANCE:
+        if miss.max() <= _AIM:
             break
-        weights *= (np.maximum(miss / (0.9 * PATH_TOLERANCE), 1) ** 1.5)[:, None, None]
-    smooth = path + (smooth - path) * min(1, PATH_TOLERANCE / max(miss.max(), PATH_TOLERANCE))
+        weights *= (np.maximum(miss / (0.9 * _AIM), 1) ** 1.5)[:, None, None]
+    smooth = path + (smooth - path) * min(1, _AIM / max(miss.max(), _AIM))
     smooth[[0, -1]] = path[[0, -1]]
     return smooth
 
