@@ -24,7 +24,7 @@ from dmp_teach.robot.reach.posture import PEN_TILT_TOLERANCE, TIP_TOLERANCE, fin
 from dmp_teach.robot.reach.suggest import list_other_pages, suggest_page
 from dmp_teach.robot.slices import Slices, run_through
 from dmp_teach.robot.smoothing import connect_smoothly
-from dmp_teach.robot.solvers import get_solver
+from dmp_teach.robot.solvers import borrow_solver, get_solver
 from dmp_teach.robot.time_scaling import TimeScaling
 from dmp_teach.trajectory import Array, Trajectory, all_points
 
@@ -109,7 +109,8 @@ class Fetch:
         `Motion.notes` have what they say.
         """
         placed = lay_out(strokes, page, None, size)
-        motion, _ = yield from _write(get_solver("in slices"), page, placed)
+        with borrow_solver() as solver:
+            motion, _ = yield from _write(solver, page, placed)
         return motion
 
 

@@ -7,10 +7,12 @@ import numpy as np
 import pytest
 
 import dmp_teach as teach
+from dmp_teach.errors import SettingError
 from dmp_teach.robot.numpy_arm import NumpySolver
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.reach.posture import find_posture
 from dmp_teach.robot.reach.suggest import whole_area
+from dmp_teach.robot.slices import run_through
 
 PAGES = (
     Page.table(),
@@ -81,3 +83,25 @@ def test_without_any_native_library_a_letter_is_learned_planned_and_shown(tmp_pa
     told = subprocess.check_output([sys.executable, "-c", BARE, str(view)], text=True)
     assert told.startswith("NumPy Pictures and physics need pybullet")
     assert view.stat().st_size > 10_000
+
+
+def test_two_plans_in_slices_do_not_move_the_arm_of_each_other():
+    strokes = teach.Letter.learn(teach.recording_of("l")).write()
+    pages = Page.table(), Page.board()
+    alone = [run_through(teach.Fetch().write_in_slices(strokes, page)) for page in pages]
+    turns = [teach.Fetch().write_in_slices(strokes, page) for page in pages]
+    found = {}
+    for _ in range(10_000):
+        for k, turn in enumerate(turns):
+            if k not in found:
+                try:
+                    next(turn)
+                except StopIteration as end:
+                    found[k] = end.value
+    assert [found[0], found[1]] == alone
+
+
+def test_a_solver_that_there_is_not_is_refused(monkeypatch):
+    monkeypatch.setenv("DMP_TEACH_SOLVER", "banana")
+    with pytest.raises(SettingError, match="'banana', but must be NumPy"):
+        teach.Fetch().write(teach.Letter.learn(teach.recording_of("l")).write(), Page.table())
