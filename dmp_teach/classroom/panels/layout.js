@@ -153,7 +153,7 @@ export function badgePlaces(view, goals, strokes) {
       const at = [x + 40 * dx, y + 40 * dy];
       const crowd = 8 * near(at, taken, 46) + 4 * near(at, others, 30) + near(at, ink, 22);
       const off = Math.max(0, 24 - at[0], 24 - at[1], at[0] - view.w + 24, at[1] - view.h + 24);
-      const ruler = Math.max(0, Math.min(rulerEnd(view) + 20 - at[0], at[1] - view.h + 48));
+      const ruler = Math.max(0, Math.min(rulerEnd(view) + 20 - at[0], at[1] - view.h + 68));
       return 30 * (off + ruler) + crowd;
     };
     const best = least(AROUND, cost, 1e-9);
