@@ -16,6 +16,7 @@ import numpy as np
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.formats.flat_ink import FlatLetter, FlatStroke, flat_recordings, label_from
+from dmp_teach.formats.plain_text import decode_text
 from dmp_teach.formats.registry import CaptureOptions, Format
 from dmp_teach.formats.safe_xml import finite_number
 from dmp_teach.ink import Recording
@@ -32,7 +33,7 @@ LetterParts = tuple[str | None, list[tuple[int, slice]]]
 
 def has_unipen_keyword(data: bytes) -> bool:
     """Tell whether a file has one of UNIPEN's keywords."""
-    return KEYWORD.search(data[:64_000]) is not None
+    return KEYWORD.search(data[:64_000].replace(b"\0", b"")) is not None
 
 
 def read_unipen(data: bytes, _name: str, _: CaptureOptions) -> tuple[Recording, ...]:
@@ -41,7 +42,7 @@ def read_unipen(data: bytes, _name: str, _: CaptureOptions) -> tuple[Recording, 
     Raises:
         RecordingError: No ink in it, a point or a segment that cannot be, or far too many lines.
     """
-    lines = [line[:LONGEST_UNIPEN_LINE] for line in data.decode("utf-8", "replace").splitlines()]
+    lines = [line[:LONGEST_UNIPEN_LINE] for line in decode_text(data).splitlines()]
     if len(lines) > MOST_UNIPEN_LINES:
         raise RecordingError(f"has more than {MOST_UNIPEN_LINES} lines; cut it.")
     said = {line.split()[0]: line.split()[1:] for line in lines if line.startswith(".")}

@@ -14,7 +14,7 @@ import numpy as np
 
 from dmp_teach.errors import RecordingError
 from dmp_teach.formats.columns import COLUMN_UNITS, FEWEST_ROWS, read_columns
-from dmp_teach.formats.motive.table import UTF16_MARKS
+from dmp_teach.formats.plain_text import decode_text
 from dmp_teach.formats.registry import CaptureOptions, Format
 from dmp_teach.formats.strangers import describe_stranger
 from dmp_teach.ink import Recording
@@ -39,7 +39,7 @@ def is_table(data: bytes) -> bool:
         return False
     if describe_stranger(data) is not None:
         return False
-    lines = _lines(data[:BEGIN_OF_TABLE])
+    lines = decode_text(data[:BEGIN_OF_TABLE]).rstrip().splitlines()
     sign = _divider(lines)
     count = sum(_numbers(line, sign) is not None for line in lines)
     return count >= FEWEST_ROWS or (count > 0 and 2 * count >= len(lines))
@@ -47,7 +47,7 @@ def is_table(data: bytes) -> bool:
 
 def read_table_of_text(data: bytes, name: str, options: CaptureOptions) -> tuple[Recording, ...]:
     """Read the letter in a table; errors as `read_columns`."""
-    lines = _lines(data)
+    lines = decode_text(data).rstrip().splitlines()
     if len(lines) > MOST_TABLE_ROWS:
         raise RecordingError(f"has more than {MOST_TABLE_ROWS} rows; cut it.")
     sign = _divider(lines)
@@ -70,13 +70,6 @@ def read_table_of_text(data: bytes, name: str, options: CaptureOptions) -> tuple
     # Line ends of two signs may show as an empty line after each row.
     filled = ~np.isnan(values).all(axis=1)
     return read_columns(values if filled.mean() >= 0.6 else values[filled], names, name, options)
-
-
-def _lines(data: bytes) -> list[str]:
-    """Return a file's lines, without the empty ones at its end."""
-    is_wide = data.startswith(UTF16_MARKS)
-    text = data.decode("utf-16" if is_wide else "utf-8-sig", errors="replace")
-    return text.rstrip().splitlines()
 
 
 def _divider(lines: Sequence[str]) -> str | None:

@@ -56,6 +56,13 @@ def test_characters_are_letters_and_words_are_not(tmp_path):
     assert [(each.character, len(each.strokes())) for each in letters] == [("l", 1), ("c", 1)]
 
 
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "cp1252"])
+def test_a_label_is_read_however_its_signs_are_written(tmp_path, encoding):
+    text = d_unipen(segments='.SEGMENT CHARACTER 0-2 OK "Ö"\n')
+    (tmp_path / "d.dat").write_bytes(text.encode(encoding))
+    assert read_recording(tmp_path / "d.dat").character == "Ö"
+
+
 def test_a_letter_may_be_a_part_of_its_components(tmp_path):
     """From point 3 of one to point 10 of another, both within."""
     whole = read(tmp_path, d_unipen()).strokes()

@@ -7,7 +7,6 @@ are counted as in an editor, from 1.
 
 from __future__ import annotations
 
-import codecs
 import csv
 import io
 import re
@@ -19,6 +18,7 @@ from itertools import pairwise
 import numpy as np
 
 from dmp_teach.errors import RecordingError
+from dmp_teach.formats.plain_text import decode_text
 from dmp_teach.formats.units import METRES
 from dmp_teach.trajectory import Array
 
@@ -32,7 +32,6 @@ LONGEST_ROW_STEP = 60.0  # no take waits longer from row to row [s]
 MOST_FAULTS = 0.02  # of the rows may have no time
 FARTHEST_SAMPLE = 1e6  # farther is no farther [m]
 MARKERS, BODIES = {"marker", "rigid body marker"}, {"rigid body"}
-UTF16_MARKS = (codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)
 AxisColumns = dict[str, int]  # of "X", "Y" and "Z", from 0
 MarkerKey = tuple[str, int]  # a marker's name, and which of several of that name
 
@@ -114,8 +113,7 @@ def read_table(data: bytes) -> Table:
             header, as after a decimal comma, or a time cannot be.
     """
     header = _find_header(data)
-    encoding = "utf-16" if data.startswith(UTF16_MARKS) else "utf-8-sig"
-    text = io.StringIO(data.decode(encoding, errors="replace"), newline="")
+    text = io.StringIO(decode_text(data), newline="")
     sign = "," if header is None else header[1].decode()
     try:
         rows = list(csv.reader(text, delimiter=sign, skipinitialspace=True, strict=True))
