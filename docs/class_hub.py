@@ -1,5 +1,10 @@
 """A JupyterHub for a class; a_class_on_a_hub.md says where this file goes, and what else to do."""
 
+import os
+
+from jupyterhub.orm import Spawner
+from tornado.web import HTTPError
+
 c = get_config()  # noqa: F821 (JupyterHub gives it)
 
 # Each pupil's copies of the lessons, in a home folder that nobody else can open.
@@ -13,6 +18,32 @@ c.PAMAuthenticator.allowed_groups = {"pupils"}
 c.JupyterHub.hub_ip = "127.0.0.1"
 c.Spawner.ip = "127.0.0.1"
 
-# A class comes all at once, and each server wants a processor core for some 9 seconds.
+# JupyterHub's own server, which starts in half of its time.
+c.Spawner.cmd = ["python3", "-P", "-m", "dmp_teach.launcher.quick_start", "jupyterhub.singleuser"]
+
+# A class comes all at once, and its servers share the processor.
 c.Spawner.start_timeout = 300
 c.Spawner.http_timeout = 300
+
+# So many pupils have room: each with 400 MB, and one gigabyte for the computer itself.
+PLACES = int((os.sysconf("SC_PHYS_PAGES") * os.sysconf("SC_PAGE_SIZE") - 1e9) / 400e6)
+
+
+class FullError(HTTPError):
+    """What a pupil reads for whom there is no memory, so that nobody else has to wait for it."""
+
+    jupyterhub_message = (
+        "All places of this class are taken: the computer has no memory for one more pupil. What "
+        "you have saved is safe. Tell your teacher, and try again when somebody has left."
+    )
+    # JupyterHub would set a word of its own as the heading.
+    reason = property(lambda self: "The class is full", lambda self, word: None)
+
+
+def look_for_a_place(spawner):
+    """Refuse one pupil too many; a server that begins is counted with the others."""
+    if spawner.db.query(Spawner).filter(Spawner.server_id.is_not(None)).count() > PLACES:
+        raise FullError(503)
+
+
+c.Spawner.pre_spawn_hook = look_for_a_place

@@ -62,6 +62,7 @@ ROOMS = {  # where a library from elsewhere may be imported
     "anywidget": ["views/unsaved.py", "classroom/panels/robot_panel.py"],
     "ipywidgets": ["classroom/"],
     "jupyter_server": ["launcher/"],
+    "jupyterlab": ["launcher/quick_start.py"],
     "js": ["launcher/site_page/"],
     "pyodide_js": ["launcher/site_page/"],
 }

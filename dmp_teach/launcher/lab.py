@@ -128,7 +128,9 @@ def lab_command(python, root, port):
         "ServerApp.log_level": "WARN",
         "ServerApp.allow_root": True,
     }
-    return [python, "-m", "jupyterlab"] + ["--{}={}".format(*pair) for pair in settings.items()]
+    # -P: a pupil's random.py beside the lessons is not Python's.
+    start = [python, "-P", "-m", "dmp_teach.launcher.quick_start", "jupyterlab"]
+    return start + ["--{}={}".format(*pair) for pair in settings.items()]
 
 
 def lab_environment(state, token):

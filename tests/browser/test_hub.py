@@ -22,6 +22,7 @@ from tests.node import modules
 
 PASSWORDS = {"w01": "first-secret-of-a-test", "w02": "second-secret-of-a-test"}
 ONE, TWO = PASSWORDS
+LATE = "w03"
 SETTINGS = """
 load_subconfig({teachers!r})
 c = get_config()
@@ -31,7 +32,8 @@ c.JupyterHub.db_url = "sqlite://"
 c.JupyterHub.cookie_secret_file = {cookie!r}
 c.ConfigurableHTTPProxy.api_url = "http://127.0.0.1:{api_port}"
 c.ConfigurableHTTPProxy.command = [{proxy!r}]
-c.Spawner.cmd = [{python!r}, "-m", "jupyterhub.singleuser"]
+c.Spawner.cmd = [{python!r}, *c.Spawner.cmd[1:]]
+c.Spawner.pre_spawn_hook.__globals__["PLACES"] = 2
 c.Spawner.args = ["--LabApp.expose_app_in_browser=True"]
 # What the wheel puts into etc/jupyter.
 c.Spawner.environment.update({{"JUPYTER_CONFIG_PATH": {config!r}}})
@@ -92,7 +94,7 @@ def closed_folders(*needed):
 def accounts():
     """The shell's lines that make the pupils' accounts, as `docs/a_class_on_a_hub.md` says."""
     lines = ["set -e", "umask 022", "groupadd pupils"]
-    for who, password in PASSWORDS.items():
+    for who, password in {**PASSWORDS, LATE: LATE}.items():
         lines += [f"useradd --create-home --groups pupils {who}", f"echo {who}:{password}|chpasswd"]
     return lines
 
@@ -155,6 +157,13 @@ def hub(tmp_path_factory):
         launcher.end_family(sys.executable, process)
 
 
+def sign_in(page, hub, who, password):
+    page.goto(hub.url)
+    page.get_by_label("Username").fill(who)
+    page.get_by_label("Password").fill(password)
+    page.get_by_role("button", name="Sign in").click(no_wait_after=True)
+
+
 @pytest.fixture(scope="module")
 def pupils(hub, chromium):
     """Two pupils who have signed in, each in a browser of one's own: name -> page."""
@@ -167,10 +176,7 @@ def pupils(hub, chromium):
         page.on("request", lambda request, page=page: page.asked.append(request.url))
         page.on("websocket", lambda socket, page=page: page.asked.append(socket.url))
         page.set_default_timeout(PATIENCE)
-        page.goto(hub.url)
-        page.get_by_label("Username").fill(who)
-        page.get_by_label("Password").fill(password)
-        page.get_by_role("button", name="Sign in").click(no_wait_after=True)
+        sign_in(page, hub, who, password)
     for who, page in pages.items():
         page.wait_for_url(f"{hub.url}/user/{who}/doc/tree/00_start_here.ipynb")
         page.asked.clear()
@@ -266,6 +272,16 @@ def test_no_request_leaves_the_prefix_and_no_secret_is_logged(hub, pupils):
     tokens = [family(hub, who)[0].environ()["JUPYTERHUB_API_TOKEN"] for who in pupils]
     assert all(len(token) >= 32 for token in tokens)
     assert [word for word in [*tokens, *PASSWORDS.values()] if word in said] == []
+
+
+def test_one_pupil_too_many_reads_that_the_class_is_full(hub, pupils, chromium, shot):
+    page = chromium.new_page()
+    sign_in(page, hub, LATE, LATE)
+    page.get_by_role("heading", name="The class is full").wait_for()
+    assert page.get_by_text("try again when somebody has left").is_visible()
+    shot(page, "hub_full")
+    assert family(hub, LATE) == []
+    page.close()
 
 
 def test_a_hub_that_ends_leaves_no_process_and_no_socket(hub, pupils):

@@ -5,6 +5,7 @@ import logging
 import os
 import subprocess
 import sys
+from importlib.metadata import version
 from types import SimpleNamespace
 
 import pytest
@@ -47,6 +48,22 @@ def test_a_server_is_set_by_us_but_where_somebody_has_set_it(point):
 def test_a_pupils_server_does_without_numpy():
     code = f"import sys, {MODULE}; sys.exit('numpy' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="a script that stands for Node.js")
+def test_a_server_starts_without_node_and_without_a_grammar_that_it_never_needs(tmp_path):
+    node = tmp_path / "node"
+    node.write_text(f"#!/bin/sh\ntouch {tmp_path}/started")
+    node.chmod(0o755)
+    around = {**os.environ, "PATH": f"{tmp_path}{os.pathsep}{os.environ['PATH']}"}
+    start = [sys.executable, "-X", "importtime", "-m", "dmp_teach.launcher.quick_start"]
+    done = subprocess.run(
+        [*start, "jupyterlab", "--version"], env=around, capture_output=True, text=True, check=True
+    )
+    assert done.stdout.strip() == version("jupyterlab")
+    assert "jupyter_server" in done.stderr
+    assert "lark" not in done.stderr
+    assert not (tmp_path / "started").exists()
 
 
 def test_jupyterlab_is_set_by_us_but_where_somebody_has_set_it(tmp_path, monkeypatch):
