@@ -26,6 +26,12 @@ class BeAScientist(kit.Lesson):
 
     key = "10"
     question = marked("How do you know that it is true?")
+    bet_question = marked(
+        "One writer wrote this {letter}. The paper says that DMP*, the newer rule, is more "
+        "accurate than the first one. For {most} writers: how many times larger is the first "
+        "rule’s error? Pull the left dot to the smallest number, the right one to the "
+        "largest.{made}"
+    )
     tasks = (
         marked("Ask one writer after the other. From how many on is it no luck?"),
         marked("Do the counter-test of claim {first}. What is left of its number?"),
@@ -53,53 +59,47 @@ class BeAScientist(kit.Lesson):
             self.few = self.choose(["", *(each for each in others if each != "goal")])
             few_number = self.choose(FEW_WRITERS)
         self.writers = find_writers(letter)
-        most = len(self.writers.strokes)
-        self.numbers = {each: most for each in self.claims} | {self.few: min(most, few_number)}
+        self.letter, self.most = self.writers.character, len(self.writers.strokes)
+        made = _("(They are hands that we made, all relatives.)")
+        self.made = "" if self.writers.are_real else f" {made}"
+        self.numbers = dict.fromkeys(self.claims, self.most)
+        self.numbers[self.few] = min(self.most, few_number)
         truth = [tested.find_truth(each, self.numbers[each], self.writers) for each in self.claims]
         seen = {"claim": str(1 + self.claims.index("rule")), "writers": 1, "how": PAPERS_WAY}
         self.start = seen | dict.fromkeys(VERDICTS, OPEN)
         self.solution = seen | dict(zip(VERDICTS, truth, strict=True))
         words = tested.verdict_words()
-        table = "; ".join(f"{place} {words[each]}" for place, each in enumerate(truth, start=1))
-        found = ", ".join(f"{words[each]} {truth.count(each)}" for each in list(words)[1:])
+        self.table = "; ".join(
+            f"{place} {words[each]}" for place, each in enumerate(truth, start=1)
+        )
+        self.found = ", ".join(f"{words[each]} {truth.count(each)}" for each in list(words)[1:])
         if tested.TOO_FEW in truth:
-            found += f" (n = {self.numbers[self.few]})"
-        self.facts = {"table": table, "found": found, "first": seen["claim"]}
+            self.found += f" (n = {self.numbers[self.few]})"
+        self.first = seen["claim"]
 
     @property
     def knobs(self) -> kit.Knobs:
         ways = {PAPERS_WAY: _("the paper’s way"), COUNTER_TEST: _("counter-test")}
         options, claims = tested.verdict_words(), tested.claim_words()
         words = [f"{n} {claims[claim]}" for n, claim in enumerate(self.claims, start=1)]
-        most = len(self.writers.strokes)
         return {
             "claim": kit.OneOf(_("Look at claim"), {n: n for n in CLAIM_PLACES}, is_view=True),
             "how": kit.OneOf(_("Measured"), ways, is_view=True),
-            "writers": kit.Slider(_("How many writers"), "n", 1, most, is_view=True),
+            "writers": kit.Slider(_("How many writers"), "n", 1, self.most, is_view=True),
             **{name: kit.OneOf(said, options) for name, said in zip(VERDICTS, words, strict=True)},
         }
 
     @property
     def bet(self) -> kit.DrawnBet:
-        question = _(
-            "One writer wrote this {letter}. The paper says that DMP*, the newer rule, is more "
-            "accurate than the first one. For {n} writers: how many times larger is the first "
-            "rule’s error? Pull the left dot to the smallest number, the right one to the largest."
-        )
-        if not self.writers.are_real:
-            question += " " + _("(They are hands that we made, all relatives.)")
-        most = len(self.writers.strokes)
-        places = np.array([[1.0, 2.0], [float(most), 2.0]])
-        labels = [_("The smallest number"), _("The largest number")]
-        asked, ends = question.format(letter=self.writers.character, n=most), (0.1, 200.0)
-        return kit.DrawnBet(asked, "ratios", places, labels, "y", 0.05, _("times"), *ends)
+        places = np.array([[1.0, 2.0], [float(self.most), 2.0]])
+        labels, how = [_("The smallest number"), _("The largest number")], ("y", 0.05, _("times"))
+        return kit.DrawnBet(self.bet_question, "ratios", places, labels, *how, 0.1, 200.0)
 
     def done(self, v: kit.Answer) -> Sequence[bool]:
-        first = self.start["claim"]
         return (
             v["writers"] >= 5,
-            (v["how"], v["claim"]) == (COUNTER_TEST, first),
-            (v["claim"] != first and v["how"] == COUNTER_TEST)
+            (v["how"], v["claim"]) == (COUNTER_TEST, self.first),
+            (v["claim"] != self.first and v["how"] == COUNTER_TEST)
             and v["writers"] >= self.numbers[self.claims[int(v["claim"]) - 1]],
         )
 
@@ -151,7 +151,7 @@ class BeAScientist(kit.Lesson):
         measured = self._measured(claim, str(state.values["how"]))
         number = min(int(state.values["writers"]), measured.number)
         last = number - 1
-        is_hidden = state.step == "bet" and not state.is_revealed
+        is_hidden = state.is_hidden
         if state.step == "bet":
             number = measured.number * state.is_revealed
         stroke = self.writers.strokes[last]
@@ -175,7 +175,7 @@ class BeAScientist(kit.Lesson):
 
     def _draw_ratios(self, measured: tested.WriterRatios, state: kit.LessonState) -> kit.Drawing:
         """Draw the ratio of each writer, and the line that the claim must pass."""
-        claim, most, is_bet = measured.claim, len(self.writers.strokes), state.step == "bet"
+        claim, most, is_bet = measured.claim, self.most, state.step == "bet"
         ratios = np.sort(measured.ratios) if is_bet else measured.ratios
         limit = tested.RATIO_LIMITS[claim]
         word = _("for it: above {limit:g}")

@@ -16,7 +16,8 @@ from dmp_teach.texts import marked
 
 NARROWEST, WIDEST = 0.25, 20.0
 BET_WIDTHS = (0.25, 0.5, 1.0, 2.0, 5.0, 10.0, 20.0)
-CURVE_WIDTHS = np.unique([*np.geomspace(NARROWEST, WIDEST, 40), 0.98, 1.0])
+CURVE_WIDTHS = np.unique([*np.geomspace(NARROWEST, WIDEST, 40), 0.98, 1.0]).tolist()
+BUMP_ICONS = ("narrow", "one")
 PAIRS = (("a", "D"), ("e", "B"), ("g", "R"), ("m", "P"), ("h", "S"), ("d", "G"))
 
 
@@ -43,6 +44,10 @@ class BumpWidth(kit.Lesson):
 
     key = "03"
     question = marked("How wide should each bump be?")
+    bet_question = marked(
+        "The robot’s {first} has gone soft: its bumps are ten times too wide. How far off is it at "
+        "other widths? Pull the dots to where you think."
+    )
     tasks = (
         marked("Make the bumps wider and wider. What melts first?"),
         marked("Now go below 1. What happens between the bumps?"),
@@ -63,25 +68,20 @@ class BumpWidth(kit.Lesson):
 
     def vary(self) -> None:
         self.pair, self.kernel = self.choose(PAIRS), self.choose(("box", "cut"))
+        self.first, self.second = self.pair
+        self.shape = _("boxes") if self.kernel == "box" else _("cut bells")
         best: kit.Answer = {"kernel_width": 1.1, "kernel": self.kernel, "fit": "lwr"}
         self.limit = math.ceil(18 * max(error_at_width(each, best) for each in self.pair)) / 10
         self.start = {**best, "kernel_width": 10.0, "letter": self.pair[0]}
         self.solution = {**best, "letter": self.pair[0]}
-        shape = _("boxes") if self.kernel == "box" else _("cut bells")
-        first, second = self.pair
-        self.facts = {"shape": shape, "first": first, "second": second, "limit": self.limit}
 
     @property
     def knobs(self) -> kit.Knobs:
-        icons, fits = (
-            ("narrow", "one"),
-            {"lwr": _("one bump at a time"), "joint": _("all together")},
-        )
+        ends, fits = (NARROWEST, WIDEST), {"lwr": _("one bump at a time")}
         kernels = {"box": _("box"), "cut": _("cut bell"), "smooth": _("soft bell")}
+        fits |= {"joint": _("all together")}
         return {
-            "kernel_width": kit.Slider.of(
-                "kernel_width", NARROWEST, WIDEST, is_log=True, icons=icons
-            ),
+            "kernel_width": kit.Slider.of("kernel_width", *ends, is_log=True, icons=BUMP_ICONS),
             "letter": kit.OneOf(_("Letter"), {each: each for each in self.pair}, is_view=True),
             "kernel": kit.OneOf(_("Shape"), {**kernels, "bell": _("bell without ends")}),
             "fit": kit.OneOf(_("Learned"), fits),
@@ -89,12 +89,17 @@ class BumpWidth(kit.Lesson):
 
     @property
     def bet(self) -> kit.DrawnBet:
-        question = marked(
-            "The robot’s {first} has gone soft: its bumps are ten times too wide. How far off is "
-            "it at other widths? Pull the dots to where you think."
+        label = _("How far off at width {x:g}")
+        return drawing.bet_on_errors(self.bet_question, BET_WIDTHS, 3.0, label)
+
+    @property
+    def curve(self) -> drawing.ErrorCurve:
+        """How far off the letter that is seen is at each width."""
+        ticks = [[0.25, "¼"], [1, _("1 just touching")], [4, "4"], [20, "20"]]
+        x = drawing.axis(NARROWEST, WIDEST, _("how wide each bump is"), log=True, ticks=ticks)
+        return drawing.ErrorCurve(
+            "kernel_width", lambda v: error_at_width(v["letter"], v), x, CURVE_WIDTHS
         )
-        label = _("How far off at width {:g}")
-        return drawing.bet_on_errors(self.tell(question), BET_WIDTHS, 3.0, label)
 
     def done(self, v: kit.Answer) -> Sequence[bool]:
         return (
@@ -153,41 +158,19 @@ class BumpWidth(kit.Lesson):
             )
 
     def tell_bet(self, bet: kit.KeptBet) -> str:
-        truth = [error_at_width(self.pair[0], self.start | {"kernel_width": x}) for x, _y in bet]
-        off = [abs(math.log(y / true)) for (_x, y), true in zip(bet, truth, strict=True)]
-        facts = [
-            (x, drawing.millimetres(y / 1000), drawing.millimetres(true / 1000))
-            for (x, y), true in zip(bet, truth, strict=True)
-        ]
+        near, *_others, far = self.curve.rank(bet, self.start)
         return _(
             "You were nearest at width {near[0]:g}: you said {near[1]} mm, it is {near[2]}. The "
             "surprise is at width {far[0]:g}: you said {far[1]}, it is {far[2]} mm."
-        ).format(near=facts[int(np.argmin(off))], far=facts[int(np.argmax(off))])
+        ).format(near=near, far=far)
 
     def draw(self, state: kit.LessonState) -> kit.Picture:
         values = state.values
         letter = learn_with_width(values["letter"], values)
         written, note = letter.write(), _("width {width:.2g}").format(width=values["kernel_width"])
         sheet = drawing.draw_sheet(letter.strokes, drawing.paths_of(written), note=note)
-        plots = {"curve": self._draw_curve(state), "strip": drawing.draw_bumps(letter)}
+        plots = {"curve": self.curve.draw(state), "strip": drawing.draw_bumps(letter)}
         return kit.Picture(self._say(values), sheet, plots, written)
-
-    def _draw_curve(self, state: kit.LessonState) -> kit.Drawing:
-        """Draw the errors that were tried; the whole curve where the truth is revealed."""
-        values, letter = state.values, str(state.values["letter"])
-        tried = [
-            each
-            for each in state.tried
-            if values | {"kernel_width": 0} == each | {"kernel_width": 0}
-        ]
-        widths = sorted(each["kernel_width"] for each in tried)
-        if state.is_revealed:
-            widths = CURVE_WIDTHS.tolist()
-        points = [[x, error_at_width(letter, values | {"kernel_width": x})] for x in widths]
-        ticks = [[0.25, "¼"], [1, _("1 just touching")], [4, "4"], [20, "20"]]
-        x = drawing.axis(NARROWEST, WIDEST, _("how wide each bump is"), log=True, ticks=ticks)
-        now = [float(values["kernel_width"]), error_at_width(letter, values)]
-        return drawing.plot_errors(x, state, np.array(points), now)
 
     def _say(self, values: kit.Answer) -> kit.Message:
         """Return the number and the sentence."""

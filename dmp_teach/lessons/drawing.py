@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import math
 import warnings
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
+from dataclasses import dataclass
 from functools import lru_cache
 
 import numpy as np
@@ -150,13 +151,39 @@ def draw_bumps(letter: Letter) -> Drawing:
     )
 
 
-def plot_errors(x: Drawing, state: kit.LessonState, points: Array, at: list[float]) -> Drawing:
-    """Draw errors [mm] over a setting: those that were tried, or all; a dot at what is set."""
-    is_all = state.is_revealed
-    shown = line(points, *(("truth", _("the robot")) if is_all else ("quiet",)))
-    note = _("your bet, and the truth") if is_all else _("what you tried")
-    lines = [shown] if len(points) > 1 else []
-    return plot(_("How far off"), x, error_axis(), note, lines=lines, dots=[mark(at, "robot")])
+@dataclass(frozen=True)
+class ErrorCurve:
+    """How far off a letter is over one knob: it is bet on, and then drawn.
+
+    Args:
+        knob: The name of the knob.
+        error_at: Returns the error [mm] with these values.
+        x: The axis of the knob.
+        places: Where the truth is drawn.
+    """
+
+    knob: str
+    error_at: Callable[[kit.Answer], float]
+    x: Drawing
+    places: Sequence[float]
+
+    def draw(self, state: kit.LessonState) -> Drawing:
+        """Draw the errors that were tried, or all; a dot at what is set."""
+        values, is_all = state.values, state.is_revealed
+        alike = (each for each in state.tried if each | {self.knob: 0} == values | {self.knob: 0})
+        places = self.places if is_all else sorted({each[self.knob] for each in alike})
+        points = np.array([[x, self.error_at(values | {self.knob: x})] for x in places])
+        shown = line(points, *(("truth", _("the robot")) if is_all else ("quiet",)))
+        note = _("your bet, and the truth") if is_all else _("what you tried")
+        lines = [shown] if len(points) > 1 else []
+        now = mark([float(values[self.knob]), self.error_at(values)], "robot")
+        return plot(_("How far off"), self.x, error_axis(), note, lines=lines, dots=[now])
+
+    def rank(self, bet: kit.KeptBet, values: kit.Answer) -> list[tuple[float, str, str]]:
+        """Return each place of a bet, what was said and what is so [mm], the nearest first."""
+        told = [(x, said, self.error_at(values | {self.knob: x})) for x, said in bet]
+        told.sort(key=lambda each: abs(math.log(each[1] / each[2])))
+        return [(x, *map(millimetres, (said / 1000, true / 1000))) for x, said, true in told]
 
 
 def bet_on_errors(
@@ -164,8 +191,7 @@ def bet_on_errors(
 ) -> kit.DrawnBet:
     """Return a bet on errors [mm] over a setting, which a label names."""
     handles = np.array([[each, height] for each in places])
-    labels = [label.format(each) for each, _height in handles]
-    return kit.DrawnBet(question, "curve", handles, labels, "y", 0.1, "mm", 0.1, 100.0)
+    return kit.DrawnBet(question, "curve", handles, label, "y", 0.1, "mm", 0.1, 100.0)
 
 
 def error_axis() -> Drawing:

@@ -22,8 +22,6 @@ LETTERS = "aegmbdhnS"
 LIMITS = (0.4, 0.5, 0.6, 0.8, 1.0)
 RATES = ("60", "120", "240")
 PAPER_RATE = "120"
-# With more of the limit left unused [%], fewer kernels would do.
-MOST_UNUSED = 20.0
 
 
 def learn_with_number(character: str, number: int, rate: str = PAPER_RATE) -> Letter:
@@ -48,7 +46,13 @@ class HowManyBumps(kit.Lesson):
 
     key = "04"
     draws_tried = True
+    # With more of the limit left unused [%], fewer kernels would do.
+    most_unused = 20.0
     question = marked("How many bumps are enough?")
+    bet_question = marked(
+        "Five bumps for a whole {letter} are too few. How far off will the robot be with more of "
+        "them? Pull the dots to where you think."
+    )
     tasks = (
         marked("Take 10 bumps, then twice as many: 20. How much of the error is left?"),
         marked("Add bumps until more of them change nothing that you can see. Stop there."),
@@ -56,7 +60,7 @@ class HowManyBumps(kit.Lesson):
     )
     challenge = marked(
         "Every bump must be stored and learned. Keep {letter} within {limit} mm with as few as you "
-        "can: at most {unused:g} % of the limit may be left unused."
+        "can: at most {most_unused:g} % of the limit may be left unused."
     )
     hints = (
         marked("Go up until the number is under the limit. Then go back one by one."),
@@ -72,8 +76,6 @@ class HowManyBumps(kit.Lesson):
         self.duration = learn_with_number(self.letter, FEWEST).strokes[0].duration
         self.start = {"n_kernels": 5, "rate": PAPER_RATE}
         self.solution = {"n_kernels": self.smallest, "rate": PAPER_RATE}
-        self.facts = {"letter": self.letter, "limit": self.limit, "unused": MOST_UNUSED}
-        self.facts["smallest"] = self.smallest
 
     @property
     def knobs(self) -> kit.Knobs:
@@ -85,26 +87,29 @@ class HowManyBumps(kit.Lesson):
 
     @property
     def bet(self) -> kit.DrawnBet:
-        question = marked(
-            "Five bumps for a whole {letter} are too few. How far off will the robot be with more "
-            "of them? Pull the dots to where you think."
-        )
-        label = _("How far off with {:g} bumps")
-        return drawing.bet_on_errors(self.tell(question), BET_NUMBERS, 10.0, label)
+        label = _("How far off with {x:g} bumps")
+        return drawing.bet_on_errors(self.bet_question, BET_NUMBERS, 10.0, label)
+
+    @property
+    def curve(self) -> drawing.ErrorCurve:
+        """How far off the letter is with each number of bumps."""
+        ticks = [[n, str(n)] for n in BET_NUMBERS]
+        x = drawing.axis(FEWEST, MOST, _("how many bumps"), log=True, ticks=ticks)
+        return drawing.ErrorCurve("n_kernels", self._error, x, CURVE_NUMBERS)
+
+    def _error(self, values: kit.Answer) -> float:
+        """Return how far off the letter is with what is set [mm]."""
+        return error_with_number(self.letter, values["n_kernels"], str(values["rate"]))
 
     def done(self, v: kit.Answer) -> Sequence[bool]:
-        return (
-            v["n_kernels"] == 20,
-            24 <= v["n_kernels"] <= 45,
-            v["rate"] == "240",
-        )
+        return v["n_kernels"] == 20, 24 <= v["n_kernels"] <= 45, v["rate"] == "240"
 
     def conditions(self, answer: kit.Answer) -> Sequence[kit.Condition]:
         error = error_with_number(self.letter, answer["n_kernels"])
         unused = 100 * (1 - error / self.limit) if error <= self.limit else math.nan
         return [
             kit.at_most(self.letter, error, self.limit, "mm"),
-            kit.at_most(_("left unused"), unused, MOST_UNUSED, "%"),
+            kit.at_most(_("left unused"), unused, self.most_unused, "%"),
         ]
 
     def measure(self, answer: kit.Answer) -> kit.Answer:
@@ -131,13 +136,10 @@ class HowManyBumps(kit.Lesson):
             "The surprise is at {n:g} bumps: you said {said} mm, it is {true}. From 10 bumps to 80 "
             "each doubling leaves about {left:.0f} % of the error."
         )
-        truth = [error_with_number(self.letter, n) for n, _y in bet]
-        off = [abs(np.log(y / true)) for (_x, y), true in zip(bet, truth, strict=True)]
-        far = int(np.argmax(off))
-        said, true = drawing.millimetres(bet[far][1] / 1000), drawing.millimetres(truth[far] / 1000)
+        *_others, (n, said, true) = self.curve.rank(bet, self.start)
         at_10, at_80 = (error_with_number(self.letter, n) for n in (10, 80))
         left = 100 * (at_80 / at_10) ** (1 / 3)
-        return words.format(n=bet[far][0], said=said, true=true, left=left)
+        return words.format(n=n, said=said, true=true, left=left)
 
     def draw(self, state: kit.LessonState) -> kit.Picture:
         number, rate = int(state.values["n_kernels"]), str(state.values["rate"])
@@ -145,28 +147,20 @@ class HowManyBumps(kit.Lesson):
         written, note = letter.write(), _("{n} bumps").format(n=number)
         sheet = drawing.draw_sheet(letter.strokes, drawing.paths_of(written), note=note)
         error = drawing.error_of(letter)
-        curve = self._draw_curve(state, 1000 * error)
-        text = _("{rate:.1f} bumps for each second of writing. ").format(
-            rate=number / self.duration
-        )
+        curve = self.curve.draw(state)
+        if state.step != "bet":
+            rule = self.duration * int(rate) / 10
+            curve["bands"] = [{"from": 0.97 * rule, "to": 1.03 * rule, "label": _("samples / 10")}]
+        text = _("{rate:.1f} bumps for each second of writing. ")
         strong = _("Nobody can see what more bumps would change.")
         if error > 0.001:
             strong = _("Bends are cut short: more bumps can tell more places apart.")
         elif error > 0.0003:
             strong = _("The line is within its own thickness.")
         off = drawing.millimetres(error), _("mm off on average")
-        return kit.Picture(kit.says(*off, text, strong), sheet, {"curve": curve}, written)
-
-    def _draw_curve(self, state: kit.LessonState, error: float) -> kit.Drawing:
-        """Draw the errors that were tried, or all; and where the paper's N = Num/10 is."""
-        number, rate = int(state.values["n_kernels"]), str(state.values["rate"])
-        tried = sorted({int(each["n_kernels"]) for each in state.tried})
-        numbers = CURVE_NUMBERS if state.is_revealed else tried
-        points = np.array([[n, error_with_number(self.letter, n, rate)] for n in numbers])
-        ticks = [[n, str(n)] for n in BET_NUMBERS]
-        x = drawing.axis(FEWEST, MOST, _("how many bumps"), log=True, ticks=ticks)
-        curve = drawing.plot_errors(x, state, points, [number, error])
-        if state.step != "bet":
-            rule = self.duration * int(rate) / 10
-            curve["bands"] = [{"from": 0.97 * rule, "to": 1.03 * rule, "label": _("samples / 10")}]
-        return curve
+        return kit.Picture(
+            kit.says(*off, text.format(rate=number / self.duration), strong),
+            sheet,
+            {"curve": curve},
+            written,
+        )

@@ -25,7 +25,14 @@ class MoveGoal(kit.Lesson):
     """A rule that keeps the shape, beside one that mirrors it and one that turns it."""
 
     key = "05"
+    x_least, y_least, least = goals.ASIDE, goals.UPWARDS, goals.LEAST_SHARE
+    try_x, try_y = 10.5, 4.5
     question = marked("What happens when the goal moves?")
+    bet_question = marked(
+        "The robot learned this {letter} by the first rule that was invented. Now its goal has "
+        "moved to the other side of the start. Draw the line that the robot will write, from the "
+        "start to the ring."
+    )
     tasks = (
         marked("Drag the ring across the start, by each rule. Which keeps the shape?"),
         marked("Take C and the first rule. Drag its ring 1 cm aside. What becomes of C?"),
@@ -50,7 +57,7 @@ class MoveGoal(kit.Lesson):
     )
 
     def vary(self) -> None:
-        self.letter, self.up = self.choose(MIRRORED_LETTERS), self.choose((1, -1))
+        self.letter, self.rise = self.choose(MIRRORED_LETTERS), self.choose((1, -1))
         self.start = {"goal_x": 0.0, "goal_y": 0.0, "moves_at": 0.0, "rule": "original"}
         self.start["letter"] = self.letter
         led = goals.MovedLetter(self.letter, self.start)
@@ -60,10 +67,8 @@ class MoveGoal(kit.Lesson):
         # Across the start, where the letter is mirrored and not made wider.
         self.start["goal_x"] = self.side * min(goals.ACROSS, round(2 * abs(offset), 1))
         self.solution = self.start | {"rule": "star"}
-        self.solution |= {"goal_x": 10.5 * self.side, "goal_y": 4.5 * self.up}
-        self.facts = {"letter": self.letter, "x_least": goals.ASIDE, "y_least": goals.UPWARDS}
-        self.facts |= {"least": goals.LEAST_SHARE, "try_x": 10.5, "try_y": 4.5}
-        self.facts["aside"], self.facts["up"] = _ways(self.side, self.up)
+        self.solution |= {"goal_x": self.try_x * self.side, "goal_y": self.try_y * self.rise}
+        self.aside, self.up = _ways(self.side, self.rise)
 
     @property
     def knobs(self) -> kit.Knobs:
@@ -81,16 +86,11 @@ class MoveGoal(kit.Lesson):
 
     @property
     def bet(self) -> kit.DrawnBet:
-        question = marked(
-            "The robot learned this {letter} by the first rule that was invented. Now its goal has "
-            "moved to the other side of the start. Draw the line that the robot will write, from "
-            "the start to the ring."
-        )
         led = goals.MovedLetter(self.letter, self.start)
         u = np.linspace(0.12, 0.74, BET_POINTS)[:, None]
         places = led.primitive.start + u * led.offsets[1]
-        labels = [_("Place {n} of the line").format(n=n + 1) for n in range(BET_POINTS)]
-        return kit.DrawnBet(self.tell(question), "sheet", places, labels, axis="xy")
+        label = _("Place {n} of the line")
+        return kit.DrawnBet(self.bet_question, "sheet", places, label, axis="xy")
 
     def done(self, v: kit.Answer) -> Sequence[bool]:
         home = self.start["goal_x"]
@@ -103,11 +103,11 @@ class MoveGoal(kit.Lesson):
 
     def conditions(self, answer: kit.Answer) -> Sequence[kit.Condition]:
         led = goals.MovedLetter(self.letter, answer)
-        x, y = map(float, led.shift * (self.side, self.up))
+        x, y = map(float, led.shift * (self.side, self.rise))
         return [
-            kit.at_least(self.facts["aside"], x, goals.ASIDE, "cm"),
-            kit.at_least(self.facts["up"], y, goals.UPWARDS, "cm"),
-            kit.at_least(_("the same way"), led.share, goals.LEAST_SHARE, "%"),
+            kit.at_least(self.aside, x, self.x_least, "cm"),
+            kit.at_least(self.up, y, self.y_least, "cm"),
+            kit.at_least(_("the same way"), led.share, self.least, "%"),
             kit.at_most(_("from the goal"), led.miss, goals.MOST_MISS, "mm"),
         ]
 
@@ -160,7 +160,7 @@ class MoveGoal(kit.Lesson):
 
     def draw(self, state: kit.LessonState) -> kit.Picture:
         led = goals.MovedLetter(str(state.values["letter"]), state.values)
-        is_hidden = state.step == "bet" and not state.is_revealed
+        is_hidden = state.is_hidden
         sheet = draw_sheet(
             led.strokes,
             [] if is_hidden else [led.following],

@@ -15,7 +15,6 @@ from dmp_teach.texts import marked
 
 THIRD_STROKES = {"P": "none", "R": "stem", "B": "bowl"}
 SHARES = (30, 50, 70, 130)
-LOWEST, HIGHEST = 40, 60
 MOST_GAP, MOST_END_OFF = 2.0, 6.0
 
 
@@ -23,7 +22,12 @@ class NewLetters(kit.Lesson):
     """A D becomes a P, an R or a B by other goals, between two hands."""
 
     key = "07"
+    low, high = 40, 60
     question = marked("Can a robot write a letter that nobody showed it?")
+    bet_question = marked(
+        "Two hands wrote a D. From the bowl of one of them the robot has made the bowl of a P, by "
+        "moving its end. Whose bowl is it?"
+    )
     tasks = (
         marked("Drag the ring to the middle of the stem. Which letter is it now?"),
         marked("Take a third stroke from the shelf, and drag its ring. Can you make an R? A B?"),
@@ -35,8 +39,8 @@ class NewLetters(kit.Lesson):
         marked("Set how much of hand 2 first: when the stem leans, every goal must follow it."),
         marked("Then put the ring of the bowl on the middle of the stem.{more}"),
         marked(
-            "Take {try_share} % of hand 2. Move the bowl’s end {goal_x:.1f} cm right and "
-            "{goal_y:.1f} cm up.{end}"
+            "Take {solution[share]} % of hand 2. Move the bowl’s end {solution[goal_x]:.1f} cm "
+            "right and {solution[goal_y]:.1f} cm up.{end}"
         ),
     )
     praise = marked(
@@ -53,28 +57,29 @@ class NewLetters(kit.Lesson):
         moved = dict.fromkeys(("goal_x", "goal_y", "third_x", "third_y"), 0.0)
         self.start: kit.Answer = moved | {"share": 0, "third": "none", "way": "lifted"}
         self.solution = find_goals(self.start | {"share": share, "third": self.third})
-        self.lean = round(NewLetter(self.solution).lean)
-        self.facts = {"letter": self.letter, "asked": self.lean, "wanted": _shelf()[self.third]}
-        self.facts |= {name: self.solution[name] for name in moved} | {"try_share": share}
-        self.facts |= {"strokes": 2 if self.third == "none" else 3, "more": "", "end": ""}
+        self.asked, self.wanted = round(NewLetter(self.solution).lean), _shelf()[self.third]
+        self.strokes, self.more, self.end = 2 if self.third == "none" else 3, "", ""
         if self.third != "none":
             more = marked(" Take “{wanted}” from the shelf, and see where its ring must go.")
             end = marked(
-                " Take “{wanted}” from the shelf: its end {third_x:.1f} cm right and "
-                "{third_y:.1f} cm up."
+                " Take “{wanted}” from the shelf: its end {solution[third_x]:.1f} cm right and "
+                "{solution[third_y]:.1f} cm up."
             )
-            self.facts |= {"more": self.tell(more), "end": self.tell(end)}
-        self.facts["ask"] = {
-            "P": _("Make a P whose bowl meets the stem, from {low} to {high} % of its height."),
-            "R": _(
+            self.more, self.end = self.tell(more), self.tell(end)
+        ask = {
+            "P": marked(
+                "Make a P whose bowl meets the stem, from {low} to {high} % of its height."
+            ),
+            "R": marked(
                 "Make an R: its bowl meets the stem from {low} to {high} % of its height, and "
                 "its leg ends on the writing line, right under the widest place of the bowl."
             ),
-            "B": _(
+            "B": marked(
                 "Make a B: its bowl meets the stem from {low} to {high} % of its height, and a "
                 "second bowl ends at the foot of the stem."
             ),
-        }[self.letter].format(low=LOWEST, high=HIGHEST)
+        }
+        self.ask = self.tell(ask[self.letter])
 
     @property
     def knobs(self) -> kit.Knobs:
@@ -91,12 +96,8 @@ class NewLetters(kit.Lesson):
 
     @property
     def bet(self) -> kit.ChosenBet:
-        question = _(
-            "Two hands wrote a D. From the bowl of one of them the robot has made the bowl of a P, "
-            "by moving its end. Whose bowl is it?"
-        )
         hands = {"1": _("hand 1"), "2": _("hand 2"), "none": _("nobody can tell")}
-        return kit.ChosenBet(question, hands)
+        return kit.ChosenBet(self.bet_question, hands)
 
     def done(self, v: kit.Answer) -> Sequence[bool]:
         return (
@@ -109,10 +110,10 @@ class NewLetters(kit.Lesson):
     def conditions(self, answer: kit.Answer) -> Sequence[kit.Condition]:
         made = NewLetter(answer)
         asked = [
-            kit.exactly(_("strokes"), 2 if made.third == "none" else 3, self.facts["strokes"]),
+            kit.exactly(_("strokes"), 2 if made.third == "none" else 3, self.strokes),
             kit.at_most(_("bowl to stem"), made.gap, MOST_GAP, "mm"),
-            kit.between(_("they meet at"), 100 * made.meeting[1], LOWEST, HIGHEST, "%"),
-            kit.between(_("lean"), made.lean, self.lean - 1, self.lean + 1, "°"),
+            kit.between(_("they meet at"), 100 * made.meeting[1], self.low, self.high, "%"),
+            kit.between(_("lean"), made.lean, self.asked - 1, self.asked + 1, "°"),
         ]
         if self.third != "none":
             # Without the third stroke it is all the way off.
@@ -125,11 +126,11 @@ class NewLetters(kit.Lesson):
     def measure(self, answer: kit.Answer) -> kit.Answer:
         made, up = NewLetter(answer), 100 * NewLetter(answer).meeting[1]
         x, y = (0, 0) if made.third == "none" else 1000 * made.third_miss
-        lean = kit.tell_number(made.lean, self.lean + (1 if made.lean > self.lean else -1))
+        lean = kit.tell_number(made.lean, self.asked + (1 if made.lean > self.asked else -1))
         return {
             **{"mm": kit.tell_number(made.gap, MOST_GAP), "where": _where(*made.meeting[0])},
             **{"up": up, "share": answer["share"], "lean": lean, "took": _shelf()[made.third]},
-            "meets": kit.tell_number(up, HIGHEST if up > 50 else LOWEST, 0),
+            "meets": kit.tell_number(up, self.high if up > 50 else self.low, 0),
             **{"x": f"{abs(x):.0f}", "x_way": _("right") if x >= 0 else _("left")},
             **{"y": f"{abs(y):.0f}", "y_way": _("above") if y >= 0 else _("below")},
         }

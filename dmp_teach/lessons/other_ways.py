@@ -14,16 +14,20 @@ from dmp_teach.texts import gettext as _
 from dmp_teach.texts import marked
 
 REACH = 7.0
-NUMBERS_ALLOWED = 100
-# What the bet is on: this many takes of the letter are several.
-SEVERAL = 5
 
 
 class OtherWays(kit.Lesson):
     """One demonstration or many, a moved goal, and how much must be stored: no way wins all."""
 
     key = "12"
+    # Numbers that may be stored; and so many takes of the letter are several.
+    most, several = 100, 5
     question = marked("Are there other ways to learn?")
+    bet_question = marked(
+        "Five ways to learn have seen one {letter}. Now its goal moves to the ring. Which way can "
+        "still write the whole {letter} and end there? And which cannot go there yet, until it has "
+        "seen several?"
+    )
     tasks = (
         marked("Go through the five ways. Which take the whole letter along, which only its end?"),
         marked("Take spread. How many letters must it see until it reaches the ring?"),
@@ -54,8 +58,6 @@ class OtherWays(kit.Lesson):
         self.shift = five_ways.LED_LETTERS[self.letter]
         self.start = {"way": "dmp", "shown": 1, "goal_x": self.shift[0], "goal_y": self.shift[1]}
         self.solution = self.start | {"way": "cost", "shown": self.needed}
-        self.facts = {"letter": self.letter, "limit": self.limit, "most": NUMBERS_ALLOWED}
-        self.facts["needed"] = self.needed
 
     @property
     def knobs(self) -> kit.Knobs:
@@ -73,18 +75,13 @@ class OtherWays(kit.Lesson):
 
     @property
     def bet(self) -> kit.ChosenBet:
-        question = marked(
-            "Five ways to learn have seen one {letter}. Now its goal moves to the ring. Which way "
-            "can still write the whole {letter} and end there? And which cannot go there yet, "
-            "until it has seen several?"
-        )
         options = {
             "spread-dmp": _("spread can, DMP* not yet"),
             "dmp-spread": _("DMP* can, spread not yet"),
             "cost-mixture": _("cost can, mixture not yet"),
             "mixture-states": _("mixture can, states not yet"),
         }
-        return kit.ChosenBet(self.tell(question), options)
+        return kit.ChosenBet(self.bet_question, options)
 
     def _led(self, values: kit.Answer) -> five_ways.Led:
         """Return what is written by a way, with the goal that is set or that of the bet."""
@@ -96,15 +93,15 @@ class OtherWays(kit.Lesson):
     def done(self, v: kit.Answer) -> Sequence[bool]:
         return (
             v["way"] in ("states", "cost"),
-            v["way"] == "spread" and v["shown"] >= SEVERAL,
-            v["way"] == "cost" and v["shown"] >= SEVERAL,
+            v["way"] == "spread" and v["shown"] >= self.several,
+            v["way"] == "cost" and v["shown"] >= self.several,
         )
 
     def conditions(self, answer: kit.Answer) -> Sequence[kit.Condition]:
         led = self._led(answer)
         return [
             kit.at_most(_("off what was meant"), led.error, self.limit, "mm"),
-            kit.at_most(_("numbers stored"), led.tried.way.numbers_stored, NUMBERS_ALLOWED),
+            kit.at_most(_("numbers stored"), led.tried.way.numbers_stored, self.most),
         ]
 
     def measure(self, answer: kit.Answer) -> kit.Answer:
@@ -149,14 +146,11 @@ class OtherWays(kit.Lesson):
         dmp, cost, spread = (
             self._led(self.start | {"way": way}) for way in ("dmp", "cost", "spread")
         )
-        facts = {"dmp": dmp.share, "cost": cost.share, "miss": spread.miss, "several": SEVERAL}
+        facts = {"dmp": dmp.share, "cost": cost.share, "miss": spread.miss}
         return self.tell(words, **facts) + said
 
     def draw(self, state: kit.LessonState) -> kit.Picture:
-        is_hidden, is_home = (
-            state.step == "bet" and not state.is_revealed,
-            state.step == "challenge",
-        )
+        is_hidden, is_home = state.is_hidden, state.step == "challenge"
         led, home = self._led(state.values), five_ways.meant_by(self.letter)[-1]
         takes = five_ways.takes_of(self.letter, self.hand)[: led.shown]
         ring = goal_ring(home, state.step != "try") | ({"at": home[None]} if is_home else {})

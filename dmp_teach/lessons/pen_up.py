@@ -18,14 +18,18 @@ from dmp_teach.trajectory import Trajectory
 # Both strokes are known, and the longer one is long enough for a hand to tilt slowly.
 TWO_STROKE_LETTERS = "DPBMQN"
 LIFT_HEIGHTS = (14, 16, 18, 20)
-MOST_OFF = 50
 
 
 class PenUp(kit.Lesson):
     """A lift is fast and high: what trembles or is knocked is low, what tilts is slow."""
 
     key = "06"
+    most_ms = 50
     question = marked("When does the pen leave the paper?")
+    bet_question = marked(
+        "Seen from above, the pen that wrote this {letter} never stops. But once it was in the "
+        "air. Draw its way through the air: where did it leave the paper, where did it land?"
+    )
     tasks = (
         marked("Pull both lines down to the bottom. What does the robot take for a lift?"),
         marked("Leave θ low and raise σ alone. Can height tell the lift from the slow hill?"),
@@ -38,7 +42,7 @@ class PenUp(kit.Lesson):
     hints = (
         marked("A lift is fast and high. What is only fast, and what is only high?"),
         marked("Put θ above the slow hill’s speed, and σ above the short peak’s height."),
-        marked("Try θ = {try_theta} and σ = {try_sigma:g}."),
+        marked("Try θ = {solution[theta]} and σ = {solution[sigma]:g}."),
     )
     praise = marked(
         "Two strokes: up at {up:.2f} s, down at {down:.2f} s. Only a lift is faster than {theta} "
@@ -55,8 +59,6 @@ class PenUp(kit.Lesson):
         above = (pen.highest(pen.knock) + pen.highest(pen.lift)) / 2
         self.start = {"theta": 15, "sigma": 1.5}
         self.solution = {"theta": 5 * round(200 * between), "sigma": round(2000 * above) / 2}
-        self.facts = {f"try_{name}": value for name, value in self.solution.items()}
-        self.facts |= {"letter": self.letter, "most_ms": MOST_OFF}
 
     @property
     def knobs(self) -> kit.Knobs:
@@ -67,14 +69,10 @@ class PenUp(kit.Lesson):
 
     @property
     def bet(self) -> kit.DrawnBet:
-        question = marked(
-            "Seen from above, the pen that wrote this {letter} never stops. But once it was in the "
-            "air. Draw its way through the air: where did it leave the paper, where did it land?"
-        )
         box = np.array(draw_path(self.recording)["box"]).reshape(2, 2)
         places = box[0] + [[0.97, 0.3], [0.97, 0.6]] * (box[1] - box[0])
         labels = [_("Where the pen left the paper"), _("Where the pen landed")]
-        return kit.DrawnBet(self.tell(question), "sheet", places, labels, axis="xy")
+        return kit.DrawnBet(self.bet_question, "sheet", places, labels, axis="xy")
 
     def done(self, v: kit.Answer) -> Sequence[bool]:
         return (
@@ -87,13 +85,13 @@ class PenUp(kit.Lesson):
         strokes = self.find(answer)
         return [
             kit.exactly(_("strokes"), len(strokes), 2),
-            kit.at_most(_("ends off by"), self._milliseconds_off(strokes), MOST_OFF, "ms"),
+            kit.at_most(_("ends off by"), self._milliseconds_off(strokes), self.most_ms, "ms"),
         ]
 
     def measure(self, answer: kit.Answer) -> kit.Answer:
         pen, strokes = self.pen, self.find(answer)
         facts: kit.Answer = {name: f"{value:.3g}" for name, value in answer.items()}
-        facts["ms"] = kit.tell_number(self._milliseconds_off(strokes), MOST_OFF, 0)
+        facts["ms"] = kit.tell_number(self._milliseconds_off(strokes), self.most_ms, 0)
         facts["n"], (facts["up"], facts["down"]) = len(strokes), next(_gaps(strokes), pen.lift)
         for name, times in (("lift", pen.lift), ("knock", pen.knock), ("tilt", pen.tilt)):
             facts[f"{name}_mm"] = kit.tell_number(1000 * pen.highest(times), answer["sigma"], 0)
@@ -137,7 +135,7 @@ class PenUp(kit.Lesson):
                 "The hand tilted while it wrote: the pen rose by {tilt_mm} mm and fell again, "
                 "but slowly, by {tilt_rate} mm/s at most. θ = {theta} lets that count: {n} strokes."
             )
-        if self._milliseconds_off(self.find(answer)) > MOST_OFF:
+        if self._milliseconds_off(self.find(answer)) > self.most_ms:
             yield _(
                 "There are {n} strokes, but one end is {ms} ms off: so low a θ as {theta} takes "
                 "what comes before a lift for a part of it."
@@ -156,7 +154,7 @@ class PenUp(kit.Lesson):
 
     def draw(self, state: kit.LessonState) -> kit.Picture:
         is_bet = state.step == "bet"
-        if is_bet and not state.is_revealed:
+        if state.is_hidden:
             strong = _("Bet first.") if state.bet is None else ""
             says = kit.says(text=_("Height is not seen from above. "), strong=strong)
             plots = draw_over_time(self.pen, None)
@@ -202,7 +200,7 @@ class PenUp(kit.Lesson):
             strong = _("Here it sees lifts where there are none.")
         elif len(strokes) < 2:
             strong = _("Here it takes the lift for writing.")
-        elif self._milliseconds_off(strokes) > MOST_OFF:
+        elif self._milliseconds_off(strokes) > self.most_ms:
             strong = _("Two strokes, but cut at the wrong place.")
         unit = _("stroke") if len(strokes) == 1 else _("strokes")
         return kit.says(str(len(strokes)), unit, text, strong)

@@ -34,6 +34,10 @@ class ReadingAPaper(kit.Lesson):
 
     key = "11"
     question = marked("What if you build a paper word for word?")
+    bet_question = marked(
+        "Built word for word from a paper, the robot writes this {letter}. Six places are unclear "
+        "or wrong. Mend five: which one, left as printed, spoils the letter most?"
+    )
     tasks = (
         marked("Mend one place that brings the letter back to the sheet. Which one does?"),
         marked(
@@ -60,8 +64,7 @@ class ReadingAPaper(kit.Lesson):
         best = readings.find_best(self.letter, MOST_CHANGES)
         self.start, self.solution = AS_PRINTED, readings.mend(*best)
         self.limit = math.ceil(10 * error_by(self.letter, self.solution)) / 10
-        names = _(" and ").join(f"“{readings.names()[name]}”" for name in best)
-        self.facts = {"letter": self.letter, "limit": self.limit, "best": names}
+        self.best = _(" and ").join(f"“{readings.names()[name]}”" for name in best)
 
     @property
     def knobs(self) -> kit.Knobs:
@@ -73,12 +76,8 @@ class ReadingAPaper(kit.Lesson):
 
     @property
     def bet(self) -> kit.ChosenBet:
-        question = marked(
-            "Built word for word from a paper, the robot writes this {letter}. Six places are "
-            "unclear or wrong. Mend five: which one, left as printed, spoils the letter most?"
-        )
         options = {name: label for name, label in readings.names().items() if name in FAULTY}
-        return kit.ChosenBet(self.tell(question), options, readings.notes())
+        return kit.ChosenBet(self.bet_question, options, readings.notes())
 
     def done(self, v: kit.Answer) -> Sequence[bool]:
         return (

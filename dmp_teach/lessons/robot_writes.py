@@ -27,15 +27,17 @@ class RobotWrites(kit.Lesson):
 
     key = "08"
     question = marked("Where can the robot write?")
+    bet_question = marked(
+        "This is the robot, seen from above, and its page on a table. The page is too far away: "
+        "the pen does not get to all of it. Draw the border: how far out can the middle of the "
+        "page be?"
+    )
     tasks = (
         marked("Let the robot write. It cannot: take its advice."),
         marked("Move the page to 100 cm ahead: table or board?"),
         marked("Physics with real motors: let the robot write. Which pen breaks?"),
     )
-    by_robot = (
-        0,
-        2,
-    )
+    by_robot = (0, 2)
     challenge = marked(
         "Put the page on a {where}, its middle at least {aside} cm to the {side}. All of it must "
         "be in reach, the pen well pressed, and no joint in a hurry at {speed} cm/s or more."
@@ -47,8 +49,8 @@ class RobotWrites(kit.Lesson):
         ),
         marked("In the middle of the blue, joints have time. And only a spring gives way."),
         marked(
-            "The {where}, {try_ahead} cm ahead, {aside} cm to the {side}; the pen with a spring, "
-            "pressed in 5 mm; {speed} cm/s."
+            "The {where}, {solution[ahead]} cm ahead, {aside} cm to the {side}; the pen with a "
+            "spring, pressed in 5 mm; {speed} cm/s."
         ),
     )
     praise = marked(
@@ -61,18 +63,17 @@ class RobotWrites(kit.Lesson):
         chosen = "a", "board", -1, 30, 40
         if self.random is not None:
             chosen = tuple(map(self.choose, choices))  # type: ignore[assignment]
-        self.letter, self.where, self.side, self.aside, self.speed = chosen
+        self.letter, self.kind, self.way, self.aside, self.speed = chosen
         self.start = {"where": "table", "ahead": plan.LAST_AHEAD, "right": 0, "pen": "rigid"}
         self.start |= {"press": 1, "speed": 50, "physics": "off"}
-        reach = known_reach(self.where)
-        row, _column = plan.place_on_map(self.side * self.aside, plan.FIRST_AHEAD)
+        reach = known_reach(self.kind)
+        row, _column = plan.place_on_map(self.way * self.aside, plan.FIRST_AHEAD)
         is_reached = 1000 * reach.residual[row] <= writing.MOST_MISSING
         effort = np.where(is_reached, reach.effort[row], np.inf)
         ahead = plan.FIRST_AHEAD + plan.MAP_STEP * int(effort.argmin())
-        self.solution = self.start | {"where": self.where, "right": self.side * self.aside}
+        self.solution = self.start | {"where": self.kind, "right": self.way * self.aside}
         self.solution |= {"ahead": ahead, "pen": "sprung", "press": 5, "speed": self.speed}
-        self.facts = {"where": writing.kinds()[self.where], "aside": self.aside}
-        self.facts |= {"side": _side(self.side), "speed": self.speed, "try_ahead": ahead}
+        self.where, self.side = writing.kinds()[self.kind], _side(self.way)
 
     @property
     def knobs(self) -> kit.Knobs:
@@ -94,15 +95,10 @@ class RobotWrites(kit.Lesson):
 
     @property
     def bet(self) -> kit.DrawnBet:
-        question = _(
-            "This is the robot, seen from above, and its page on a table. The page is too far "
-            "away: the pen does not get to all of it. Draw the border: how far out can the middle "
-            "of the page be?"
-        )
         angles = np.radians(np.linspace(170, 10, _BET_POINTS))
         places = 0.5 * np.column_stack([np.cos(angles), np.sin(angles)])
-        labels = [_("Place {n} of the border").format(n=n + 1) for n in range(_BET_POINTS)]
-        return kit.DrawnBet(question, "sheet", places, labels, axis="xy", step=plan.MAP_STEP * CM)
+        label, step = _("Place {n} of the border"), plan.MAP_STEP * CM
+        return kit.DrawnBet(self.bet_question, "sheet", places, label, axis="xy", step=step)
 
     def done(self, v: kit.Answer) -> Sequence[bool]:
         return (
@@ -114,7 +110,7 @@ class RobotWrites(kit.Lesson):
     def conditions(self, answer: kit.Answer) -> Sequence[kit.Condition]:
         setup, busy = WritingSetup(answer), writing.MOST_BUSY
         return [
-            kit.at_least(_side(self.side), self.side * setup.right, self.aside, "cm"),
+            kit.at_least(self.side, self.way * setup.right, self.aside, "cm"),
             kit.between(_("force"), setup.force, writing.LEAST_FORCE, writing.MOST_FORCE, "N"),
             kit.holds(_("all corners in reach"), setup.is_reached),
             *([kit.at_most(_("joint"), setup.percent, busy, "%")] if setup.is_reached else []),
@@ -123,15 +119,15 @@ class RobotWrites(kit.Lesson):
 
     def measure(self, answer: kit.Answer) -> kit.Answer:
         setup = WritingSetup(answer)
-        return setup.facts | {"cm": abs(setup.right), "is_side": _side(setup.right or self.side)}
+        return setup.facts | {"cm": abs(setup.right), "is_side": _side(setup.right or self.way)}
 
     def mistakes(self, answer: kit.Answer) -> Iterator[str]:
         setup = WritingSetup(answer)
         if not setup.is_reached:
             yield setup.tell_cause()
-        if setup.where != self.where:
+        if setup.where != self.kind:
             yield _("The page is on a {is_on}, {ahead} cm ahead. It is to be on a {where}.")
-        if self.side * setup.right < self.aside:
+        if self.way * setup.right < self.aside:
             yield _(
                 "The middle of the page is {cm:g} cm to the {is_side}. {aside} cm to the {side} "
                 "are needed."
@@ -168,8 +164,7 @@ class RobotWrites(kit.Lesson):
         return writing.tell_push(run.greatest_force, run.pen)
 
     def draw(self, state: kit.LessonState) -> kit.Picture:
-        setup, is_bet = WritingSetup(state.values), state.step == "bet"
-        is_hidden = is_bet and not state.is_revealed
+        setup, is_hidden = WritingSetup(state.values), state.is_hidden
         known = [] if is_hidden else plan.draw_reached(setup.where)
         sheet: kit.Drawing = {
             "box": plan.FLOOR,
@@ -178,7 +173,7 @@ class RobotWrites(kit.Lesson):
             "note": "" if is_hidden else _("blue: its middle can be here; pale: joints hurry"),
             "dots": [{"at": np.zeros((1, 2)), "kind": "child", "label": _("robot")}],
             "extras": [*known, *plan.draw_robot(), *plan.draw_page(setup.where)],
-            "rings": [plan.page_ring(is_fixed=is_bet)],
+            "rings": [plan.page_ring(is_fixed=state.step == "bet")],
         }
         if setup.where != "table":
             sheet["bet"] = []

@@ -15,7 +15,6 @@ from dmp_teach.trajectory import Array, Trajectory
 DURATION = 2.0
 BET_TIMES = (0.0, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0)
 START = np.array([-0.06, -0.03])
-MOST_PAST, MOST_AWAY = 1.0, 2.0
 # Less past the ring [% of the way] is not called a swing.
 STILL = 0.05
 BEAD_EVERY = 0.1
@@ -38,7 +37,12 @@ class SpringToGoal(kit.Lesson):
     """A pull and a brake: the pen arrives wherever the goal is."""
 
     key = "01"
+    most_past, most_left = 1.0, 2.0
     question = marked("Why does the pen always arrive?")
+    bet_question = marked(
+        "A spring pulls the pen to the ring, its goal, and a brake slows it. The brake is weak. "
+        "How much of the way is left after each moment? Below the line it has gone past the ring."
+    )
     tasks = (
         marked("Drag the ring. Does the pen arrive wherever it is?"),
         marked("Take the strongest brake and the weakest pull. Does it swing, or creep?"),
@@ -51,7 +55,10 @@ class SpringToGoal(kit.Lesson):
     hints = (
         marked("Does it swing, or does it creep? Against swinging brake more, or pull less."),
         marked("There is a pull for every brake at which it just does not swing: a quarter of it."),
-        marked("At β = α/4 it just does not swing. Try α = {try_alpha:g} and β = {try_beta:g}."),
+        marked(
+            "At β = α/4 it just does not swing. Try α = {solution[alpha]:g} and β = "
+            "{solution[beta]:g}."
+        ),
     )
 
     def vary(self) -> None:
@@ -61,15 +68,9 @@ class SpringToGoal(kit.Lesson):
         # Two figures, as the sliders have.
         alpha = float(f"{13 / self.time:.2g}")
         beta = float(f"{alpha / 4:.2g}")
-        self.start = {
-            "alpha": 3.0,
-            "beta": 12.0,
-            "goal_x": float(goal[0]),
-            "goal_y": float(goal[1]),
-        }
+        x, y = map(float, goal)
+        self.start = {"alpha": 3.0, "beta": 12.0, "goal_x": x, "goal_y": y}
         self.solution = self.start | {"alpha": alpha, "beta": beta}
-        self.facts = {"time": self.time, "most_left": MOST_AWAY, "most_past": MOST_PAST}
-        self.facts |= {"try_alpha": alpha, "try_beta": beta}
 
     @property
     def knobs(self) -> kit.Knobs:
@@ -86,14 +87,9 @@ class SpringToGoal(kit.Lesson):
 
     @property
     def bet(self) -> kit.DrawnBet:
-        question = _(
-            "A spring pulls the pen to the ring, its goal, and a brake slows it. The brake is "
-            "weak. How much of the way is left after each moment? Below the line it has gone past "
-            "the ring."
-        )
         places = np.array([[t, 100 * (1 - t / DURATION)] for t in BET_TIMES])
-        labels = [_("Way left after {t:g} s").format(t=t) for t in BET_TIMES]
-        return kit.DrawnBet(question, "time", places, labels, "y", 5.0, "%", -100.0, 100.0)
+        label, ends = _("Way left after {x:g} s"), (-100.0, 100.0)
+        return kit.DrawnBet(self.bet_question, "time", places, label, "y", 5.0, "%", *ends)
 
     def done(self, v: kit.Answer) -> Sequence[bool]:
         return (
@@ -111,14 +107,14 @@ class SpringToGoal(kit.Lesson):
     def conditions(self, answer: kit.Answer) -> Sequence[kit.Condition]:
         past, left = self._swing(answer)
         return [
-            kit.at_most(self.tell(marked("most left from {time} s on")), left, MOST_AWAY, "%"),
-            kit.at_most(_("past the ring"), past, MOST_PAST, "%"),
+            kit.at_most(self.tell(marked("most left from {time} s on")), left, self.most_left, "%"),
+            kit.at_most(_("past the ring"), past, self.most_past, "%"),
         ]
 
     def measure(self, answer: kit.Answer) -> kit.Answer:
         past, left = self._swing(answer)
         facts = {"alpha": f"{answer['alpha']:.2g}", "beta": f"{answer['beta']:.2g}"}
-        for name, value, most in (("past", past, MOST_PAST), ("left", left, MOST_AWAY)):
+        for name, value, most in (("past", past, self.most_past), ("left", left, self.most_left)):
             facts[name] = kit.tell_number(value, most, int(value < 10))
         return facts
 
@@ -132,17 +128,17 @@ class SpringToGoal(kit.Lesson):
 
     def mistakes(self, answer: kit.Answer) -> Iterator[str]:
         past, left = self._swing(answer)
-        if past > MOST_PAST:
+        if past > self.most_past:
             yield _(
                 "With a brake of {alpha} and a pull of {beta} the pen swings: it goes past the "
                 "ring by {past} % of the way."
             )
-        if left > MOST_AWAY and answer["alpha"] > 6 * answer["beta"]:
+        if left > self.most_left and answer["alpha"] > 6 * answer["beta"]:
             yield _(
                 "The brake of {alpha} is so strong for a pull of {beta} that the pen creeps: after "
                 "{time} s {left} % of the way is left."
             )
-        if left > MOST_AWAY:
+        if left > self.most_left:
             yield _(
                 "Brake {alpha} and pull {beta} are both weak: after {time} s {left} % of the way "
                 "is left."
@@ -162,7 +158,7 @@ class SpringToGoal(kit.Lesson):
         values = state.values
         t = np.linspace(0, DURATION, 161)
         left = share_left(t, values["alpha"], values["beta"])
-        is_seen = state.is_revealed or state.step != "bet"
+        is_seen = not state.is_hidden
         path = _follow(left if is_seen else np.ones(2))
         sheet: kit.Drawing = {
             "caption": _("On paper"),
@@ -185,10 +181,9 @@ class SpringToGoal(kit.Lesson):
             truth = line(np.column_stack([t, 100 * left]), "truth", _("the pen"))
             time["lines"] = [*time["lines"], truth]  # type: ignore[misc]
             time["bands"] = [{"from": self.time, "to": DURATION, "label": ""}]
-        end = START + (1 - left[:, None]) * (
-            np.array([values["goal_x"], values["goal_y"]]) / 100 - START
-        )
-        return kit.Picture(self._say(values, is_seen), sheet, {"time": time}, (Trajectory(t, end),))
+        goal = np.array([values["goal_x"], values["goal_y"]]) / 100
+        written = Trajectory(t, START + (1 - left[:, None]) * (goal - START))
+        return kit.Picture(self._say(values, is_seen), sheet, {"time": time}, (written,))
 
     def _ring(self) -> kit.Drawing:
         """Return the ring that is dragged."""
@@ -203,11 +198,13 @@ class SpringToGoal(kit.Lesson):
             return kit.says(text=text, strong=_("Bet first: pull the dots."))
         past, left = self._swing(values)
         text = _("It does not swing. ") if past < STILL else _("It hardly swings. ")
-        strong = _("It creeps to the ring.") if left > MOST_AWAY else _("It is there in time.")
-        if past > MOST_PAST:
+        strong = _("It creeps to the ring.") if left > self.most_left else _("It is there in time.")
+        if past > self.most_past:
             text = _("The brake is weak for such a pull. ")
             strong = _("The pen swings past the ring, and arrives in the end.")
-        return kit.says(kit.tell_number(past, MOST_PAST, 0), _("% past the ring"), text, strong)
+        return kit.says(
+            kit.tell_number(past, self.most_past, 0), _("% past the ring"), text, strong
+        )
 
 
 def _follow(left: Array) -> kit.Affine:

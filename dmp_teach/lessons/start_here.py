@@ -17,7 +17,7 @@ from dmp_teach.trajectory import Array
 
 FEW, ENOUGH, MANY = 5, 40, 400
 LEAST_BUMPS, MOST_BUMPS = 3, 80
-GOAL_REACH, BOWL_LIMIT = 4.0, 1.0
+GOAL_REACH = 4.0
 # What is made of what, and how far up the stem the bowl must then end, as a share of it.
 NEW_LETTERS = (("D", "P", 0.5), ("D", "P", 0.4), ("D", "P", 0.6), ("P", "D", 0.0))
 LINE_LIMITS = (0.2, 0.1, 0.15, 0.3)
@@ -43,7 +43,12 @@ class StartHere(kit.Lesson):
     """Bumps until the line sits on the dots, then a goal that makes another letter."""
 
     key = "00"
+    away, few, enough = 1.0, FEW, ENOUGH
     question = marked("Can a robot learn your handwriting?")
+    bet_question = marked(
+        "The dots are an a that a person wrote. The robot remembers it as {few} bumps, and its "
+        "line is far off. How many bumps does it need until you see no difference?"
+    )
     tasks = (
         marked("Move “How many bumps” until the line sits on the dots."),
         marked("Drag the ring to another place. Is it still the same letter?"),
@@ -76,10 +81,8 @@ class StartHere(kit.Lesson):
         self.solution |= {"goal_x": x, "goal_y": y}
         place = _("the point {cm:.1f} cm up the stem") if share else _("the foot of the stem")
         place = _("the middle of the stem") if share == 0.5 else place
-        place = place.format(cm=share * np.linalg.norm(stem[0] - stem[-1]) / CM)
-        self.facts = {"source": self.source, "new": self.new, "limit": self.limit, "place": place}
-        self.facts |= {"away": BOWL_LIMIT, "enough": ENOUGH}
-        self.facts |= {"up": abs(y), "way": _("up") if y > 0 else _("down")}
+        self.place = place.format(cm=share * np.linalg.norm(stem[0] - stem[-1]) / CM)
+        self.up, self.way = abs(y), _("up") if y > 0 else _("down")
 
     @property
     def knobs(self) -> kit.Knobs:
@@ -97,12 +100,8 @@ class StartHere(kit.Lesson):
 
     @property
     def bet(self) -> kit.ChosenBet:
-        question = _(
-            "The dots are an a that a person wrote. The robot remembers it as {n} bumps, and its "
-            "line is far off. How many bumps does it need until you see no difference?"
-        )
         options = {str(n): _("about {n}").format(n=n) for n in (FEW, ENOUGH, MANY)}
-        return kit.ChosenBet(question.format(n=FEW), options)
+        return kit.ChosenBet(self.bet_question, options)
 
     def done(self, v: kit.Answer) -> Sequence[bool]:
         return (
@@ -120,7 +119,7 @@ class StartHere(kit.Lesson):
         ]
         if answer["letter"] == self.source:
             away = float(np.linalg.norm(self._miss(answer)))
-            asked.append(kit.at_most(_("bowl to its place"), away, BOWL_LIMIT, "cm"))
+            asked.append(kit.at_most(_("bowl to its place"), away, self.away, "cm"))
         return asked
 
     def _miss(self, answer: kit.Answer) -> Array:
@@ -140,7 +139,7 @@ class StartHere(kit.Lesson):
 
     def mistakes(self, answer: kit.Answer) -> Iterator[str]:
         width, (right, above) = answer["kernel_width"], self._miss(answer)
-        is_away = np.hypot(right, above) > BOWL_LIMIT
+        is_away = np.hypot(right, above) > self.away
         if answer["letter"] != self.source:
             yield _("The {letter} has 1 stroke. A {new} has a stem and a bowl: choose {source}.")
         elif _error(answer) > self.limit and width < 1:

@@ -16,9 +16,9 @@ from dmp_teach.trajectory import Array, Trajectory
 
 # Round ones: in an upright line a push along it is not seen.
 BUMP_LETTERS = "aszSG389"
-# Not the one of the bet; the first variant's first.
-SPOILT_BUMPS = (3, 4, 6, 7, 8)
 BET_BUMP, BET_CHANGE = 5, 8.0
+# Not the one of the bet.
+SPOILT_BUMPS = (3, 4, 6, 7, 8)
 MOST_CHANGE = 10.0
 # How far the spoilt weight leads the pen astray [mm], and what part of it may be left.
 ASTRAY, LEFT_ASTRAY = 15.0, 0.2
@@ -30,7 +30,12 @@ class TeachALetter(kit.Lesson):
     """One weight is heard from its bump on, and the goal has the last word."""
 
     key = "02"
+    n, bet_bump = BUMP_NUMBER, BET_BUMP
     question = marked("How does a robot remember a letter?")
+    bet_question = marked(
+        "The robot remembers this {letter} as {n} bumps, one after the other. Bump {bet_bump} is "
+        "lit. Now it will push the pen up more than it learned to. What will move?"
+    )
     tasks = (
         marked("Pull the weight down. What stays where it was? What moves?"),
         marked("Take the last bump and pull as hard. Why does so little happen?"),
@@ -57,8 +62,8 @@ class TeachALetter(kit.Lesson):
         self.limit = math.ceil(10 * max(nearly)) / 10
         self.start = {"bump": BET_BUMP, "change": 0.0}
         self.solution = {"bump": bump, "change": float(-by)}
-        self.facts = {"letter": self.letter, "limit": self.limit, "by": abs(by), "right": bump}
-        self.facts |= {"first": bump - 1, "last": bump + 1, "back": f"{-by}".replace("-", "−")}
+        self.by, self.back = abs(by), f"{-by}".replace("-", "−")
+        self.first, self.last = bump - 1, bump + 1
         turned = marked("It is one of the bumps {first} to {last}, and its weight is too high.")
         if by < 0:
             turned = marked("It is one of the bumps {first} to {last}, and its weight is too low.")
@@ -66,7 +71,7 @@ class TeachALetter(kit.Lesson):
             "Set the change to 0 and follow the line from its start. Where does it first leave the "
             "dots? Light the bump that is awake there, or the one before."
         )
-        self.hints = where, turned, marked("Try bump {right} and a change of {back} cm.")
+        self.hints = where, turned, marked("Try bump {solution[bump]} and a change of {back} cm.")
 
     def _error(self, bump: float, change: float) -> float:
         """Return how far off the spoilt letter is with a weight changed [mm]."""
@@ -80,14 +85,9 @@ class TeachALetter(kit.Lesson):
 
     @property
     def bet(self) -> kit.ChosenBet:
-        question = _(
-            "The robot remembers this {letter} as {n} bumps, one after the other. Bump {bump} is "
-            "lit. Now it will push the pen up more than it learned to. What will move?"
-        )
         options = {"lit": _("the lit piece"), "all": _("the whole letter")}
         options |= {"end": _("the rest and the end"), "back": _("the rest, not the end")}
-        asked = question.format(letter=self.letter, n=BUMP_NUMBER, bump=BET_BUMP)
-        return kit.ChosenBet(asked, options)
+        return kit.ChosenBet(self.bet_question, options)
 
     def done(self, v: kit.Answer) -> Sequence[bool]:
         return (

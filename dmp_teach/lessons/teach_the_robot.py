@@ -29,7 +29,13 @@ class TeachTheRobot(kit.TeachingLesson):
     """A pupil is known by how its letter comes nearer, and by what it forgets."""
 
     key = "09"
+    first = FIRST_PUPIL
     question = marked("Can you teach a robot that forgets?")
+    bet_question = marked(
+        "This is how {first[pupil]} the robot writes {letter}. It is shown the letter six times. "
+        "The mirror image turns round at once; of the rest {first[pace]} % is gone each time. But "
+        "it forgets. Draw how far off it is each time it comes back."
+    )
     challenge = marked(
         "Another teacher showed a robot the {letter} six times and answered no question. The dots "
         "are the record. Which pupil was it, how fast did it learn, how much did it forget? Bring "
@@ -44,12 +50,15 @@ class TeachTheRobot(kit.TeachingLesson):
             "The first step down tells the pace: what part of the first distance is gone? The step "
             "up after turn {turn} tells how much was forgotten."
         ),
-        marked("Try {true_pupil}: it learns {true_pace} %, and forgets {true_forgetting} %."),
+        marked(
+            "Try {solution[pupil]}: it learns {solution[pace]} %, and forgets "
+            "{solution[forgetting]} %."
+        ),
     )
     praise = marked(
-        "It was {true_pupil}. Each time {true_pace} % of the difference went. After turn {turn} it "
-        "lost {true_forgetting} % of what it knew, and the next time half as much: what is taught "
-        "twice stays.{near}"
+        "It was {solution[pupil]}. Each time {solution[pace]} % of the difference went. After turn "
+        "{turn} it lost {solution[forgetting]} % of what it knew, and the next time half as much: "
+        "what is taught twice stays.{near}"
     )
 
     def vary(self) -> None:
@@ -65,9 +74,7 @@ class TeachTheRobot(kit.TeachingLesson):
         self.limit = math.ceil(10 * RECORD_LIMIT * self.record[0]) / 10
         # After which turn something is forgotten for the first time.
         traits = self.traits_of(self.solution)
-        self.lapse = next(turn for turn in range(1, TURNS) if traits.forgets_after(turn))
-        self.facts = {f"true_{name}": value for name, value in self.solution.items()}
-        self.facts |= {"letter": self.letter, "limit": self.limit, "turn": self.lapse}
+        self.turn = next(turn for turn in range(1, TURNS) if traits.forgets_after(turn))
 
     def traits_of(self, values: kit.Answer) -> kit.PupilTraits:
         """Return the pupil that is set, which forgets when all pupils of this lesson do."""
@@ -99,16 +106,10 @@ class TeachTheRobot(kit.TeachingLesson):
 
     @property
     def bet(self) -> kit.DrawnBet:
-        words = marked(
-            "This is how {pupil} the robot writes {letter}. It is shown the letter six times. The "
-            "mirror image turns round at once; of the rest {pace} % is gone each time. But it "
-            "forgets. Draw how far off it is each time it comes back."
-        )
         first, turns = self._forecast(FIRST_PUPIL)[0], range(1, TURNS + 1)
         handles = np.array([[turn, 0.7 * first] for turn in turns])
-        labels = [_("how far off, after turn {n}").format(n=n) for n in turns]
-        asked, most = self.tell(words, **FIRST_PUPIL), pictures.MOST_FAR
-        return kit.DrawnBet(asked, "far", handles, labels, "y", 0.5, "mm", 0.0, most)
+        label, ends = _("how far off, after turn {n}"), (0.0, pictures.MOST_FAR)
+        return kit.DrawnBet(self.bet_question, "far", handles, label, "y", 0.5, "mm", *ends)
 
     @property
     def tasks(self) -> Sequence[str]:
@@ -140,7 +141,7 @@ class TeachTheRobot(kit.TeachingLesson):
         facts = answer | {"near": near.format(**answer) if answer != self.solution else ""}
         facts |= {"mine": self._first(answer).score().sentence}
         facts |= {"theirs": self._first(self.solution).score().sentence}
-        for name, turn in (("first", 0), ("one", 1), ("then", self.lapse)):
+        for name, turn in (("first", 0), ("one", 1), ("then", self.turn)):
             facts |= {
                 name: kit.tell_number(mine[turn]),
                 f"{name}_was": kit.tell_number(record[turn]),
@@ -164,7 +165,7 @@ class TeachTheRobot(kit.TeachingLesson):
                 "At {pace} % a turn {pupil} is still {one} mm off after one turn, the record only "
                 "{one_was} mm: it learned faster."
             )
-        elif not is_met and apart[self.lapse] > 0:
+        elif not is_met and apart[self.turn] > 0:
             yield _(
                 "{pupil} forgets {forgetting} % and is {then} mm off after turn {turn}, the record "
                 "only {then_was} mm: it forgot less."
@@ -184,7 +185,7 @@ class TeachTheRobot(kit.TeachingLesson):
             "{then} mm off, mirrored again. Each forgetting after that takes half as much. Your "
             "line is {off} mm away, on average."
         )
-        told = {"one": truth[1], "then": truth[self.lapse], "off": off}
+        told = {"one": truth[1], "then": truth[self.turn], "off": off}
         told = {name: kit.tell_number(value) for name, value in told.items()}
         return self.tell(words, **told, **FIRST_PUPIL)
 

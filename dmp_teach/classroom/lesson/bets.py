@@ -26,7 +26,8 @@ class DrawnBet:
         question: What to predict.
         part: "sheet", or the name of a plot.
         handles: Where they begin, shape (N, 2).
-        labels: What each is called, for who does not see it.
+        label: What each is called, for who does not see it; or one text for all, which may name
+            the number {n} and the place {x} of a handle.
         axis: "y" where a handle moves up and down only, else "xy".
         step: Of an arrow key; on a logarithmic axis the factor is 10**step.
         unit: Of the heights of handles; empty on the sheet.
@@ -37,12 +38,19 @@ class DrawnBet:
     question: str
     part: str
     handles: Array
-    labels: Sequence[str]
+    label: str | Sequence[str]
     axis: str = "y"
     step: float = 0.001
     unit: str = ""
     low: float = -1000.0
     high: float = 1000.0
+
+    @property
+    def labels(self) -> list[str]:
+        """What each handle is called."""
+        if not isinstance(self.label, str):
+            return list(self.label)
+        return [self.label.format(n=n, x=x) for n, (x, _y) in enumerate(self.handles, start=1)]
 
     def checked(self, bet: object) -> KeptBet:
         """Return a bet with a place for each handle.
@@ -63,7 +71,7 @@ class DrawnBet:
         """Return it as the browser reads it."""
         places = [[float(x), float(y)] for x, y in self.handles]
         how = {"axis": self.axis, "step": self.step, "unit": self.unit}
-        where = {"part": self.part, "handles": places, "labels": list(self.labels)}
+        where = {"part": self.part, "handles": places, "labels": self.labels}
         return {"question": self.question, **where, **how}
 
 
@@ -125,3 +133,8 @@ class LessonState:
     bet: KeptBet | None = None
     is_revealed: bool = False
     tried: tuple[Answer, ...] = ()
+
+    @property
+    def is_hidden(self) -> bool:
+        """Whether the truth must not be seen yet."""
+        return self.step == "bet" and not self.is_revealed

@@ -82,7 +82,8 @@ class LessonContent:
     """What a lesson says, draws and judges.
 
     A lesson is a subclass of `Lesson`. Its texts are `marked` for the catalogue and stand with the
-    class; they may name what is in `facts`, and the praise and the mistakes what `measure` returns.
+    class. They may name what the class or `vary` has set, {limit} or {solution[theta]}, and the
+    praise and the mistakes what `measure` returns, too.
 
     Args:
         pupil: A pseudonym, from which letters, targets and starts follow; None: the first variant.
@@ -91,6 +92,8 @@ class LessonContent:
     key: str
     question: str
     """The title."""
+    bet_question: str
+    """What to predict."""
     challenge: str
     """The task that is checked."""
     by_robot: Collection[int] = ()
@@ -106,17 +109,15 @@ class LessonContent:
     """What is set when the panel opens."""
     solution: Answer
     """One answer that meets the challenge."""
-    facts: Answer
-    """What texts name, the same for every answer."""
 
     def __init__(self, pupil: str | None = None):
         check_pseudonym(pupil, "pupil")
         self.pupil = pupil
         seed = crc32(f"{self.key} {self.pupil or ''}".encode())
         self.random = None if pupil is None else np.random.default_rng(seed)
-        self.facts = {}
         self.vary()
-        self.question, self.challenge = self.tell(self.question), self.tell(self.challenge)
+        for name in ("question", "bet_question", "challenge"):
+            setattr(self, name, self.tell(getattr(self, name)))
         self.hints = tuple(map(self.tell, self.hints))
 
     def __eq__(self, other: object) -> bool:
@@ -131,15 +132,20 @@ class LessonContent:
         return f"Lesson({self.key} {self.question!r}{pupil})"
 
     def vary(self) -> None:
-        """Set what differs between pupils: `start`, `solution`, `facts` and more."""
+        """Set what differs between pupils: `start`, `solution`, and more that texts name."""
 
     def choose(self, options: Sequence[T]) -> T:
         """Return one of several, by the pupil; the first in the first variant."""
         return options[0 if self.random is None else int(self.random.integers(len(options)))]
 
     def tell(self, text: str, **more: object) -> str:
-        """Return a marked text in the language of the moment, with its facts, and with more."""
-        return _(text).format(**self.facts | more)
+        """Return a marked text in the language of the moment, with what it names, and with more."""
+        return _(text).format(**self._named | more)
+
+    @property
+    def _named(self) -> Answer:
+        """What texts may name, the same for every answer."""
+        return {**vars(type(self)), **vars(self)}
 
     @property
     def knobs(self) -> Knobs:
@@ -226,8 +232,8 @@ class LessonContent:
             good = check_answer(self._answer_knobs, answer)
         except SettingError as error:
             return Verdict(False, str(error), hint)
-        facts = self.facts | self.measure(good)
         verdict = judge(
             self.conditions(good), self.mistakes(good), partial(self.praised, good), hint
         )
+        facts = self._named | self.measure(good)
         return replace(verdict, reason=verdict.reason.format(**facts))
