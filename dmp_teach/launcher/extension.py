@@ -44,6 +44,8 @@ SETTINGS = {
     # It would start npm to look for language servers.
     "LanguageServerManager": {"autodetect": False},
 }
+# Folders of sockets begin so; the number of the server follows.
+_SOCKETS = "dmp-teach-"
 FOR_KERNELS = {
     # What a browser sets need not be told back to it.
     "JUPYTER_WIDGETS_ECHO": "0",
@@ -75,10 +77,23 @@ def _load_jupyter_server_extension(server: Any) -> None:
     for handler in server.log.handlers:
         handler.addFilter(_hide_token)
     if not WINDOWS:
+        _sweep_sockets()
         # The path of a socket has at most 103 characters: a home folder may be too long.
-        folder = tempfile.mkdtemp(prefix="dmp-teach-", dir="/tmp")
+        folder = tempfile.mkdtemp(prefix=f"{_SOCKETS}{os.getpid()}-", dir="/tmp")
         atexit.register(shutil.rmtree, folder, ignore_errors=True)
         server.kernel_manager.connection_dir = folder
+
+
+def _sweep_sockets() -> None:
+    """Remove the folders of this account's servers that were killed."""
+    for folder in Path("/tmp").glob(f"{_SOCKETS}*-*"):
+        try:
+            os.kill(int(folder.name.removeprefix(_SOCKETS).split("-")[0]), 0)
+        except ProcessLookupError:
+            # What another account has left is refused by the system.
+            shutil.rmtree(folder, ignore_errors=True)
+        except (ValueError, OSError):
+            continue
 
 
 # Any: as above.

@@ -30,7 +30,10 @@ export function told(render) {
         const values = JSON.parse(message.json, (_, value) =>
           value?.buffer === undefined ? value : buffers[value.buffer],
         );
-        traits.take(values);
+        // Where another window of the notebook has asked, its knobs are shown in this one, too.
+        const knobs = message.knobs?.asked > traits.values.asked ? message.knobs : {};
+        traits.take({ ...values, ...knobs });
+        for (const [name, value] of Object.entries(knobs)) model.set(name, value);
         if (!message.isWhole) return;
         clearTimeout(asking);
         follow(model, traits);

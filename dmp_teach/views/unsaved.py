@@ -85,7 +85,11 @@ class UnsavedWidget(anywidget.AnyWidget):
             return {"buffer": len(buffers) - 1}
 
         text = json.dumps(told, default=take)
-        self.send({"kind": "traits", "json": text, "isWhole": is_whole, "asker": asker}, buffers)
+        message = {"kind": "traits", "json": text, "isWhole": is_whole, "asker": asker}
+        if "answered" in told and "asked" in self._open:
+            # For another window of the same notebook, which has not turned them.
+            message["knobs"] = super().get_state(self._open)
+        self.send(message, buffers)
 
     def _tell_all(self, _widget: object, message: dict[str, Any], _buffers: object) -> None:
         """Send all traits to who asks."""

@@ -65,7 +65,9 @@ CLEAR = """() => {
 ASK = """async (code) => {
     const kernel = window.jupyterapp.shell.currentWidget.sessionContext.session.kernel;
     const request = {code: '', silent: true, user_expressions: {it: code}};
-    const reply = await kernel.requestExecute(request).done;
+    // Playwright would wait for ever.
+    const late = new Promise((_, refuse) => setTimeout(refuse, 60000, Error("no answer")));
+    const reply = await Promise.race([kernel.requestExecute(request).done, late]);
     const it = reply.content.user_expressions.it;
     return it.status === 'ok' ? it.data['text/plain'] : `${it.ename}: ${it.evalue}`;
 }"""

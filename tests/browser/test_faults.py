@@ -78,6 +78,10 @@ def test_a_notebook_in_two_tabs_is_one_panel_that_outlives_both(page, lab, ask):
     press_to(other, "ArrowRight", bumps + 2)
     line = "() => document.querySelector('.dt-paper .dt-robot-line').getAttribute('d')"
     page.wait_for_function(f"drawn => ({line})() === drawn", arg=other.evaluate(line))
+    page.wait_for_function(SHOWS, arg=bumps + 2)
+    press_to(page, "ArrowLeft", bumps + 1)
+    other.wait_for_function(SHOWS, arg=bumps + 1)
+    press_to(other, "ArrowRight", bumps + 2)
     assert ask(page, "_.n_kernels") == str(bumps + 2)
     other.context.close()
     third = again(page, lab)

@@ -74,3 +74,16 @@ test("what the browser sets is told to Python, and what a linked slider sets is 
   assert.equal(shown.model.get("n"), 9);
   assert.equal(heard["change:ink"], undefined);
 });
+
+test("what another window has asked for is seen here, and what this one is ahead of is not", async () => {
+  const known = { asked: 3, n: 12 };
+  const { say, shown, render } = widgetOf(known);
+  say({ asked: 3, n: 12, line: 0 }, { isWhole: true });
+  await render();
+  const seen = [];
+  shown.model.on("change:line", () => seen.push([shown.model.get("n"), known.n]));
+  say({ line: 1 }, { knobs: { asked: 3, n: 11 } });
+  say({ line: 2 }, { knobs: { asked: 4, n: 13 } });
+  assert.deepEqual(seen[0], [12, 12]);
+  assert.deepEqual([seen[1][0], known.n, known.asked], [13, 13, 4]);
+});

@@ -5,7 +5,9 @@ import logging
 import os
 import subprocess
 import sys
+import tempfile
 from importlib.metadata import version
+from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
@@ -112,7 +114,15 @@ def test_kernels_meet_their_server_in_a_folder_of_its_owner(point):
     hooks, kernels = [], SimpleNamespace()
     contents = SimpleNamespace(register_pre_save_hook=hooks.append)
     log = SimpleNamespace(handlers=[])
+    gone = subprocess.Popen([sys.executable, "-c", ""])
+    gone.wait()
+    left, used = (
+        Path(tempfile.mkdtemp(prefix=f"dmp-teach-{pid}-", dir="/tmp"))
+        for pid in (gone.pid, os.getpid())
+    )
     point.load(SimpleNamespace(contents_manager=contents, kernel_manager=kernels, log=log))
     assert [hook.__name__ for hook in hooks] == ["without_ink"]
+    assert (left.exists(), used.exists()) == (False, True), "a killed server's is swept"
+    used.rmdir()
     assert os.stat(kernels.connection_dir).st_mode & 0o077 == 0
     assert len(kernels.connection_dir) + len(f"/kernel-{'-' * 36}-ipc-5") < 104
