@@ -13,6 +13,7 @@ NOTEBOOK = "faults.ipynb"
 BUMPS = "How many bumps"
 WRITE = "Robot, write it"
 SHOWS = "n => document.querySelector('.dt-knobs output')?.textContent.trim() === String(n)"
+SAVED = "() => !jupyterapp.shell.currentWidget.context.model.dirty"
 # Before any script of the page: keep its sockets, to cut them all at once.
 HOLD_SOCKETS = """
 const Socket = WebSocket;
@@ -28,6 +29,14 @@ def page(open_notebook, lab):
     page = open_notebook(NOTEBOOK, run=False, view="doc")
     page.wait_for_selector(".dt-explore[data-dt-drawing]")
     return page
+
+
+def refuse(route):
+    """What the server answers where a folder cannot be written."""
+    if route.request.method == "PUT":
+        route.fulfill(status=403, json={"message": f"Permission denied: {NOTEBOOK}"})
+    else:
+        route.continue_()
 
 
 def press_to(page, key, bumps):
@@ -72,7 +81,7 @@ def test_a_notebook_in_two_tabs_is_one_panel_that_outlives_both(page, lab, ask):
     bumps = bumps_of(page)
     press_to(page, "ArrowRight", bumps + 1)
     # The lesson view has saved it.
-    page.wait_for_function("() => !jupyterapp.shell.currentWidget.context.model.dirty")
+    page.wait_for_function(SAVED)
     other = again(page, lab)
     assert bumps_of(other) == bumps + 1
     press_to(other, "ArrowRight", bumps + 2)
@@ -103,3 +112,20 @@ def test_after_a_network_that_was_cut_the_panel_goes_on_where_it_was(page, ask):
     page.wait_for_function(f"() => ({STATE})()?.status === 'idle'", timeout=PATIENCE)
     press_to(page, "ArrowRight", bumps + 1)
     assert ask(page, "_.n_kernels") == str(bumps + 1)
+
+
+def test_a_notebook_that_cannot_be_saved_is_told_and_what_was_set_stays(page):
+    bumps = bumps_of(page)
+    page.wait_for_function(SAVED)
+    page.expects += ["request answered 403", "page error: Permission denied"]
+    page.route("**/api/contents/**", refuse)
+    page.evaluate("() => void jupyterapp.commands.execute('docmanager:save')")
+    told = page.locator(".jp-Dialog", has_text=f"File Save Error for {NOTEBOOK}")
+    told.get_by_role("button", name="Close").click()
+    press_to(page, "ArrowRight", bumps + 1)
+    page.unroute("**/api/contents/**")
+    page.evaluate("() => jupyterapp.commands.execute('docmanager:save')")
+    page.wait_for_function(SAVED)
+    page.reload()
+    page.wait_for_selector(".dt-explore[data-dt-drawing]")
+    assert bumps_of(page) == bumps + 1
