@@ -12,4 +12,6 @@ from .strict_json import must as must
 from .strict_json import parse_json as parse_json
 from .writing import ASSETS as ASSETS
 from .writing import check_path as check_path
+from .writing import remove_leftovers as remove_leftovers
+from .writing import told_as_path_error as told_as_path_error
 from .writing import write_whole as write_whole

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import os
 import secrets
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager, suppress
 from errno import EACCES
 from pathlib import Path
 
@@ -16,6 +19,8 @@ ASSETS = next(
     if (place / "alphabets").is_dir()
 )
 """Beside the package in a clone, inside it in an installed copy."""
+# Of a file that is being written: how its name begins, and how old it may be [s].
+_PARTIAL, _LONGEST_WRITE = ".dmp_teach_", 60
 
 
 def check_path(path: str | os.PathLike, suffix: str) -> Path:
@@ -61,29 +66,50 @@ def write_whole(path: str | os.PathLike, data: bytes, suffix: str) -> Path:
     """
     path = check_path(path, suffix)
     partial = None
+    with told_as_path_error(path):
+        try:
+            # A link stays one: what it points to is written.
+            place = Path(os.path.realpath(path))
+            mode = place.stat().st_mode & 0o777 if place.exists() else 0o666
+            if not mode & 0o222:
+                raise PermissionError(EACCES, "it is read-only")
+            remove_leftovers(place.parent)
+            partial = place.with_name(f"{_PARTIAL}{secrets.token_hex(8)}{suffix}")
+            # Nobody may read it before it is in place who may not read it then.
+            with open(partial, "xb", opener=lambda name, flags: os.open(name, flags, mode)) as file:
+                file.write(data)
+                file.flush()
+                os.fsync(file.fileno())
+            if place.exists():
+                partial.chmod(mode)
+            partial.replace(place)
+        finally:
+            # After an interruption, too.
+            if partial is not None:
+                partial.unlink(missing_ok=True)
+    return path
+
+
+@contextmanager
+def told_as_path_error(path: Path) -> Iterator[None]:
+    """Raise a PathError that names the file and the cure where the disk refuses something."""
     try:
-        # A link stays one: what it points to is written.
-        place = Path(os.path.realpath(path))
-        mode = place.stat().st_mode & 0o777 if place.exists() else 0o666
-        if not mode & 0o222:
-            raise PermissionError(EACCES, "it is read-only")
-        partial = place.with_name(f".dmp_teach_{secrets.token_hex(8)}{suffix}")
-        # Nobody may read it before it is in place who may not read it then.
-        with open(partial, "xb", opener=lambda name, flags: os.open(name, flags, mode)) as file:
-            file.write(data)
-            file.flush()
-            os.fsync(file.fileno())
-        if place.exists():
-            partial.chmod(mode)
-        partial.replace(place)
+        yield
     # A ValueError is a name that no file can have.
     except (OSError, ValueError) as error:
-        why = getattr(error, "strerror", error)
+        why = getattr(error, "strerror", None) or error
         raise PathError(
-            f"{str(path)!r} cannot be written: {why}. What was there is unchanged."
+            f"{str(path)!r} cannot be written: {why}. What was there is unchanged; make room "
+            "on the disk, or save in another folder."
         ) from None
-    finally:
-        # After an interruption, too.
-        if partial is not None:
-            partial.unlink(missing_ok=True)
-    return path
+
+
+def remove_leftovers(folder: Path) -> None:
+    """Remove what programs that were killed while they wrote have left in a folder.
+
+    What is younger than `_LONGEST_WRITE` may still be written; the clock may have been set back.
+    """
+    for path in folder.glob(f"{_PARTIAL}*"):
+        with suppress(OSError):
+            if abs(time.time() - path.lstat().st_mtime) > _LONGEST_WRITE:
+                path.unlink()

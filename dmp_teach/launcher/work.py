@@ -68,8 +68,12 @@ def _read_record(path):
 def _write_json(path, content):
     """Write a file beside its place, then move it there, so that no half of it ever lies there."""
     beside = path.with_name(path.name + ".part")
-    beside.write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
-    beside.replace(path)
+    try:
+        beside.write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
+        beside.replace(path)
+    finally:
+        if beside.exists():
+            beside.unlink()
 
 
 def _write_copy(ours, copy, names):

@@ -28,7 +28,7 @@ from scipy.spatial.transform import Rotation
 
 from dmp_teach.arguments import checked
 from dmp_teach.errors import MissingPartError
-from dmp_teach.files import check_path, write_whole
+from dmp_teach.files import check_path, told_as_path_error, write_whole
 from dmp_teach.progress import Progress, reporter
 from dmp_teach.robot import JOINTS, Model, Motion
 from dmp_teach.ros.schedule import Schedule, make_schedule
@@ -93,10 +93,11 @@ def write_rosbag(
     """
     path, store = check_path(path, ".bag"), ros_types()
     points = make_schedule(motion, start, reporter(progress, "ways to the page"))
-    with tempfile.TemporaryDirectory() as folder:
+    with told_as_path_error(path), tempfile.TemporaryDirectory() as folder:
         part = Path(folder) / "part.bag"
         _write(store, part, _goal(store, points), _pen_path(store, motion, points))
-        return write_whole(path, part.read_bytes(), ".bag")
+        data = part.read_bytes()
+    return write_whole(path, data, ".bag")
 
 
 @cache

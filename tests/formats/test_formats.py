@@ -2,10 +2,6 @@
 
 import os
 import re
-import signal
-import subprocess
-import sys
-import time
 from dataclasses import replace
 from pathlib import Path
 from xml.etree import ElementTree
@@ -280,47 +276,3 @@ def test_names_of_people_are_not_written(tmp_path, suffix):
     ):
         write_recording(Recording(once.t, once.position, "l", "Anna Berg"), tmp_path / f"a{suffix}")
     assert list(tmp_path.iterdir()) == []
-
-
-@pytest.mark.parametrize("suffix", WRITTEN)
-@pytest.mark.parametrize("broken", ["replace", "fsync"])
-def test_a_disk_that_fails_leaves_what_was_there(tmp_path, monkeypatch, suffix, broken):
-    path = write_recording(recording_of("l"), tmp_path / f"a{suffix}")
-    before = path.read_bytes()
-
-    def full(*_):
-        raise OSError(28, "No space left on device")
-
-    monkeypatch.setattr(os, broken, full)
-    with pytest.raises(PathError, match=r"No space left on device\. What was there is unchanged"):
-        write_recording(recording_of("D"), path)
-    assert path.read_bytes() == before
-    assert [file.name for file in tmp_path.iterdir()] == [path.name]
-
-
-KILLED = """
-import sys
-from dmp_teach.ink.alphabet import recording_of
-from dmp_teach.formats.write import write_recording
-letters = [recording_of("l"), recording_of("D")]
-print("ready", flush=True)
-while True:
-    for letter in letters:
-        write_recording(letter, sys.argv[1])
-"""
-
-
-@pytest.mark.slow
-def test_a_program_that_is_killed_while_it_writes_leaves_a_whole_file(tmp_path):
-    path = write_recording(recording_of("l"), tmp_path / "a.json")
-    program = subprocess.Popen([sys.executable, "-c", KILLED, str(path)], stdout=subprocess.PIPE)
-    try:
-        assert program.stdout.readline() == b"ready\n"
-        for _ in range(5):
-            assert read_recording(path).character in "lD"
-        time.sleep(0.01)
-    finally:
-        program.send_signal(signal.SIGKILL)
-        program.wait()
-        program.stdout.close()
-    assert read_recording(path).character in "lD"

@@ -136,9 +136,9 @@ def test_a_write_that_stops_halfway_leaves_the_file_as_it_was(folders, monkeypat
         with pytest.raises(OSError):  # noqa: PT011 (a full disk may say anything)
             copy_lessons(ours, work)
     assert (work / name).read_bytes() == before
+    assert not list(work.glob("*.part"))
     assert copy_lessons(ours, work) == []
     assert sources(work / START)[0].endswith("[04 New](04_new.ipynb)")
-    assert not list(work.glob("*.part"))
 
 
 def test_the_strip_of_every_copy_follows_new_lessons_and_nothing_else_in_it_changes(folders):

@@ -192,25 +192,6 @@ def test_what_is_no_saved_letter_is_refused(tmp_path):
         Letter.load(3)
 
 
-@pytest.mark.parametrize(
-    "failure", [OSError(28, "No space left on device"), KeyboardInterrupt(), MemoryError()]
-)
-def test_a_save_that_fails_leaves_what_was_there(tmp_path, monkeypatch, failure):
-    letter = Letter.learn(recording_of("l"))
-    path = letter.save(tmp_path / "l.json")
-    before = path.read_bytes()
-
-    def fail(*_):
-        raise failure
-
-    monkeypatch.setattr(os, "replace", fail)
-    with pytest.raises((PathError, type(failure))):
-        Letter.learn(recording_of("D")).save(path)
-    assert [(each, each.read_bytes()) for each in tmp_path.iterdir()] == [(path, before)]
-    with pytest.raises(PathError, match=r"its name must end with \.json"):
-        letter.save(tmp_path / "l.pickle")
-
-
 @pytest.mark.skipif(os.name == "nt", reason="Windows has no rights of this kind")
 def test_a_file_keeps_its_rights_and_a_link_is_followed(tmp_path):
     letter, path, link = Letter.learn(recording_of("l")), tmp_path / "l.json", tmp_path / "k.json"

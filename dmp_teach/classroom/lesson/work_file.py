@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from dmp_teach.errors import RecordingError
-from dmp_teach.files import contents, loaded, must, parse_json, write_whole
+from dmp_teach.files import contents, loaded, must, parse_json, remove_leftovers, write_whole
 
 # Any, here and below: what a lesson keeps, which checks it when it takes it up.
 Work = dict[str, Any]
@@ -72,6 +72,7 @@ def forget_work(folder: Path, pupil: str, variant: str) -> list[str]:
         for path in _files_in(place, pupil, variant):
             path.unlink()
             gone.append(path.name)
+    remove_leftovers(folder)
     return gone
 
 

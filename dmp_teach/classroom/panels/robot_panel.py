@@ -203,13 +203,13 @@ class RobotPanel(UnsavedWidget):
 
     def _open_bytes(self, name: str, content: bytes) -> None:
         """Read a file that came from the browser; it is kept nowhere."""
-        with TemporaryDirectory() as folder:
-            path = Path(folder) / (Path(name.replace("\\", "/")).name or "recording.csv")
-            try:
+        try:
+            with TemporaryDirectory() as folder:
+                path = Path(folder) / (Path(name.replace("\\", "/")).name or "recording.csv")
                 path.write_bytes(content)
                 self.load(path)
-            except (TeachError, OSError) as error:
-                self._refuse(str(error))
+        except (TeachError, OSError) as error:
+            self._refuse(str(error))
 
     def _show_progress(self, step: str, fraction: float) -> None:
         """Show the robot's step, and how much of it is done; a bar never runs backwards."""

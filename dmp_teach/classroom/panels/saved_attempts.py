@@ -9,6 +9,7 @@ from pathlib import Path
 
 from dmp_teach.classroom.panels.attempts import Attempts
 from dmp_teach.errors import TeachError
+from dmp_teach.files import remove_leftovers
 from dmp_teach.ink import Recording, recording_from_json, write_json
 
 # Longer text, and other signs than letters, as "/", never stand in a file's name.
@@ -43,6 +44,7 @@ class SavedAttempts:
         gone = {*self._saved, *(list_files(Path.cwd(), writer) if writer else ())}
         for path in gone:
             path.unlink(missing_ok=True)
+        remove_leftovers(Path.cwd())
         self._saved.clear()
         return sorted(path.name for path in gone)
 
