@@ -262,6 +262,9 @@ def test_what_is_done_to_a_try_that_was_brought_back_makes_another_try(panel, fo
     assert len(panel.recordings) == 1
     send(panel, kind="undo")
     assert panel.save().name == "a_w01.json"
+    send(panel, kind="again")
+    send(panel, kind="save")
+    assert panel.kept == "Nothing new to save: your newest try is in a_w01.json."
     assert [recording.writer for recording in panel.recordings] == ["w01"]
     send(panel, good())
     assert [len(recording.strokes()) for recording in panel.recordings] == [1, 1]

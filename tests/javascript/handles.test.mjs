@@ -110,6 +110,33 @@ test("a stroke on empty ground lays all handles along it", () => {
   assert.ok(handles.handles.length && heard.at(-1)[2]);
 });
 
+test("a dash in the middle is no line: it is taken back, and said; a long line is one", () => {
+  const far = { ...VIEW, w: 600, px: ([x, y]) => [60 * x, 100 - 10 * y] };
+  const { handles, heard, scene } = bet("xy");
+  let said = 0;
+  handles.onShort = () => {
+    said += 1;
+  };
+  handles.draw(scene, { ...far, metres: ([x, y]) => [x / 60, (100 - y) / 10] });
+  const draw = (from, to) => {
+    handles.press(from);
+    handles.move([to]);
+    handles.drop();
+  };
+  draw([300, 50], [350, 50]);
+  assert.equal(said, 1);
+  assert.deepEqual(
+    handles.handles.map(({ at }) => at),
+    scene.map(({ at }) => at),
+  );
+  assert.ok(heard.every(([, , isDone]) => !isDone));
+  assert.match(text(handles.knobs.children[0]), /not moved yet/);
+  draw([300, 50], [560, 50]);
+  draw([305, 50], [335, 90]);
+  assert.equal(said, 1);
+  assert.equal(heard.filter(([, , isDone]) => isDone).length, 2);
+});
+
 test("a line is drawn from its first handle, and again; later ones are moved", () => {
   const { handles } = bet("xy");
   const draw = (from, to) => {

@@ -103,6 +103,7 @@ export class LessonView {
     this.stage = new Stage(this.spec, robot, {
       onBet: (bet) => send({ kind: "bet", bet }),
       onValues: (changes, isDone) => this.set(changes, isDone),
+      onShort: (words) => put(card.spoken, words),
     });
     const title = make("span", { class: "dt-question" }, this.spec.question);
     const head = make("div", { class: "dt-head" }, this.steps.node, this.stage.views.node, title);

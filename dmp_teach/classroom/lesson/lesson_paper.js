@@ -7,12 +7,12 @@ import { Paper, pixels } from "../panels/paper.js";
 /** @typedef {import("../panels/layout.js").Place} Place */
 
 export class LessonPaper extends Paper {
-  /** @param {any} listeners those of `Paper`, and `onHandle` of the bet */
+  /** @param {any} listeners those of `Paper`, and of the bet */
   constructor(listeners) {
     super(listeners);
     this.extras = make("g");
     this.kept = make("path", { class: "dt-bet-line" });
-    this.bet = new Handles({ onHandle: listeners.onHandle });
+    this.bet = new Handles(listeners);
     this.node.insertBefore(this.extras, this.marks);
     this.node.append(this.kept, this.bet.node);
   }

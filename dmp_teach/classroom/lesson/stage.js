@@ -15,6 +15,7 @@ export class Stage {
    * @param {{ table: HTMLElement }} robot
    * @param {{
    *   onBet(bet: number[][]): void, onValues(changes: Values, isDone: boolean): void,
+   *   onShort(words: string): void,
    * }} listeners
    */
   constructor(spec, robot, listeners) {
@@ -50,6 +51,11 @@ export class Stage {
       onHome: (/** @type {number} */ i) => this.moveRing(i, this.rings[i].home, true),
       onGoal: moveRing,
       onHandle: moveHandle,
+      onShort: () => {
+        const words = t("That was a short piece. Draw the whole line, from end to end.");
+        this.caption.show(words);
+        this.listeners.onShort(words);
+      },
     });
     this.caption = captionOf();
     this.left = make("div", { class: "dt-left" }, this.caption.node, this.paper.node);

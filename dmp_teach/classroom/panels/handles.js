@@ -23,6 +23,8 @@ import { pathOf, within } from "./scales.js";
 const CATCH = 22;
 // A stroke that is shorter [px] is a slip of the hand.
 const SLIP = 24;
+// A line that begins far from its first handle has at least this part of the way to its last one.
+const LEAST_PART = 0.5;
 /** @type {Record<string, Place>} */
 export const WAYS = {
   ArrowLeft: [-1, 0],
@@ -33,18 +35,25 @@ export const WAYS = {
 
 export class Handles {
   /**
-   * @param {{ onHandle?(i: number, place: Place, isDone: boolean): void }} listeners it hears each
-   *   handle that moves; what is drawn meanwhile leaves the places to the hand
+   * @param {{
+   *   onHandle?(i: number, place: Place, isDone: boolean): void, onShort?(): void,
+   * }} listeners it hears each handle that moves, what is drawn meanwhile leaves the places to the
+   *   hand; and of a line that was too short, and is taken back
    */
-  constructor({ onHandle }) {
+  constructor({ onHandle, onShort }) {
     this.onHandle = onHandle;
+    this.onShort = onShort;
     /** @type {Handle[]} */
     this.handles = [];
     /** @type {Ground | null} */
     this.view = null;
     /** @type {Set<number>} */
     this.touched = new Set();
-    /** @type {{ i: number, off: Place, from: Place, stroke?: Place[], moved?: boolean } | null} */
+    /**
+     * @type {{
+     *   i: number, off: Place, from: Place, stroke?: Place[], before: Place[], moved?: boolean,
+     * } | null}
+     */
     this.held = null;
     this.current = 0;
     this.ground = make("rect", { class: "dt-ground" });
@@ -136,7 +145,8 @@ export class Handles {
     const i = isRow && !isOn ? nearest(pixels, at, 0) : near;
     const off = isOn ? [pixels[i][0] - at[0], pixels[i][1] - at[1]] : [0, 0];
     const from = [at[0] + off[0], at[1] + off[1]];
-    this.held = { i, off, from, stroke: isOn || isRow ? undefined : [at] };
+    const before = this.handles.map((each) => each.at);
+    this.held = { i, off, from, stroke: isOn || isRow ? undefined : [at], before };
     if (!this.held.stroke) this.focus(i);
     if (isRow && !isOn) this.move([at]);
     return true;
@@ -170,7 +180,24 @@ export class Handles {
   drop() {
     const { held } = this;
     this.held = null;
-    if (held?.moved) this.onHandle?.(held.i, this.handles[held.i].at, true);
+    if (held?.moved && held.stroke && this.isShort(held.stroke, held.before)) {
+      this.put(new Map(held.before.entries()), false);
+      this.touched.clear();
+      this.redraw();
+      this.onShort?.();
+    } else if (held?.moved) this.onHandle?.(held.i, this.handles[held.i].at, true);
+  }
+
+  /**
+   * Whether a stroke is a dash in the middle rather than the line that is asked for.
+   * @param {Place[]} stroke
+   * @param {Place[]} before where the handles were
+   */
+  isShort(stroke, before) {
+    const pixels = before.map((at) => this.view.px(at));
+    const isNear = distance(stroke[0], pixels[0]) <= 2 * CATCH;
+    const way = distance(pixels[0], pixels.at(-1));
+    return pixels.length > 2 && !isNear && lengthOf(stroke) < LEAST_PART * way;
   }
 
   /**

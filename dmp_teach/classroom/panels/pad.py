@@ -185,10 +185,11 @@ class Pad(Results, pad_view.PadTraits, RobotPanel):
             RecordingError: Nothing is written yet.
             PathError: The folder cannot be written.
         """
+        was_saved = self._saved.find(self.recording) is not None
         path = self._saved.save(self._attempts, self.writer)
         self.writer = self.writer or self.recording.writer
         kept(self._key)["writer"] = self.writer
-        self.kept = pad_messages.describe_saved(path.name)
+        self.kept = pad_messages.describe_saved(path.name, was_saved)
         return path
 
     def forget(self) -> None:

@@ -176,8 +176,10 @@ def describe_undone(number: int, is_empty: bool, stays: bool) -> str:
     return f"{said} {_('The try before stays.')}" if stays else said
 
 
-def describe_saved(name: str) -> str:
-    """Return what *Save* has done."""
+def describe_saved(name: str, was_saved: bool) -> str:
+    """Return what *Save* has done; nothing where the newest try was saved before."""
+    if was_saved:
+        return _("Nothing new to save: your newest try is in {name}.").format(name=name)
     said = _("Saved as {name}, beside this notebook. Other tries are not kept.")
     return said.format(name=name)
 

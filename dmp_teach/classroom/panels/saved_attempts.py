@@ -31,13 +31,17 @@ class SavedAttempts:
         """
         recording = attempts.newest.recording
         folder = Path.cwd()
-        path = next((path for path, saved in self._saved.items() if saved is recording), None)
+        path = self.find(recording)
         if path is None:
             writer = writer or recording.writer or find_free_pseudonym(folder)
             path = find_free_path(folder, recording, writer)
             write_json(replace(recording, writer=writer), path)
             self._saved[path] = attempts.name_the_newest(writer).recording
         return path
+
+    def find(self, recording: Recording) -> Path | None:
+        """Return the file of a recording; None where it was not saved."""
+        return next((path for path, saved in self._saved.items() if saved is recording), None)
 
     def forget(self, writer: str | None) -> list[str]:
         """Remove every file, also of the writer's earlier pads in this folder; return the names."""
