@@ -55,7 +55,7 @@ PARALLEL = ["-n", "logical", "--maxprocesses", "8", "--dist", "loadfile", "--no-
 def main(arguments=None):
     """Run the command line and return the exit code."""
     parser = argparse.ArgumentParser("python3 -m dmp_teach", description="Teach a robot to write.")
-    commands = parser.add_subparsers(dest="command", metavar="lab | site | test")
+    commands = parser.add_subparsers(dest="command", metavar="lab | site | docs | test")
     commands.required = True
     lab_parser = commands.add_parser("lab", help="open the notebooks in JupyterLab")
     lab_parser.add_argument("--no-browser", action="store_true", help="only say where it is")
@@ -70,6 +70,8 @@ def main(arguments=None):
     lab_parser.add_argument("--full", action="store_true", help="show all of JupyterLab")
     site_parser = commands.add_parser("site", help="make the lessons a site for any web server")
     site_parser.add_argument("folder", type=Path, help="a new or an empty one, or an older site")
+    docs_parser = commands.add_parser("docs", help="make the docs a site: lessons, API, gallery")
+    docs_parser.add_argument("folder", type=Path, help="a new or an empty one, or older docs")
     commands.add_parser(
         "test",
         help="run every test; --quick: in a minute; whatever else follows goes to pytest",
@@ -85,6 +87,8 @@ def main(arguments=None):
             return run_tests(python, rest)
         if options.command == "site":
             return run_site(python, options.folder)
+        if options.command == "docs":
+            return run_site(python, options.folder, of="docs_site")
         fresh = () if options.fresh is None else options.fresh or ("",)
         kept = {"work": options.work.resolve(), "fresh": fresh, "full": options.full}
         return lab(python, options.port, not options.no_browser, **kept)

@@ -100,9 +100,9 @@ def lab(python, port=None, browser=True, *, work=WORK, fresh=(), full=False):
             end_family(python, process)
 
 
-def run_site(python, folder):
-    """Make the lessons a site in a folder, and return the exit code."""
-    command = [python, "-m", "dmp_teach.launcher.static_site", str(folder)]
+def run_site(python, folder, of="static_site"):
+    """Make the lessons, or the docs by `of="docs_site"`, a site; return the exit code."""
+    command = [python, "-m", "dmp_teach.launcher." + of, str(folder)]
     return subprocess.call(command, env=clean_environment())
 
 

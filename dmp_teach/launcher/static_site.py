@@ -55,7 +55,7 @@ def make_site(folder: Path, cache: Path = CACHE) -> int:
         raise SetupError("A site is made in a clone of dmp_teach; this copy is installed.")
     say("Making the site (the first time about 2 minutes) ...")
     tools, lite = cache / "tools", cache / "lite"
-    install_tools(tools)
+    install_tools(tools, TOOLS)
     shutil.rmtree(lite, ignore_errors=True)
     shutil.copytree(NOTEBOOKS, lite / "files", ignore=lambda *_: {".ipynb_checkpoints"})
     extensions = collect_extensions(tools, lite / "labextensions")
@@ -91,13 +91,13 @@ def finish(made: Path) -> None:
     (made / MARK).write_text(json.dumps({"lessons": digest(NOTEBOOKS)}))
 
 
-def install_tools(tools: Path) -> None:
-    """Install JupyterLite beside this environment, whose packages it uses, where its pins ask."""
-    stamp, pins = tools / "pins", TOOLS.read_text()
+def install_tools(tools: Path, wanted: Path) -> None:
+    """Install what a file pins beside this environment, whose packages it uses, if it changed."""
+    stamp, pins = tools / "pins", wanted.read_text()
     if not stamp.exists() or stamp.read_text() != pins:
         shutil.rmtree(tools, ignore_errors=True)
         options = ["--no-deps", "--disable-pip-version-check", "--target", str(tools)]
-        call([sys.executable, "-m", "pip", "install", "-q", *options, "-r", str(TOOLS)])
+        call([sys.executable, "-m", "pip", "install", "-q", *options, "-r", str(wanted)])
         stamp.write_text(pins)
 
 

@@ -1,0 +1,117 @@
+"""The docs as a site: what is written in `docs`, lessons that live, the API, a gallery.
+
+`python3 -m dmp_teach docs FOLDER` runs this in the launcher's environment. It fetches Sphinx with
+pip, once, beside the environment.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+import shutil
+import sys
+from collections.abc import Iterable, Sequence
+from pathlib import Path
+
+from dmp_teach.errors import SetupError
+from dmp_teach.launcher.docs_pages import PageWriter
+from dmp_teach.launcher.lab import NOTEBOOKS, PINS, ROOT, say
+from dmp_teach.launcher.site_packages import call
+from dmp_teach.launcher.static_site import CACHE, install_tools
+
+_PAGE = Path(__file__).resolve().parent / "docs_page"
+_TEACHERS = ("your_schools_letters", "a_class_at_a_glance", "grade_a_lesson", "a_class_on_a_hub")
+_TEACHERS += ("a_static_site", "who_is_protected")
+_LINK = re.compile(r"\[([^\]]*)\]\(([^)#:\s]+)\)")
+_MARK = ".buildinfo"
+
+
+def tell(folder: Path) -> int:
+    """Make the site, say where it is, and return the exit code."""
+    try:
+        make_docs(folder)
+    except SetupError as error:
+        sys.stderr.write(f"{error}\n")
+        return 1
+    say(f"The docs are in {folder}: open {folder / 'index.html'}")
+    return 0
+
+
+def make_docs(
+    folder: Path,
+    lessons: Sequence[Path] | None = None,
+    figures: Iterable[int] = range(1, 11),
+    cache: Path = CACHE,
+) -> None:
+    """Make the site in a folder that is new, empty or an older site.
+
+    Args:
+        folder: Where to.
+        lessons: The notebooks that become pages; None takes all.
+        figures: The paper's figures that are in the gallery, by their numbers.
+        cache: Where what is fetched and made is kept.
+
+    Raises:
+        SetupError: The folder holds something else, or a part could not be fetched or built.
+    """
+    if folder.exists() and not (folder / _MARK).exists() and any(folder.iterdir()):
+        raise SetupError(f"{folder} holds something else: name a new or an empty folder.")
+    if not PINS.exists():
+        raise SetupError("The docs are made in a clone of dmp_teach; this copy is installed.")
+    tools, source, made = (cache / name for name in ("docs_tools", "docs_source", "docs_made"))
+    install_tools(tools, _PAGE / "tools.txt")
+    for old in (source, made):
+        shutil.rmtree(old, ignore_errors=True)
+    shutil.copytree(_PAGE, source, ignore=shutil.ignore_patterns("tools.txt"))
+    say("Running the lessons and drawing the figures ...")
+    writer = PageWriter(source)
+    found = sorted(NOTEBOOKS.glob("*.ipynb")) if lessons is None else lessons
+    pages = {"Lessons": [writer.write_lesson(each) for each in found]}
+    gallery, api = writer.write_gallery(figures), writer.write_api()
+    pages |= copy_texts(source)
+    pages |= {"Gallery and figures": [gallery, "docs/benchmarks"], "API": api}
+    index = [f"```{{toctree}}\n:hidden:\n:caption: {name}\n\n" + "\n".join(each) + "\n```"
+             for name, each in pages.items()]  # fmt: skip
+    with (source / "index.md").open("a", encoding="utf-8") as home:
+        home.write("\n" + "\n\n".join(index) + "\n")
+    say("Building the site ...")
+    build = [sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", "-j", "auto"]
+    environment = dict(os.environ, PYTHONPATH=os.pathsep.join([str(ROOT), str(tools)]))
+    call([*build, str(source), str(made)], env=environment)
+    shutil.rmtree(made / ".doctrees", ignore_errors=True)
+    shutil.rmtree(folder, ignore_errors=True)
+    shutil.copytree(made, folder)
+
+
+def copy_texts(source: Path) -> dict[str, list[str]]:
+    """Copy what is written by hand, with the files it links, and return its pages by caption."""
+    (source / "docs").mkdir()
+    texts = [*sorted((ROOT / "docs").glob("*.md")), ROOT / "CONTRIBUTING.md", ROOT / "CHANGELOG.md"]
+    texts += [ROOT / "dmp_teach" / "dmp" / "README.md", ROOT / "assets" / "LICENSE.md"]
+    for path in (ROOT / "README.md", *texts):
+        name = path.relative_to(ROOT)
+        text = path.read_text(encoding="utf-8")
+        for _, target in _LINK.findall(text):
+            linked = (path.parent / target).resolve()
+            if linked.is_file() and linked.suffix != ".md":
+                copied = source / linked.relative_to(ROOT)
+                copied.parent.mkdir(parents=True, exist_ok=True)
+                shutil.copy(linked, copied)
+        text = _LINK.sub(lambda link: _without_folder(link, path.parent), text)
+        copied = source / (name if name.name != "README.md" or name.parent.name else "index.md")
+        copied.parent.mkdir(parents=True, exist_ok=True)
+        copied.write_text(text, encoding="utf-8")
+    engineers = [path for path in texts if path.stem not in (*_TEACHERS, "benchmarks")]
+    return {
+        "For a teacher": [f"docs/{name}" for name in _TEACHERS],
+        "For an engineer": [str(path.relative_to(ROOT).with_suffix("")) for path in engineers],
+    }
+
+
+def _without_folder(link: re.Match[str], here: Path) -> str:
+    """Return a link as it is, but only the words of one that leads to a folder."""
+    return link[1] if (here / link[2]).is_dir() else link[0]
+
+
+if __name__ == "__main__":
+    sys.exit(tell(Path(sys.argv[1]).resolve()))
