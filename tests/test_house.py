@@ -65,6 +65,7 @@ ROOMS = {  # where a library from elsewhere may be imported
     "jupyterlab": ["launcher/quick_start.py"],
     "js": ["launcher/site_page/"],
     "pyodide_js": ["launcher/site_page/"],
+    "docutils": ["launcher/docs_page/"],
 }
 # Rooms in which not every `Any` says why yet.
 UNTOLD = {"scoring", "dmp", "letters", "robot", "ros", "studies", "views", "classroom", "launcher"}

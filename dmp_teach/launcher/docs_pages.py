@@ -73,7 +73,10 @@ class PageWriter:
         pages = []
         for room in dict.fromkeys([*teach._NAMES, *faces]):
             module = import_module(f"dmp_teach.{room}")
-            parts = [_title(f"dmp_teach.{room}", "="), f".. automodule:: dmp_teach.{room}\n   :no-members:"]
+            parts = [
+                _title(f"dmp_teach.{room}", "="),
+                f".. automodule:: dmp_teach.{room}\n   :no-members:",
+            ]
             parts += _describe("dmp_teach", teach._NAMES.get(room, "").split(), told)
             places = {f"dmp_teach.{room}": module}
             places |= {"dmp_teach.figures": teach.figures} if room == "views" else {}
@@ -129,7 +132,9 @@ def _describe(place: str, names: list[str], told: set[int]) -> list[str]:
     """Return the directives that describe names of a face, each thing once."""
     parts = []
     for name in names:
-        thing = getattr(import_module(place) if place != "dmp_teach.figures" else teach.figures, name)
+        thing = getattr(
+            import_module(place) if place != "dmp_teach.figures" else teach.figures, name
+        )
         if id(thing) in told:
             continue
         told.add(id(thing))

@@ -20,8 +20,6 @@ from dmp_teach.launcher.site_packages import call
 from dmp_teach.launcher.static_site import CACHE, install_tools
 
 _PAGE = Path(__file__).resolve().parent / "docs_page"
-_TEACHERS = ("your_schools_letters", "a_class_at_a_glance", "grade_a_lesson", "a_class_on_a_hub")
-_TEACHERS += ("a_static_site", "who_is_protected")
 _LINK = re.compile(r"\[([^\]]*)\]\(([^)#:\s]+)\)")
 _MARK = ".buildinfo"
 
@@ -67,9 +65,9 @@ def make_docs(
     writer = PageWriter(source)
     found = sorted(NOTEBOOKS.glob("*.ipynb")) if lessons is None else lessons
     pages = {"Lessons": [writer.write_lesson(each) for each in found]}
-    gallery, api = writer.write_gallery(figures), writer.write_api()
+    pages["What it draws"] = [writer.write_gallery(figures), "docs/benchmarks"]
     pages |= copy_texts(source)
-    pages |= {"Gallery and figures": [gallery, "docs/benchmarks"], "API": api}
+    pages["API"] = writer.write_api()
     index = [f"```{{toctree}}\n:hidden:\n:caption: {name}\n\n" + "\n".join(each) + "\n```"
              for name, each in pages.items()]  # fmt: skip
     with (source / "index.md").open("a", encoding="utf-8") as home:
@@ -85,32 +83,34 @@ def make_docs(
 
 def copy_texts(source: Path) -> dict[str, list[str]]:
     """Copy what is written by hand, with the files it links, and return its pages by caption."""
-    (source / "docs").mkdir()
-    texts = [*sorted((ROOT / "docs").glob("*.md")), ROOT / "CONTRIBUTING.md", ROOT / "CHANGELOG.md"]
-    texts += [ROOT / "dmp_teach" / "dmp" / "README.md", ROOT / "assets" / "LICENSE.md"]
-    for path in (ROOT / "README.md", *texts):
-        name = path.relative_to(ROOT)
-        text = path.read_text(encoding="utf-8")
-        for _, target in _LINK.findall(text):
-            linked = (path.parent / target).resolve()
-            if linked.is_file() and linked.suffix != ".md":
-                copied = source / linked.relative_to(ROOT)
-                copied.parent.mkdir(parents=True, exist_ok=True)
-                shutil.copy(linked, copied)
-        text = _LINK.sub(lambda link: _without_folder(link, path.parent), text)
-        copied = source / (name if name.name != "README.md" or name.parent.name else "index.md")
-        copied.parent.mkdir(parents=True, exist_ok=True)
-        copied.write_text(text, encoding="utf-8")
-    engineers = [path for path in texts if path.stem not in (*_TEACHERS, "benchmarks")]
+    engineers = sorted((ROOT / "docs").glob("add_*.md"))
+    engineers += [ROOT / "CONTRIBUTING.md", ROOT / "CHANGELOG.md"]
+    engineers += [ROOT / "dmp_teach" / "dmp" / "README.md", ROOT / "assets" / "LICENSE.md"]
+    teachers = [path for path in sorted((ROOT / "docs").glob("*.md")) if path not in engineers]
+    for path in (ROOT / "README.md", *teachers, *engineers):
+        _copy(path, source / path.relative_to(ROOT), source)
+    (source / "README.md").rename(source / "index.md")
+    names = {path: str(path.relative_to(ROOT).with_suffix("")) for path in teachers + engineers}
     return {
-        "For a teacher": [f"docs/{name}" for name in _TEACHERS],
-        "For an engineer": [str(path.relative_to(ROOT).with_suffix("")) for path in engineers],
+        "For a teacher": [names[path] for path in teachers if path.stem != "benchmarks"],
+        "For an engineer": [names[path] for path in engineers],
     }
 
 
-def _without_folder(link: re.Match[str], here: Path) -> str:
-    """Return a link as it is, but only the words of one that leads to a folder."""
-    return link[1] if (here / link[2]).is_dir() else link[0]
+def _copy(text: Path, to: Path, source: Path) -> None:
+    """Copy a text and the files that it links; a link to a folder becomes its words."""
+
+    def link(found: re.Match[str]) -> str:
+        target = (text.parent / found[2]).resolve()
+        if target.is_file() and target.suffix != ".md":
+            copied = source / target.relative_to(ROOT)
+            copied.parent.mkdir(parents=True, exist_ok=True)
+            shutil.copy(target, copied)
+        return found[1] if target.is_dir() else found[0]
+
+    to.parent.mkdir(parents=True, exist_ok=True)
+    words = _LINK.sub(link, text.read_text(encoding="utf-8"))
+    to.write_text(words, encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -54,14 +54,24 @@ def as_markup(block: str) -> str:
 
 
 # Any: as above.
-def read_docstring(app: Any, what: str, name: str, thing: Any, options: Any, lines: Any) -> None:
+def read_docstring(*given: Any) -> None:
     """Turn a docstring into markup, in place."""
+    lines = given[-1]
     blocks = re.split(r"\n{2,}", "\n".join(lines).strip("\n"))
-    lines[:] = "\n\n".join(as_markup(block) for block in blocks if block).splitlines() + [""]
+    lines[:] = "\n\n".join(map(as_markup, filter(None, blocks))).splitlines()
+    lines.append("")
+
+
+# Any: as above.
+def read_signature(*given: Any) -> Any:
+    """Return a signature that can be parsed where a dataclass makes a default."""
+    said, of = given[-2:]
+    return (said.replace("<factory>", "..."), of) if said else None
 
 
 # Any: as above.
 def setup(app: Any) -> None:
     """Let Sphinx write formulas without another host's scripts."""
     app.connect("autodoc-process-docstring", read_docstring, priority=1)
+    app.connect("autodoc-process-signature", read_signature)
     app.add_html_math_renderer("mathml", (show_math, None), (show_math, None))

@@ -1,4 +1,4 @@
-// Live pages within a page: as tall as what they show, and as dark as what is around them.
+// Live pages within a page are as tall as what they show.
 
 addEventListener("message", ({ source, data }) => {
   for (const frame of document.querySelectorAll("iframe.live"))
