@@ -12,7 +12,10 @@ from contextlib import redirect_stdout
 from importlib import import_module
 from pathlib import Path
 
-import dmp_teach as teach
+from dmp_teach.ink import recording_of
+from dmp_teach.letters import Letter
+from dmp_teach.robot import Fetch, Page
+from dmp_teach.views import figure, view
 
 # Tells the page around it how tall it is.
 _MEASURED = """<script type="module">
@@ -56,33 +59,34 @@ class PageWriter:
         parts = ["# Gallery", "One line draws each of them, from letters of our own."]
         parts.append("## The robot writes")
         for letter in _WRITTEN:
-            strokes = teach.Letter.learn(teach.recording_of(letter)).write()
-            motion = teach.Fetch().write(strokes, teach.Page.table())
+            strokes = Letter.learn(recording_of(letter)).write()
+            motion = Fetch().write(strokes, Page.table())
             parts += [f"### {letter}", "`teach.view(motion)`"]
-            parts += self._show(teach.view(motion), f"robot_{ord(letter)}")
+            parts += self._show(view(motion), f"robot_{ord(letter)}")
         parts.append("## The paper's figures")
         for number in figures:
             parts += [f"### Figure {number}", f"`teach.figure({number})`"]
-            parts += self._show(teach.figure(number), f"figure_{number}")
+            parts += self._show(figure(number), f"figure_{number}")
         return self._write("gallery/index.md", parts)
 
     def write_api(self) -> list[str]:
         """Write a page a room, `teach`'s own names first, and return the names of the pages."""
         told: set[int] = set()
-        faces = sorted(path.parent.name for path in _PACKAGE.glob("*/__init__.pyi"))
+        front = import_module("dmp_teach")
+        homes = {name: getattr(getattr(front, name), "__module__", "") for name in dir(front)}
+        rooms = {home.split(".")[1] for home in homes.values() if home}
+        rooms |= {path.parent.name for path in _PACKAGE.glob("*/__init__.pyi")}
         pages = []
-        for room in dict.fromkeys([*teach._NAMES, *faces]):
-            module = import_module(f"dmp_teach.{room}")
-            parts = [
-                _title(f"dmp_teach.{room}", "="),
-                f".. automodule:: dmp_teach.{room}\n   :no-members:",
-            ]
-            parts += _describe("dmp_teach", teach._NAMES.get(room, "").split(), told)
-            places = {f"dmp_teach.{room}": module}
-            places |= {"dmp_teach.figures": teach.figures} if room == "views" else {}
-            for place, face in places.items():
-                rest = _describe(place, sorted(getattr(face, "__all__", ())), told)
-                parts += [_title(f"In {place}", "-"), *rest] if rest else []
+        for room in sorted(rooms):
+            place = f"dmp_teach.{room}"
+            parts = [_title(place, "="), f".. automodule:: {place}\n   :no-members:"]
+            own = [name for name, home in homes.items() if f"{home}.".startswith(f"{place}.")]
+            parts += _describe("dmp_teach", front, own, told)
+            faces = {place: import_module(place)}
+            faces |= {"dmp_teach.figures": front.figures} if room == "views" else {}
+            for name, face in faces.items():
+                rest = _describe(name, face, getattr(face, "__all__", ()), told)
+                parts += [_title(f"In {name}", "-"), *rest] if rest else []
             pages.append(self._write(f"api/{room}.rst", parts))
         return pages
 
@@ -116,11 +120,14 @@ class PageWriter:
 def _run(code: str, names: dict[str, object]) -> tuple[str, object]:
     """Run a cell, and return what it prints and the value of its last line."""
     tree = ast.parse(code)
-    last = tree.body.pop() if isinstance(tree.body[-1], ast.Expr) else None
+    last, value = tree.body[-1], None
     printed = io.StringIO()
     with redirect_stdout(printed):
+        if isinstance(last, ast.Expr):
+            tree.body.pop()
         exec(compile(tree, "cell", "exec"), names)
-        value = eval(compile(ast.Expression(last.value), "cell", "eval"), names) if last else None
+        if isinstance(last, ast.Expr):
+            value = eval(compile(ast.Expression(last.value), "cell", "eval"), names)
     return printed.getvalue(), value
 
 
@@ -128,20 +135,14 @@ def _title(text: str, line: str) -> str:
     return f"{text}\n{line * len(text)}"
 
 
-def _describe(place: str, names: list[str], told: set[int]) -> list[str]:
+def _describe(place: str, face: object, names: Iterable[str], told: set[int]) -> list[str]:
     """Return the directives that describe names of a face, each thing once."""
     parts = []
-    for name in names:
-        thing = getattr(
-            import_module(place) if place != "dmp_teach.figures" else teach.figures, name
-        )
-        if id(thing) in told:
-            continue
-        told.add(id(thing))
-        if inspect.isclass(thing):
-            parts.append(f".. autoclass:: {place}.{name}")
-        elif inspect.isroutine(thing):
-            parts.append(f".. autofunction:: {place}.{name}")
-        else:
-            parts.append(f".. py:data:: {place}.{name}")
+    for name in sorted(names):
+        thing = getattr(face, name)
+        if id(thing) not in told:
+            told.add(id(thing))
+            kind = "autofunction" if inspect.isroutine(thing) else "py:data"
+            kind = "autoclass" if inspect.isclass(thing) else kind
+            parts.append(f".. {kind}:: {place}.{name}")
     return parts

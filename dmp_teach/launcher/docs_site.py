@@ -24,7 +24,7 @@ _LINK = re.compile(r"\[([^\]]*)\]\(([^)#:\s]+)\)")
 _MARK = ".buildinfo"
 
 
-def tell(folder: Path) -> int:
+def tell_docs(folder: Path) -> int:
     """Make the site, say where it is, and return the exit code."""
     try:
         make_docs(folder)
@@ -114,4 +114,4 @@ def _copy(text: Path, to: Path, source: Path) -> None:
 
 
 if __name__ == "__main__":
-    sys.exit(tell(Path(sys.argv[1]).resolve()))
+    sys.exit(tell_docs(Path(sys.argv[1]).resolve()))
