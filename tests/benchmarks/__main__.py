@@ -1,5 +1,5 @@
 """How fast primitive and robot are, beside others: `python -m tests.benchmarks [--turns 40] [--json
-figures.json]`.
+figures.json] [--table table.md]`.
 
 No test: what a computer does beside it decides too, so nothing here fails. It prints medians,
 ratios of medians with the quartiles of the ratios turn by turn, and the error of each path against
@@ -210,6 +210,7 @@ def main(arguments: list[str] | None = None) -> None:
         "--turns", type=int, default=40, help="how often everything is measured (default 40)"
     )
     asked.add_argument("--json", type=Path, help="where to write the figures, too")
+    asked.add_argument("--table", type=Path, help="where to write all benchmarks as one table")
     options = asked.parse_args(arguments)
     warnings.simplefilter("ignore", RuntimeWarning)
     found, missing = others(KERNELS)
@@ -228,6 +229,11 @@ def main(arguments: list[str] | None = None) -> None:
         print("\n" + HOW_TO_INSTALL.format(names=" and ".join(missing + more_missing)))
     if options.json:
         options.json.write_text(json.dumps(results, indent=2), encoding="utf-8")
+    if options.table:
+        # It wants a browser and the tests' packages, too.
+        from tests.benchmarks.table import write_table  # noqa: PLC0415
+
+        write_table(results, options.table)
 
 
 if __name__ == "__main__":

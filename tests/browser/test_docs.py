@@ -74,7 +74,9 @@ def test_from_the_first_page_to_letter_and_to_a_ring_that_leads_the_line(page, s
     panel.get_by_role("button", name="Now try it").click()
     line = panel.locator(".dt-paper .dt-robot-line")
     before = line.evaluate_all(LINE)
-    box = panel.locator(".dt-goal .dt-ring").first.bounding_box()
+    ring = panel.locator(".dt-goal .dt-ring").first
+    ring.scroll_into_view_if_needed()
+    box = ring.bounding_box()
     x, y = box["x"] + box["width"] / 2, box["y"] + box["height"] / 2
     page.mouse.move(x, y)
     page.mouse.down()
