@@ -111,13 +111,20 @@ test("a stroke on empty ground lays all handles along it", () => {
 });
 
 test("a dash in the middle is no line: it is taken back, and said; a long line is one", () => {
-  const far = { ...VIEW, w: 600, px: ([x, y]) => [60 * x, 100 - 10 * y] };
+  const far = { w: 600, h: 100, px: ([x, y]) => [60 * x, 100 - 10 * y] };
+  const view = { ...far, metres: ([x, y]) => [x / 60, (100 - y) / 10] };
   const { handles, heard, scene } = bet("xy");
+  const seen = [...scene];
+  handles.onHandle = (i, at, isDone) => {
+    heard.push([i, at, isDone]);
+    seen[i] = { ...seen[i], at };
+    handles.draw(seen, view);
+  };
   let said = 0;
   handles.onShort = () => {
     said += 1;
   };
-  handles.draw(scene, { ...far, metres: ([x, y]) => [x / 60, (100 - y) / 10] });
+  handles.draw(scene, view);
   const draw = (from, to) => {
     handles.press(from);
     handles.move([to]);
@@ -131,8 +138,8 @@ test("a dash in the middle is no line: it is taken back, and said; a long line i
   );
   assert.ok(heard.every(([, , isDone]) => !isDone));
   assert.match(text(handles.knobs.children[0]), /not moved yet/);
-  draw([300, 50], [560, 50]);
-  draw([305, 50], [335, 90]);
+  draw([140, 50], [560, 50]);
+  draw([145, 50], [175, 90]);
   assert.equal(said, 1);
   assert.equal(heard.filter(([, , isDone]) => isDone).length, 2);
 });

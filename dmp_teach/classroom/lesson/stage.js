@@ -52,7 +52,7 @@ export class Stage {
       onGoal: moveRing,
       onHandle: moveHandle,
       onShort: () => {
-        const words = t("That was a short piece. Draw the whole line, from end to end.");
+        const words = t("Please draw the whole line.");
         this.caption.show(words);
         this.listeners.onShort(words);
       },

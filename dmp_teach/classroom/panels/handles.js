@@ -24,7 +24,7 @@ const CATCH = 22;
 // A stroke that is shorter [px] is a slip of the hand.
 const SLIP = 24;
 // A line that begins far from its first handle has at least this part of the way to its last one.
-const LEAST_PART = 0.5;
+const LEAST_PART = 0.8;
 /** @type {Record<string, Place>} */
 export const WAYS = {
   ArrowLeft: [-1, 0],
@@ -179,10 +179,13 @@ export class Handles {
 
   drop() {
     const { held } = this;
-    this.held = null;
-    if (held?.moved && held.stroke && this.isShort(held.stroke, held.before)) {
+    const isShort = held?.moved && held.stroke && this.isShort(held.stroke, held.before);
+    if (isShort) {
       this.put(new Map(held.before.entries()), false);
       this.touched.clear();
+    }
+    this.held = null;
+    if (isShort) {
       this.redraw();
       this.onShort?.();
     } else if (held?.moved) this.onHandle?.(held.i, this.handles[held.i].at, true);
