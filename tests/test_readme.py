@@ -1,5 +1,6 @@
 """What the README shows is what one gets."""
 
+import math
 import re
 from pathlib import Path
 
@@ -47,6 +48,21 @@ def test_what_is_one_line_works_as_it_stands(tmp_path, monkeypatch):
     for line in tried:
         exec(line, names)
     assert type(names["pad"].recordings) is tuple
+
+
+def test_what_star_is_stands_in_the_table():
+    star = teach.Settings.star()
+    for seconds, samples in ((3.0, 360), (0.5, 60)):
+        told = star.resolved(seconds, samples)
+        assert told.n_kernels == round(12 * seconds)
+        assert told.alpha == max(12, 2 * told.n_kernels)
+    # The spring's beta is alpha / (4 damping^2), and a Gaussian without a hump is a box.
+    assert (star.damping, star.smoothing, star.kernel_width) == (1.0, 10.0, 1.0)
+    assert star.kernel_sigma == math.inf
+    assert star.feed_goal
+    assert star.sharpen
+    ours = [line.split("|")[-2].strip() for line in README.splitlines() if line.startswith("  | ")]
+    assert {"12 for each second", "2 N (at least 12), alpha/4", "smoothed at 10 Hz"} <= set(ours)
 
 
 def test_every_name_in_the_readme_is_there():

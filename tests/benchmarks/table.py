@@ -2,10 +2,14 @@
 docs/benchmarks.md`. The slow ones are short here: teaching for a minute, planning five letters.
 """
 
+import os
+import platform
 from contextlib import redirect_stdout
 from io import StringIO
 from pathlib import Path
 from typing import Any
+
+import numpy as np
 
 from tests.benchmarks import browser, solvers, teaching
 from tests.browser.conftest import chromium_path
@@ -14,10 +18,12 @@ TEXT = """# What was measured
 
 Made again by `python -m tests.benchmarks --table docs/benchmarks.md`. A ratio is the median over
 turns that both took one after the other, in brackets the quartiles; what else ran on the computer
-decides too. In the last column what is to be reached, where something is. How each is measured
-stands at the top of the module that is named.
+decides too. What is to be reached stands beside it, where something is. How each is measured
+stands at the top of the module of `tests/benchmarks` that is named.
 
-| measured by | what | result | of |
+{machine}
+
+| what | result | to be reached | measured by |
 |---|---|---|---|
 """
 Row = tuple[str, str, str, str]
@@ -50,19 +56,15 @@ def rows(found: dict[str, Any]) -> list[Row]:
 
 
 def _beside_others(race: list[dict[str, Any]]) -> list[Row]:
-    """How many times longer each takes than the first, and the error of its path."""
+    """How far off each path is, and how many times longer each takes than the first."""
     told: list[Row] = []
     for row in race:
-        for part in ("fit_and_rollout", "goal_changed"):
+        result, bounds = f"{row['error_mm']:.2f} mm off", []
+        for part in ("fit_and_rollout", "goal_changed") if row is not race[0] else ():
             spread = "{ratio:.1f} [{lower_quartile:.1f}, {upper_quartile:.1f}]"
-            what = f"{row['name']}: {part.replace('_', ' ')}"
-            result = f"{row['error_mm']:.2f} mm off"
-            if row is not race[0]:
-                result += f", {spread.format_map(row[part])} times as long"
-                bound = row[part]["bound"]
-                told.append(("", what, result, f"at least {bound:.0f}" if bound else ""))
-            elif part == "fit_and_rollout":
-                told.append(("", row["name"], result, ""))
+            result += f"; {part.replace('_', ' ')} {spread.format_map(row[part])} times as long"
+            bounds += [f"{row[part]['bound']:.0f}"] if row[part]["bound"] else []
+        told.append(("", row["name"], result, " and ".join(bounds)))
     return told
 
 
@@ -71,8 +73,13 @@ def other_rows() -> list[Row]:
     said = StringIO()
     with redirect_stdout(said):
         solvers.compare_letters("aRk8g")
-    told = [("solvers", line, "", "") for line in said.getvalue().splitlines()]
-    told += [("teaching", line, "", "") for line in teaching.lines(teaching.teaching(1.0))[:3]]
+    told = [
+        ("solvers", "our solver beside PlaCo", line, "") for line in said.getvalue().splitlines()
+    ]
+    told += [
+        ("teaching", "robots that are taught", line, "")
+        for line in teaching.lines(teaching.teaching(1.0))[:3]
+    ]
     if chromium_path():
         (run,) = browser.runs(1, 3.0)
         seen = {row["name"]: row["updates_a_second"] for row in run}
@@ -86,7 +93,12 @@ def other_rows() -> list[Row]:
 def write_table(found: dict[str, Any], file: Path) -> None:
     """Write the table."""
     lines = [
-        f"| `tests/benchmarks/{name or '__main__'}.py` | {what} | {result} | {bound} |"
+        f"| {what} | {result} | {bound} | `{name or '__main__'}.py` |"
         for name, what, result, bound in [*rows(found), *other_rows()]
     ]
-    file.write_text(TEXT + "\n".join(lines) + "\n", encoding="utf-8")
+    load = f", load {os.getloadavg()[0]:.0f}" if hasattr(os, "getloadavg") else ""
+    machine = (
+        f"With Python {platform.python_version()} and NumPy {np.__version__} on "
+        f"{platform.machine()}, {os.cpu_count()} cores{load}."
+    )
+    file.write_text(TEXT.format(machine=machine) + "\n".join(lines) + "\n", encoding="utf-8")
