@@ -60,16 +60,22 @@ export function asking(node) {
 }
 
 /**
- * Keep keys from JupyterLab, which would take arrows, A, B, D or X for its own commands.
- * Those with Ctrl or Meta pass: Ctrl+S saves the notebook.
+ * Keep keys from the notebook, which would take arrows, A, B, D or X for its own commands.
+ * Those with Ctrl or Meta pass: Ctrl+S saves the notebook. Jupyter Notebook looks at keys before
+ * anybody else, and leaves alone what has the focus and this attribute.
  * @template {Element} T
  * @param {T} node
  */
 export function keepKeys(node) {
-  const keydown = (/** @type {KeyboardEvent} */ event) => {
-    if (!event.ctrlKey && !event.metaKey) event.stopPropagation();
+  const keep = (/** @type {any} */ event) => {
+    const isKept = !event.ctrlKey && !event.metaKey;
+    event.target.toggleAttribute("data-lm-suppress-shortcuts", isKept);
+    return isKept;
   };
-  return change(node, { keydown });
+  const keydown = (/** @type {KeyboardEvent} */ event) => {
+    if (keep(event)) event.stopPropagation();
+  };
+  return change(node, { keydown, keyup: keep, focusin: keep });
 }
 
 /** An id that no other panel of the page has, though each loads its own copy of this module. */

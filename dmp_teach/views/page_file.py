@@ -23,14 +23,11 @@ _PAGE = """<!doctype html>
 <title>{title}</title>
 <style>
 {css}
-body {{ margin: 0; padding: 8px; background: var(--jp-layout-color0); }}
-body {{ --jp-layout-color0: #ffffff; --jp-border-color2: #e0e0e0; --jp-ui-font-color0: #111111; }}
-body[data-jp-theme-light="false"] {{ --jp-layout-color0: #111417; --jp-border-color2: #3a4047; }}
-body[data-jp-theme-light="false"] {{ --jp-ui-font-color0: #f4f4f4; }}
+body {{ margin: 0; padding: 8px; background: #ffffff; color: #111111; }}
+@media (prefers-color-scheme: dark) {{ body {{ background: #111417; color: #f4f4f4; }} }}
 .dt-scene, .dt-panel {{ margin: 0 auto; }}
 [data-dt-asks] {{ opacity: 0.45; filter: grayscale(1); }}
 .dt-rests {{ margin: 0 0 6px; text-align: center; font: 16px system-ui, sans-serif; }}
-.dt-rests {{ color: var(--jp-ui-font-color0); }}
 </style>
 </head>
 <body>

@@ -3,6 +3,7 @@
 import { change, make } from "./dom.js";
 import { gunzip } from "./gunzip.js";
 import { t } from "./texts.js";
+import { followTheme } from "./theme.js";
 import { Traits } from "./traits.js";
 
 /** @typedef {import("./dom.js").Model} Model */
@@ -22,8 +23,8 @@ export async function showPage(
   const state = JSON.parse(text, (_, value) =>
     value?.base64 === undefined ? value : bytesOf(value.base64),
   );
-  dress();
   const el = document.getElementById("view");
+  followTheme(el);
   render({ model: modelOf(state, answers), el });
   rest(el);
 }
@@ -51,16 +52,6 @@ function modelOf(state, { send, saved }) {
     },
   });
   return model;
-}
-
-/** Follow the light or dark of the system, as a panel follows the notebook's. */
-function dress() {
-  const dark = window.matchMedia("(prefers-color-scheme: dark)");
-  const follow = () => {
-    document.body.dataset.jpThemeLight = String(!dark.matches);
-  };
-  dark.addEventListener("change", follow);
-  follow();
 }
 
 /** Disable what only Python can answer, and say so once. */

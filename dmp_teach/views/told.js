@@ -1,6 +1,7 @@
 // A widget whose traits come by messages, which no program saves in a notebook (`unsaved.py`).
 
 import { rest } from "./rest.js";
+import { followTheme } from "./theme.js";
 import { Traits } from "./traits.js";
 
 /** @typedef {import("./dom.js").Model} Model */
@@ -48,6 +49,7 @@ export function told(render) {
         await awake;
         clearTimeout(resting);
         el.replaceChildren();
+        followTheme(el, signal);
         // The still pictures of panels hide.
         document.body.dataset.dtLives = "";
         return render({ model: traits.model(model, signal), el, host, signal });

@@ -2,6 +2,12 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { told } from "../../dmp_teach/views/told.js";
 
+class Observer {
+  observe() {}
+}
+const matchMedia = () => new EventTarget();
+Object.assign(globalThis, { MutationObserver: Observer, ResizeObserver: Observer, matchMedia });
+
 /** A widget whose Python speaks by `say`; `known` are traits that Jupyter keeps, too. */
 function widgetOf(known = {}) {
   globalThis.document = { body: { dataset: {} } };

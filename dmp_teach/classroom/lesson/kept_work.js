@@ -13,10 +13,10 @@ const MARK = "dmp_teach";
  */
 export function keptWork({ key, pupil }, onForget, signal) {
   const place = `${MARK} ${location.pathname} ${key} ${pupil}`;
+  const tab = tabStorage();
   const forget = () => {
-    for (const name of Object.keys(sessionStorage))
-      if (name.startsWith(`${MARK} `) && name.endsWith(` ${pupil}`))
-        sessionStorage.removeItem(name);
+    for (const name of Object.keys(tab ?? {}))
+      if (name.startsWith(`${MARK} `) && name.endsWith(` ${pupil}`)) tab.removeItem(name);
     onForget();
   };
   const others = new BroadcastChannel(`${MARK} forget`);
@@ -24,12 +24,21 @@ export function keptWork({ key, pupil }, onForget, signal) {
   signal?.addEventListener("abort", () => others.close());
   return {
     keep(/** @type {Values} */ work) {
-      sessionStorage.setItem(place, JSON.stringify({ variant: pupil, ...work }));
+      tab?.setItem(place, JSON.stringify({ variant: pupil, ...work }));
     },
-    read: () => JSON.parse(sessionStorage.getItem(place) ?? "null"),
+    read: () => JSON.parse(tab?.getItem(place) ?? "null"),
     forget() {
       others.postMessage(pupil);
       forget();
     },
   };
+}
+
+/** Null in a frame that may keep nothing, as some programs show notebooks in. */
+function tabStorage() {
+  try {
+    return sessionStorage;
+  } catch {
+    return null;
+  }
 }

@@ -16,6 +16,7 @@ const EPSILON = 1e-6;
 class View {
   constructor(/** @type {Model} */ model, /** @type {HTMLElement} */ host) {
     this.model = model;
+    this.host = host;
     this.still = window.matchMedia("(prefers-reduced-motion: reduce)");
     this.time = Math.min(model.get("time"), this.facts.duration);
     this.playing = false;
@@ -106,16 +107,20 @@ class View {
       picture.resize();
       this.strip.draw();
     });
-    const light = new MutationObserver(() => picture.sky(theme()));
+    const light = new MutationObserver(() => picture.sky(this.theme()));
     seen.observe(this.stage);
     size.observe(this.box);
-    light.observe(document.body, { attributes: true, attributeFilter: ["data-jp-theme-light"] });
+    light.observe(this.host, { attributes: true, attributeFilter: ["data-dt-dark"] });
     const face = () => this.face();
     this.still.addEventListener("change", face);
     this.unwatch = () => {
       for (const observer of [seen, size, light]) observer.disconnect();
       this.still.removeEventListener("change", face);
     };
+  }
+
+  theme() {
+    return this.host.closest("[data-dt-dark]") ? "dark" : "light";
   }
 
   leave() {
@@ -194,7 +199,7 @@ class View {
     const { model, picture } = this;
     if (picture.viewer || picture.gone) return;
     try {
-      await picture.wake(model.get("viewer"), model.get("robot"), this.run, theme());
+      await picture.wake(model.get("viewer"), model.get("robot"), this.run, this.theme());
       this.show(this.time);
     } catch (error) {
       console.warn(error);
@@ -287,8 +292,6 @@ class View {
     return this.isAtEnd ? third : third * (Math.floor(this.time / third + EPSILON) + 1);
   }
 }
-
-const theme = () => (document.body.dataset.jpThemeLight === "false" ? "dark" : "light");
 
 /** @param {import("../dom.js").Widget} widget */
 export function renderScene({ model, el }) {
