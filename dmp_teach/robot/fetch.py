@@ -22,7 +22,7 @@ from dmp_teach.robot.pen_path import PenPlan
 from dmp_teach.robot.reach.check import Unreachable, check_reach
 from dmp_teach.robot.reach.posture import PEN_TILT_TOLERANCE, TIP_TOLERANCE, find_posture
 from dmp_teach.robot.reach.suggest import list_other_pages, suggest_page
-from dmp_teach.robot.slices import Slices, run_through
+from dmp_teach.robot.slices import Slices, creep, run_through
 from dmp_teach.robot.smoothing import connect_smoothly
 from dmp_teach.robot.solvers import borrow_solver, get_solver
 from dmp_teach.robot.time_scaling import TimeScaling
@@ -125,7 +125,7 @@ def _write(solver: Solver, page: Page, strokes: PlacedStrokes) -> Slices[tuple[M
 def _plan(solver: Solver, page: Page, strokes: PlacedStrokes) -> Slices[tuple[Motion, str]]:
     """Return the motion, and a warning where the arm is nearly stretched; or raise Unreachable."""
     yield "reach", 0.0
-    start, known, warning = check_reach(solver, page, all_points(strokes))
+    start, known, warning = yield from creep(check_reach(solver, page, all_points(strokes)))
     yield "reach", 1.0
     plan, q, X_world_tip, slowed = yield from _follow(solver, start, page, strokes)
     _check_tip(X_world_tip, plan, page)
@@ -156,8 +156,8 @@ def _refusal(
     area = ink.min(axis=0), ink.max(axis=0)
     problem = error.problem
     if error.collides:
-        problem = _foreseen_collision(solver, page, strokes) or problem
-    suggestion = suggest_page(solver, page, area)
+        problem = (yield from _foreseen_collision(solver, page, strokes)) or problem
+    suggestion = yield from creep(suggest_page(solver, page, area))
     suggested = [suggestion.page] if suggestion.fits else []
     strained = []
     for other in [*suggested, *list_other_pages(page, area)]:
@@ -222,12 +222,12 @@ def _check_tip(X_world_tip: Array, plan: PenPlan, page: Page) -> None:
         )
 
 
-def _foreseen_collision(solver: Solver, page: Page, strokes: PlacedStrokes) -> str:
+def _foreseen_collision(solver: Solver, page: Page, strokes: PlacedStrokes) -> Slices[str]:
     """Say when the arm comes against something, and how deep; empty where no plan shows it."""
     ink = all_points(strokes)
-    posture = find_posture(solver, page, ink.min(axis=0), ink.max(axis=0))
+    posture = yield from find_posture(solver, page, ink.min(axis=0), ink.max(axis=0))
     plan = connect_smoothly(strokes).plan()
-    q = run_through(solver.follow(posture.q, page.normal, page.to_world(plan.position)))
+    q = yield from solver.follow(posture.q, page.normal, page.to_world(plan.position))
     first, closest = find_nearest(q, JOINTS, page, _FORESEEN)
     near = first or closest
     return "" if near is None else describe_collision(near)

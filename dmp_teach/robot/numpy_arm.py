@@ -13,8 +13,9 @@ from dmp_teach.trajectory import Array
 _PLACO_COST = 1e-8
 # A joint at its bound that pulls inwards by less may stay.
 _SLACK = 1e-12
-# So often joints are stopped or let go at most.
-_TURNS = 50
+# So often joints are stopped or let go at most, and all at once, though that is no better.
+_TURNS = 200
+_PATIENCE = 3
 
 
 class NumpySolver(Solver):
@@ -140,37 +141,30 @@ class NumpySolver(Solver):
 
 
 def _least(H: Array, g: Array, low: Array, high: Array) -> Array:
-    """Return the x (F,) within bounds, 0 among them, that makes x H x / 2 - g x least.
+    """Return the x (F,) within bounds that makes x H x / 2 - g x least.
 
-    By active sets (Nocedal and Wright 2006, algorithm 16.3): from 0 on x goes to where it would be
-    best until the first joint is at its bound, and those that pull inwards are let go.
+    By block principal pivoting (Judice and Pires 1994): all joints that are beyond their bounds are
+    stopped, and all that pull inwards let go; or one alone, where that has not helped for a while.
     """
-    best = np.asarray(np.linalg.solve(H, g), dtype=float)
-    if (best >= low).all() and (best <= high).all():
-        return best
-    x = np.zeros(len(g))
-    free = np.ones(len(g), dtype=bool)
+    x = np.asarray(np.linalg.solve(H, g), dtype=float)
+    side = np.zeros(len(g))
+    fewest, patience = len(g) + 1, _PATIENCE
     for _ in range(_TURNS):
-        best = x.copy()
-        rest = g[free] - H[free][:, ~free] @ x[~free]
-        best[free] = np.linalg.solve(H[free][:, free], rest)
-        way = best - x
-        bound = np.where(way > 0, high, low)
-        share = np.divide(bound - x, way, out=np.full(len(g), np.inf), where=way != 0)
-        first = share.argmin()
-        if share[first] < 1:
-            x = x + max(share[first], 0.0) * way
-            x[first] = bound[first]
-            free[first] = False
-            continue
-        x = best
-        inward = np.where(x >= high, 1.0, -1.0) * (H @ x - g)
-        inward[free] = 0.0
-        worst = inward.argmax()
-        if inward[worst] <= _SLACK:
+        wrong = (x < low - _SLACK) | (x > high + _SLACK) | (side * (H @ x - g) > _SLACK)
+        count = int(np.count_nonzero(wrong))
+        if not count:
             break
-        free[worst] = True
-    return x
+        patience = _PATIENCE if count < fewest else patience - 1
+        fewest = min(fewest, count)
+        if patience < 0:
+            wrong[: np.flatnonzero(wrong)[-1]] = False
+        beyond = np.where(x > high, 1.0, -1.0)
+        side = np.where(wrong, np.where(side == 0, beyond, 0.0), side)
+        x = np.where(side > 0, high, low)
+        free = side == 0
+        rest = g[free] - H[free][:, ~free] @ x[~free]
+        x[free] = np.linalg.solve(H[free][:, free], rest)
+    return np.clip(x, low, high)
 
 
 def _frame_along(axis: Array) -> Array:

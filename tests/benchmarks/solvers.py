@@ -17,6 +17,7 @@ from dmp_teach.robot.numpy_arm import NumpySolver
 from dmp_teach.robot.placo_arm import PlacoSolver
 from dmp_teach.robot.reach.posture import find_posture
 from dmp_teach.robot.reach.suggest import whole_area
+from dmp_teach.robot.slices import run_through
 from tests.robot.test_solvers import PAGES, random_pages
 
 
@@ -74,7 +75,7 @@ def compare_pages(count):
         found = []
         for number, solver in enumerate(solvers):
             start = time.process_time()
-            found.append(find_posture(solver, page, *whole_area(page)))
+            found.append(run_through(find_posture(solver, page, *whole_area(page))))
             seconds[number] += time.process_time() - start
         one, other = found
         can += not one.trouble

@@ -71,7 +71,9 @@ def test_pages_are_judged_alike(placo):
     ours = NumpySolver()
     can = 0
     for page in random_pages(6, seed=6):
-        one, other = (find_posture(each, page, *whole_area(page)) for each in (placo, ours))
+        one, other = (
+            run_through(find_posture(each, page, *whole_area(page))) for each in (placo, ours)
+        )
         assert (one.trouble, one.collides) == (other.trouble, other.collides)
         assert one.effort == pytest.approx(other.effort, rel=1e-4)
         can += not one.trouble
@@ -99,6 +101,15 @@ def test_two_plans_in_slices_do_not_move_the_arm_of_each_other():
                 except StopIteration as end:
                     found[k] = end.value
     assert [found[0], found[1]] == alone
+
+
+def test_a_refusal_is_found_in_slices_between_which_stop_is_heard():
+    strokes = teach.Letter.learn(teach.recording_of("l")).write()
+    stopped = teach.Fetch().write_in_slices(strokes, Page.table(x=1.3))
+    reached = [next(stopped) for _ in range(40)]
+    stopped.close()
+    assert {step for step, _ in reached} == {"reach"}
+    assert len(set(reached)) > 20
 
 
 def test_a_solver_that_there_is_not_is_refused(monkeypatch):

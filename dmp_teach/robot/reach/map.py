@@ -14,8 +14,9 @@ from dmp_teach.progress import Progress, reporter
 from dmp_teach.robot.motion import BoolArray
 from dmp_teach.robot.page import A4, Page, check_page
 from dmp_teach.robot.reach.check import measure_misses
-from dmp_teach.robot.reach.posture import STRAINED_EFFORT, find_posture
+from dmp_teach.robot.reach.posture import STRAINED_EFFORT, find_posture, list_rim_places
 from dmp_teach.robot.reach.suggest import whole_area
+from dmp_teach.robot.slices import run_through
 from dmp_teach.robot.solvers import get_solver
 from dmp_teach.trajectory import Array
 from dmp_teach.values import Value, locked
@@ -166,10 +167,12 @@ def _try_pages(
 def _try_page(page: Page) -> tuple[float, float]:
     """Return effort (inf: cannot be written on) and residual [m] of a page."""
     solver = get_solver()
-    residual = max(measure_misses(solver, page, whole_area(page), "corner").values())
+    places = list_rim_places(*whole_area(page))
+    corners = {name: place for name, place in places.items() if "corner" in name}
+    residual = max(run_through(measure_misses(solver, page, corners)).values())
     if residual > _FAR:
         return np.inf, residual
-    return find_posture(solver, page, *whole_area(page)).effort, residual
+    return run_through(find_posture(solver, page, *whole_area(page))).effort, residual
 
 
 def _axis(name: str, values: Sequence[float] | None, usual: Array) -> Array:

@@ -6,16 +6,17 @@ So a posture is judged by where the pen really ends up.
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 from itertools import islice
 
 import numpy as np
 
-from dmp_teach.robot.arm import Solver
+from dmp_teach.robot.arm import JOINTS, Solver
 from dmp_teach.robot.clearance import get_plain_name
 from dmp_teach.robot.page import Page
 from dmp_teach.robot.pen_path import HOVER
+from dmp_teach.robot.slices import Slices
 from dmp_teach.trajectory import Array
 from dmp_teach.values import locked
 
@@ -59,6 +60,8 @@ _FOREARM = (
 )
 # An arm that is still so far from its place never gets there [m].
 _LOST = 0.1
+# The pen leans a little, and its circle is tried at some places [m].
+_SLACK = 0.01
 _STUCK = "The arm cannot get from one end of the ink to the other without changing its posture."
 # How near the fingers and the pen come is seen when the motion is planned.
 _FINGERS_AND_PEN = ("l_gripper", "r_gripper", "pen")
@@ -93,27 +96,60 @@ class ArmPosture:
 
 
 def find_posture(
-    solver: Solver, page: Page, low: Array, high: Array, quick: bool = False
-) -> ArmPosture:
-    """Find a posture for a part of a page from `low` to `high` (2,), each one once.
+    solver: Solver, page: Page, low: Array, high: Array, ease: float = np.inf
+) -> Slices[ArmPosture]:
+    """Find a posture for a part of a page from `low` to `high` (2,), each one once, in slices.
 
-    A quick search knows fewer postures: it may find trouble where there is none.
+    A search for one that asks for less than `ease` ends with it, and may find trouble where there
+    is none: it knows fewer postures and leaves each as soon as it asks for more.
     """
-    key = (*(part.tobytes() for part in (page.X_world_page, page.size, low, high)), quick)
+    key = (*(part.tobytes() for part in (page.X_world_page, page.size, low, high)), ease)
     if key not in solver.verdicts:
+        posture = yield from _search(solver, page, low, high, ease)
         if len(solver.verdicts) > 200:
             solver.verdicts.clear()
-        solver.verdicts[key] = _search(solver, page, low, high, _FEW if quick else None)
+        solver.verdicts[key] = posture
     return solver.verdicts[key]
 
 
-def _search(solver: Solver, page: Page, low: Array, high: Array, most: int | None) -> ArmPosture:
+def measure_gap(solver: Solver, page: Page, places: Iterable[Array]) -> Array:
+    """Return how much too short a straight arm is for an upright pen at places (N,), at least [m].
+
+    The pen may turn about itself: its tip sees the wrist somewhere on a circle, and the shoulder
+    goes round the pan axis and up with the torso.
+    """
+    poses = solver.model.link_poses(np.zeros(1), JOINTS[:1])
+    shoulder, wrist, pan = (
+        poses[f"{name}_link"][0, :3, 3] for name in ("shoulder_lift", "wrist_flex", "shoulder_pan")
+    )
+    across, along = np.hypot(*(seen := _see(poses["pen_tip"][0], wrist))[:2]), seen[2]
+    angles = np.linspace(0, 2 * np.pi, 256, endpoint=False)
+    circle = np.stack([across * np.cos(angles), across * np.sin(angles), 0 * angles - along])
+    points = page.to_world(np.array(list(places))[:, None] + circle.T)
+    round_pan = np.linalg.norm(points[..., :2] - pan[:2], axis=-1) - (shoulder - pan)[0]
+    above = points[..., 2] - shoulder[2]
+    above -= np.clip(above, solver.lower[0], solver.upper[0])
+    return np.hypot(round_pan, above).min(axis=1) - np.linalg.norm(wrist - shoulder) - _SLACK
+
+
+def _see(X: Array, point: Array) -> Array:
+    """Return where a frame (4, 4) sees a point (3,)."""
+    return X[:3, :3].T @ (point - X[:3, 3])
+
+
+def _search(solver: Solver, page: Page, low: Array, high: Array, ease: float) -> Slices[ArmPosture]:
     """Return the first comfortable posture, or else the one that asks least of the joints."""
     best = ArmPosture(START_POSTURES[0], trouble=describe_obstacle(page))
     if best.trouble:
         return best
-    for number, start in enumerate(islice(_starts(solver, page), most)):
-        posture = _try_posture(solver, start, page, low, high)
+    if measure_gap(solver, page, list_rim_places(low, high).values()).max() > 0:
+        return ArmPosture(START_POSTURES[0], trouble=_STUCK)
+    quick = ease < np.inf
+    for number, start in enumerate(islice(_starts(solver, page), _FEW if quick else None)):
+        yield "reach", 0.0
+        posture = _try_posture(solver, start, page, (low, high), ease)
+        if quick and not posture.trouble:
+            return posture
         if number == 0 or (bool(posture.trouble), posture.effort) < (
             bool(best.trouble),
             best.effort,
@@ -151,8 +187,11 @@ def _starts(solver: Solver, page: Page) -> Iterator[Array]:
     yield from np.random.default_rng(0).uniform(low, high, (_RANDOM, len(low)))
 
 
-def _try_posture(solver: Solver, start: Array, page: Page, low: Array, high: Array) -> ArmPosture:
+def _try_posture(
+    solver: Solver, start: Array, page: Page, area: tuple[Array, Array], ease: float
+) -> ArmPosture:
     """Go to the middle with the torso, then along the rim and up to the hover without it."""
+    low, high = area
     middle = np.append((low + high) / 2, 0.0)
     solver.stand(start, page.normal, torso=True)
     solver.approach(page.to_world(middle))
@@ -164,20 +203,21 @@ def _try_posture(solver: Solver, start: Array, page: Page, low: Array, high: Arr
         return ArmPosture(q, np.inf, *trouble)
     solver.stand(q, page.normal, torso=False)
     joints: list[Array] = []
-    jacobians: list[Array] = []
+    effort = 0.0
     places = [*list_rim_places(low, high).values(), middle]
     for spot in (spot for place in places for spot in (place, place + np.array([0, 0, HOVER]))):
         solver.glide(page.to_world(spot))
         if trouble := _find_loss(solver, page, spot):
             break
         joints.append(solver.joints())
-        jacobians.append(solver.jacobian())
+        effort = max(effort, _effort_at(solver, page, solver.joints(), solver.jacobian()))
+        if effort >= ease:
+            return ArmPosture(q, effort, _STUCK)
     # What is touched on the way comes before what is lost at its end.
     if trouble := _find_touch(solver, joints) or trouble:
         return ArmPosture(q, np.inf, *trouble)
-    between = _effort_between(solver, np.array(places), np.array(joints[1::2]))
-    at = _effort_at(solver, page, np.array(joints), np.array(jacobians))
-    return ArmPosture(q, max(between, at))
+    effort = max(effort, _effort_between(solver, np.array(places), np.array(joints[1::2])))
+    return ArmPosture(q, effort, _STUCK if effort >= ease else "")
 
 
 def _effort_between(solver: Solver, places: Array, q: Array) -> float:
@@ -232,16 +272,16 @@ def _find_touch(solver: Solver, q: list[Array]) -> tuple[str, bool] | None:
 
 
 def _effort_at(solver: Solver, page: Page, q: Array, J: Array) -> float:
-    """Return what a pen at `SWIFT_WRITING` asks of joints (N, J), in parts of their limits.
+    """Return what a pen at `SWIFT_WRITING` asks of joints (J,), in parts of their limits.
 
     Their speeds are J^+ v, where J holds the tip's velocity and the tilting of the pen; the torso
     stays. A joint at its stop leaves the others a jolt: such a posture is the last to be taken.
     """
-    q = q[:, 1:]
-    J = J[:, :, 1:]
+    q = q[1:]
+    J = J[:, 1:]
     R = page.X_world_page[:3, :3]
     stopped = np.minimum(q - solver.lower[1:], solver.upper[1:] - q) < _STOP
-    turns = np.concatenate([J[:, :3], R[:, :2].T @ J[:, 3:]], axis=1)
-    ways = np.linalg.pinv(turns, rcond=1e-9)[:, :, :3] @ R[:, :2]
-    effort = float((SWIFT_WRITING * np.linalg.norm(ways, axis=2) / solver.fastest[1:]).max())
+    turns = np.concatenate([J[:3], R[:, :2].T @ J[3:]])
+    ways = np.linalg.pinv(turns, rcond=1e-9)[:, :3] @ R[:, :2]
+    effort = float((SWIFT_WRITING * np.linalg.norm(ways, axis=1) / solver.fastest[1:]).max())
     return max(_JAMMED, effort) if stopped.any() else effort

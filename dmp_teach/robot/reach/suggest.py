@@ -15,6 +15,7 @@ from dmp_teach.robot.arm import Solver
 from dmp_teach.robot.model.rotation import turn_about
 from dmp_teach.robot.page import A4, Page
 from dmp_teach.robot.reach.posture import STRAINED_EFFORT, find_posture
+from dmp_teach.robot.slices import Slices
 from dmp_teach.trajectory import Array
 
 Area = tuple[Array, Array]
@@ -46,14 +47,14 @@ class Suggestion:
         return f"Try {self.page!r}."
 
 
-def suggest_page(solver: Solver, page: Page, area: Area) -> Suggestion:
+def suggest_page(solver: Solver, page: Page, area: Area) -> Slices[Suggestion]:
     """Find the nearest page on which the arm reaches all, or else all of the ink, with ease."""
     for sheet in _sheets(page, area):
         for other in _turned(sheet):
             for part in (whole_area(other), area):
                 best = _best_place(other, part)
-                if _reached_with_ease(solver, best, part):
-                    found = _nearest(solver, other, best, part)
+                if (yield from _reached_with_ease(solver, best, part)):
+                    found = yield from _nearest(solver, other, best, part)
                     R = found.X_world_page[:3, :3]
                     moved = _distance(found, page)
                     same = sheet is page and np.allclose(R, page.X_world_page[:3, :3], atol=1e-5)
@@ -61,7 +62,8 @@ def suggest_page(solver: Solver, page: Page, area: Area) -> Suggestion:
     usual = getattr(Page, page.kind)
     middle = usual(width=page.width, height=page.height)
     spot = (np.array([-0.05, -0.05]), np.array([0.05, 0.05]))
-    return Suggestion(middle if _reached_with_ease(solver, middle, spot) else usual(), False)
+    reached = yield from _reached_with_ease(solver, middle, spot)
+    return Suggestion(middle if reached else usual(), False)
 
 
 def list_other_pages(page: Page, area: Area) -> Iterator[Page]:
@@ -79,10 +81,9 @@ def whole_area(page: Page) -> Area:
     return -page.size / 2, page.size / 2
 
 
-def _reached_with_ease(solver: Solver, page: Page, area: Area) -> bool:
+def _reached_with_ease(solver: Solver, page: Page, area: Area) -> Slices[bool]:
     """Whether the arm reaches a part of a page without stretching out."""
-    posture = find_posture(solver, page, *area, quick=True)
-    return not posture.trouble and posture.effort < _EASE
+    return not (yield from find_posture(solver, page, *area, _EASE)).trouble
 
 
 def _sheets(page: Page, area: Area) -> Iterator[Page]:
@@ -123,20 +124,22 @@ def _best_place(page: Page, area: Area) -> Page:
     return page.moved(np.round(centre + shift, 2) - centre)
 
 
-def _nearest(solver: Solver, page: Page, best: Page, area: Area) -> Page:
+def _nearest(solver: Solver, page: Page, best: Page, area: Area) -> Slices[Page]:
     """Return the least move to a page that works: along one axis of the world, or two, or three."""
-    if _reached_with_ease(solver, page, area):
+    if (yield from _reached_with_ease(solver, page, area)):
         return page
     move = best.X_world_page[:3, 3] - page.X_world_page[:3, 3]
     for axes in (np.eye(3), 1 - np.eye(3), np.ones((1, 3))):
-        moves = [part for part in move * axes if _reached_with_ease(solver, page.moved(part), area)]
-        if moves:
-            found = [_shorten(solver, page, part, area) for part in moves]
+        found = []
+        for part in move * axes:
+            if (yield from _reached_with_ease(solver, page.moved(part), area)):
+                found.append((yield from _shorten(solver, page, part, area)))
+        if found:
             return min(found, key=lambda other: _distance(other, page))
     return best
 
 
-def _shorten(solver: Solver, page: Page, move: Array, area: Area) -> Page:
+def _shorten(solver: Solver, page: Page, move: Array, area: Area) -> Slices[Page]:
     """Return the page moved by only as much of a move as is needed, found by halving."""
     best = page.moved(move)
     works = 1.0
@@ -145,7 +148,7 @@ def _shorten(solver: Solver, page: Page, move: Array, area: Area) -> Page:
         part = (works + fails) / 2
         centre = page.X_world_page[:3, 3]
         tried = page.moved(np.where(move == 0, 0, np.round(centre + part * move, 2) - centre))
-        if _reached_with_ease(solver, tried, area):
+        if (yield from _reached_with_ease(solver, tried, area)):
             best = tried
             works = part
         else:
