@@ -5,6 +5,21 @@ import { affinePoints, unpack } from "../panels/affine.js";
 
 /** @typedef {Record<string, any>} Values what is set, by the names of the knobs */
 
+/** @type {WeakMap<object, any>} what each part of a picture was resolved to last */
+const LAST = new WeakMap();
+
+/**
+ * What came out last where all its parts are the same, so that nobody draws anew what stands still.
+ * @param {object} drawing
+ * @param {any} parts
+ */
+function same(drawing, parts) {
+  const last = LAST.get(drawing);
+  if (last && Object.keys(parts).every((name) => parts[name] === last[name])) return last;
+  LAST.set(drawing, parts);
+  return parts;
+}
+
 /**
  * Points [x, y]; one that is not a number breaks a line and comes as null.
  * @param {DataView} base
@@ -25,13 +40,19 @@ function points(base, terms, values) {
  * @returns {any}
  */
 export function resolve(drawing, values, knobs) {
-  if (drawing instanceof DataView) return points(drawing, {}, values);
-  if (Array.isArray(drawing)) return drawing.map((each) => resolve(each, values, knobs));
+  if (drawing instanceof DataView) {
+    if (!LAST.has(drawing)) LAST.set(drawing, points(drawing, {}, values));
+    return LAST.get(drawing);
+  }
+  if (Array.isArray(drawing)) {
+    const each = drawing.map((part) => resolve(part, values, knobs));
+    return same(drawing, each);
+  }
   if (!drawing || typeof drawing !== "object") return drawing;
   if (drawing.base instanceof DataView) return points(drawing.base, drawing.terms, values);
   if (drawing.pick) return resolve(picked(drawing, values, knobs), values, knobs);
   const parts = Object.entries(drawing).map(([name, each]) => [name, resolve(each, values, knobs)]);
-  return Object.fromEntries(parts);
+  return same(drawing, Object.fromEntries(parts));
 }
 
 /**
