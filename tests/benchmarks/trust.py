@@ -43,8 +43,8 @@ def run(folder, *command, must_work=True):
 
 def measure_coverage(folder):
     """Statements, branches and branches taken, by room."""
-    sources = ",".join(f"dmp_teach/{room}/*" for room in ROOMS)
-    run(ROOT, "coverage", "run", "--branch", f"--include={sources}", f"--data-file={folder}/data",
+    sources = ",".join(f"dmp_teach.{room}" for room in ROOMS)
+    run(ROOT, "coverage", "run", "--branch", f"--source={sources}", f"--data-file={folder}/data",
         "-m", "pytest", "-q", *TESTS)  # fmt: skip
     run(ROOT, "coverage", "json", "-q", f"--data-file={folder}/data", "-o", f"{folder}/c.json")
     found = {room: Counter() for room in ROOMS}

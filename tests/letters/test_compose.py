@@ -69,6 +69,8 @@ def test_twice_the_weights_are_twice_the_stroke_and_turned_weights_the_stroke_tu
     assert larger[:, 1].min() == pytest.approx(led.drawn.position[:, 1].min(), abs=1e-9)
     c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
     np.testing.assert_allclose(turned - turned[0], way @ np.array([[c, s], [-s, c]]), atol=1e-9)
+    middle, was = ((path.min(0) + path.max(0)) / 2 for path in (turned, led.drawn.position))
+    np.testing.assert_allclose(middle, was, atol=1e-9)
 
 
 def test_weights_stay_the_writers_own():

@@ -61,6 +61,7 @@ def test_cuts_are_learned_and_saved(tmp_path):
             r"cut is at 99.0 s, but must be a time of the recording, from 0.000",
         ),
         (lambda d: d.with_strokes([(0.6, float("nan"))]), "cut is at nan s"),
+        (lambda d: d.with_strokes([("0.6", 1.2)]), "cut is at '0.6' s"),
         (lambda d: d.with_strokes([0.6, 1.2]), r"must be pairs \(first, last\) of times"),
         (lambda d: d.with_strokes(3), r"must be pairs \(first, last\) of times"),
     ],
