@@ -64,8 +64,10 @@ class PageWriter:
             parts += [f"### {letter}", "`teach.view(motion)`"]
             parts += self._show(view(motion), f"robot_{ord(letter)}")
         parts.append("## The paper's figures")
+        told = " ".join((inspect.getdoc(figure) or "").split("\n\n")[1].split())
+        shown = dict(each.split(" ", 1) for each in told.split(". Figures")[0].split("; "))
         for number in figures:
-            parts += [f"### Figure {number}", f"`teach.figure({number})`"]
+            parts += [f"### Figure {number}: {shown[str(number)]}", f"`teach.figure({number})`"]
             parts += self._show(figure(number), f"figure_{number}")
         return self._write("gallery/index.md", parts)
 
