@@ -44,12 +44,12 @@ LETTER = (wave(1.0, seed=1, start=0.4), wave(0.8, seed=2, start=1.9))
 
 
 @st.composite
-def letters(draw):
+def letters(draw, rates=(60, 120, 240, 100)):
     """One to three strokes on one clock, of 15 to 190 mm, as slow and as fast as people write."""
     size, clock, strokes = draw(st.floats(0.015, 0.1)), 0.0, []
     for _ in range(draw(st.integers(1, 3))):
         duration = draw(st.floats(0.3, 2.5))
-        rate = draw(st.sampled_from([60, 120, 240, 100]))
+        rate = draw(st.sampled_from(rates))
         strokes.append(
             wave(
                 duration,

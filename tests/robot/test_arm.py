@@ -37,7 +37,8 @@ def test_the_tip_follows_the_letter_and_no_limit_is_broken(letter, page):
 
 
 @pytest.mark.usefixtures("each_solver")
-@law(examples=8, letter=ink.letters(), faster=st.floats(2, 8), page=st.sampled_from(SHEETS))
+# Samples so dense that fast and large ink has no jump between two.
+@law(examples=8, letter=ink.letters((240,)), faster=st.floats(2, 8), page=st.sampled_from(SHEETS))
 def test_too_fast_is_slowed_and_said(letter, faster, page):
     hasty = tuple(Trajectory(s.t / faster, s.position) for s in letter)
     motion = Fetch().write(hasty, page, size=ink.fitting(hasty, page))
