@@ -62,6 +62,16 @@ CLEAR = """() => {
     window.jupyterapp.shell.currentWidget.content.activeCellIndex = 0;
 }"""
 
+# Another notebook in the same JupyterLab, its kernel new and nothing remembered.
+OPEN = """async (path) => {
+    const { shell, commands } = window.jupyterapp;
+    const old = shell.currentWidget;
+    await old.sessionContext.shutdown();
+    old.dispose();
+    sessionStorage.clear();
+    await commands.execute('docmanager:open', { path, factory: 'Notebook' });
+}"""
+
 ASK = """async (code) => {
     const kernel = window.jupyterapp.shell.currentWidget.sessionContext.session.kernel;
     const request = {code: '', silent: true, user_expressions: {it: code}};
@@ -226,7 +236,7 @@ def run_all(page):
 
 @pytest.fixture(scope="module")
 def kept():
-    """Pages that tests of one file share: (notebook, its window) -> page."""
+    """Pages that tests of one file share: (view, its window) -> page."""
     pages = {}
     yield pages
     for page in pages.values():
@@ -242,26 +252,31 @@ def close(page):
 def open_notebook(chromium, lab, shot, kept):
     """Open a notebook of the copy in JupyterLab, run its cells, and watch it to the end.
 
-    With `again` a page on which another test of the file has run these cells runs them anew: for
-    tests that change nothing beyond what the cells make.
+    With `shared` it opens in the JupyterLab of another test of the file, its kernel new; with
+    `again` the kernel is the one in which these cells have run, too: for tests that change nothing
+    beyond what the cells make.
     """
     pages = []
 
-    def open_it(name, run=True, view="lab", again=False, **context):
+    def open_it(name, run=True, view="lab", again=False, shared=False, **context):
         surroundings = {"viewport": {"width": 1280, "height": 1400}, **context}
         size = surroundings.pop("viewport")
-        key = (name, str(surroundings))
-        page = kept.pop(key, None) if again else None
+        key = (view, str(surroundings)) if again or shared else None
+        page = kept.pop(key, None)
         if page:
             page.set_viewport_size(size)
+        if page and again and page.shows == name:
             page.evaluate(CLEAR)
             page.evaluate(ASK, FORGET)
+        elif page:
+            page.evaluate(OPEN, f"notebooks/{name}")
         else:
             page = chromium.new_context(viewport=size, **surroundings).new_page()
             listen(page)
             page.set_default_timeout(PATIENCE / 4)
             page.goto(f"{lab.url}/{view}/tree/notebooks/{name}?reset&token={TOKEN}")
-        pages.append((page, key if again else None))
+        page.shows = name
+        pages.append((page, key))
         try:
             page.wait_for_function(f"() => ({STATE})()?.status === 'idle'", timeout=PATIENCE)
             if run:

@@ -13,8 +13,9 @@ PAD = "import dmp_teach as teach\npad = teach.pad()\npad"
 
 def open_pad(open_notebook, lab, **context):
     """The page with the pad, scrolled into sight."""
-    if not context.get("again"):
-        (lab.folder / "pad.ipynb").write_text(notebook_of(PAD))
+    notebook = lab.folder / "pad.ipynb"
+    if not (context.get("again") and notebook.exists()):
+        notebook.write_text(notebook_of(PAD))
     page = open_notebook("pad.ipynb", **context)
     page.wait_for_selector(".dt-pad[data-dt-drawing]")
     into_sight(page)

@@ -51,7 +51,8 @@ def lesson(open_notebook):
     """Open a lesson's notebook; its panel wakes by itself."""
 
     def open_it(key):
-        page = open_notebook(notebook_of(key), run=False, view="doc", viewport=SMALL_LAPTOP)
+        name, window = notebook_of(key), {"viewport": SMALL_LAPTOP}
+        page = open_notebook(name, run=False, view="doc", shared=True, **window)
         page.wait_for_selector(".dt-lesson[data-dt-drawing]")
         page.locator(".dt-lesson").scroll_into_view_if_needed()
         return page

@@ -10,12 +10,15 @@ LAPTOP = {"viewport": {"width": 1366, "height": 768}}
 WRITE = "Robot, write it"
 
 
-@pytest.fixture
-def panel(open_notebook, lab):
+@pytest.fixture(scope="module")
+def notebook(lab):
     (lab.folder / NOTEBOOK).write_text(notebook_of("import dmp_teach as teach\nteach.explore()"))
 
+
+@pytest.fixture
+def panel(open_notebook, notebook):
     def open_panel(**context):
-        page = open_notebook(NOTEBOOK, **context)
+        page = open_notebook(NOTEBOOK, again=True, **context)
         page.wait_for_selector(".dt-explore[data-dt-drawing]")
         page.locator(".dt-stage").evaluate("node => node.scrollIntoView({ block: 'start' })")
         page.wait_for_selector(".dt-robot img")
@@ -136,7 +139,8 @@ def test_a_kernel_that_was_started_anew_does_not_answer_and_the_picture_stays(pa
 
 
 def test_in_colours_of_ones_own_the_line_stands_out_from_the_sheet_in_both_themes(panel):
-    page = panel(forced_colors="active")
+    page = panel()
+    page.emulate_media(forced_colors="active")
     for light in ("true", "false"):
         page.evaluate(f"() => document.body.dataset.jpThemeLight = '{light}'")
         line = page.locator(".dt-paper .dt-robot-line").evaluate(

@@ -55,7 +55,7 @@ def files(lab):
 
 
 def test_a_child_writes_by_mouse_and_the_robot_learns_shows_and_writes_it(panel, lab, ask, shot):
-    page = panel()
+    page = panel(again=True)
     shot(page, "pad_empty")
     sheet = Sheet(page, ask)
     drawn = sheet.on_screen(letter(size=0.9))
@@ -98,7 +98,7 @@ def test_a_child_writes_by_mouse_and_the_robot_learns_shows_and_writes_it(panel,
 def test_the_robot_shows_its_letter_and_writes_it_and_only_save_writes_a_file(
     panel, lab, ask, shot
 ):
-    page = panel()
+    page = panel(again=True)
     page.evaluate(GROWING)
     press(page, "Show it")
     page.wait_for_selector(".dt-pad[data-dt-showing]")
@@ -183,7 +183,7 @@ def test_a_saved_notebook_holds_no_ink_and_its_panel_says_how_to_wake_it(
 
 
 def test_after_a_restart_a_press_leads_to_the_sentence_that_the_pad_does_not_answer(panel, shot):
-    page = panel(viewport={"width": 1280, "height": 700})
+    page = panel(again=True, viewport={"width": 1280, "height": 700})
     page.evaluate(RESTART)
     page.wait_for_timeout(1000)
     press(page, "Robot, write it")

@@ -5,7 +5,6 @@ import pytest
 
 import dmp_teach
 from tests.browser.pads import (
-    PAD,
     Sheet,
     by_mouse,
     caught,
@@ -15,7 +14,6 @@ from tests.browser.pads import (
     press,
     strokes,
 )
-from tests.browser.test_lab import notebook_of
 
 LEFT, RIGHT = (f".dt-stage > div:{which}-child" for which in ("first", "last"))
 ONE_LINE = 1.7  # of its font's size: what is higher has wrapped
@@ -26,13 +24,8 @@ LINES = """nodes => nodes.map((node) => {
 })"""
 
 
-@pytest.fixture(scope="module")
-def notebook(lab):
-    (lab.folder / "pad.ipynb").write_text(notebook_of(PAD))
-
-
 @pytest.fixture
-def panel(open_notebook, lab, notebook):
+def panel(open_notebook, lab):
     return lambda again=True, **context: open_pad(open_notebook, lab, again=again, **context)
 
 
