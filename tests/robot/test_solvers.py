@@ -105,7 +105,7 @@ def test_two_plans_in_slices_do_not_move_the_arm_of_each_other():
 
 def test_a_refusal_is_found_in_slices_between_which_stop_is_heard():
     strokes = teach.Letter.learn(teach.recording_of("l")).write()
-    stopped = teach.Fetch().write_in_slices(strokes, Page.table(x=1.3))
+    stopped = teach.Fetch().write_in_slices(strokes, Page.table(x=1.317, y=0.013))
     reached = [next(stopped) for _ in range(40)]
     stopped.close()
     assert {step for step, _ in reached} == {"reach"}
