@@ -21,7 +21,8 @@ def contents(path: str | os.PathLike[str]) -> tuple[bytes, str]:
         RecordingError: Not a path, no such file, a folder, a pipe or a device, empty, or larger
             than `LARGEST_FILE`.
     """
-    if not isinstance(path, str | os.PathLike) or not isinstance(os.fspath(path), str):
+    named = os.fspath(path) if isinstance(path, str | os.PathLike) else None
+    if not isinstance(named, str) or not named:
         raise RecordingError(
             f"path is {path!r}, but must be the name of a file, such as 'a_w01.csv'."
         )
@@ -30,9 +31,7 @@ def contents(path: str | os.PathLike[str]) -> tuple[bytes, str]:
     try:
         about = path.stat()
         if stat.S_ISDIR(about.st_mode):
-            raise RecordingError(
-                f"{name} is a folder, but must be one recording: a .csv or .json file in it."
-            )
+            raise RecordingError(f"{name} is a folder; give the name of a file in it.")
         if not stat.S_ISREG(about.st_mode):
             raise RecordingError(
                 f"{name} is a pipe or a device, but must be an ordinary file; save the ink in one."
@@ -48,6 +47,8 @@ def contents(path: str | os.PathLike[str]) -> tuple[bytes, str]:
         raise RecordingError(
             f"{name} cannot be read: {error.strerror or error}. Check the path."
         ) from None
+    except RecordingError:
+        raise
     except ValueError as error:
         raise RecordingError(f"{name!r} cannot be the name of a file: {error}.") from None
     if not data.strip():

@@ -188,8 +188,9 @@ def test_what_is_no_saved_letter_is_refused(tmp_path):
         Letter.load(recording_path)
     with pytest.raises(LetterError, match=r"b\.json cannot be read: No such file"):
         Letter.load(tmp_path / "b.json")
-    with pytest.raises(LetterError, match="must be the name of a file"):
-        Letter.load(3)
+    for named in (3, ""):
+        with pytest.raises(LetterError, match="must be the name of a file"):
+            Letter.load(named)
 
 
 @pytest.mark.skipif(os.name == "nt", reason="Windows has no rights of this kind")
