@@ -34,7 +34,7 @@ def lesson(lab, open_notebook):
 def test_a_lesson_wakes_by_itself_and_stands_alone_until_the_menus_are_wanted(
     lesson, shot, width, height
 ):
-    page = lesson(START, viewport={"width": width, "height": height})
+    page = lesson(START, viewport={"width": width, "height": height}, shared=True)
     page.wait_for_selector(PANEL, timeout=PATIENCE)
     shot(page, f"lesson_view_{width}")
     assert page.locator(JUPYTERS).locator("visible=true").count() == 0
