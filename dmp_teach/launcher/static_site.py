@@ -17,6 +17,7 @@ from typing import Any
 from dmp_teach.errors import SetupError
 from dmp_teach.launcher.lab import CONFIG, EXTENSIONS, FIRST_NOTEBOOK, NOTEBOOKS, PINS, ROOT, say
 from dmp_teach.launcher.site_packages import PAGE, call, make_packages
+from dmp_teach.texts import gettext as _
 
 CACHE = ROOT / ".site"
 TOOLS = PAGE / "tools.txt"
@@ -88,7 +89,14 @@ def finish(made: Path) -> None:
     door = made / "index.html"
     first = f'<script>location.replace("lab/index.html?path={FIRST_NOTEBOOK}");</script>'
     door.write_text(door.read_text().replace("<head>", "<head>" + first, 1))
-    (made / MARK).write_text(json.dumps({"lessons": digest(NOTEBOOKS)}))
+    page = made / "lab" / "index.html"
+    words = {
+        "ready": _("The robot is getting ready."),
+        "time": _("The first time takes longest: half a minute."),
+    }
+    coming = (PAGE / "coming.html").read_text().format_map(words)
+    page.write_text(page.read_text().replace("<noscript>", coming + "<noscript>", 1))
+    (made / MARK).touch()
 
 
 def install_tools(tools: Path, wanted: Path) -> None:
@@ -120,6 +128,8 @@ def write_settings(lite: Path, loaded: list[str]) -> None:
     kernel = {
         "disablePyPIFallback": True,
         "loadPyodideOptions": {
+            # JSON's null is None, as in every other kernel.
+            "convertNullToNone": True,
             "packages": loaded,
             "env": {
                 "JUPYTER_WIDGETS_ECHO": "0",
@@ -129,15 +139,12 @@ def write_settings(lite: Path, loaded: list[str]) -> None:
     }
     content: dict[str, Any] = {
         "appName": "dmp_teach",
-        "contentsStorageName": f"dmp_teach {digest(NOTEBOOKS)[:16]}",
-        "settingsStorageName": "dmp_teach settings",
-        "workspacesStorageName": "dmp_teach workspaces",
         "disabledExtensions": [
             *config["disabledExtensions"],
             "@jupyterlite/application-extension:share-file",
         ],
         "litePluginSettings": {f"{KERNEL}:kernel": kernel},
-        "dmpTeachSite": True,
+        "dmpTeachSite": versions_of(NOTEBOOKS),
     }
     (lite / "lab").mkdir()
     for place, said in {"": content, "lab": {"mode": "single-document"}}.items():
@@ -160,10 +167,10 @@ def build(tools: Path, lite: Path, folder: Path) -> None:
     )
 
 
-def digest(folder: Path) -> str:
-    """Return a digest of the lessons: copies that a browser keeps belong to one of them."""
-    contents = [path.read_bytes() for path in sorted(folder.glob("*.ipynb"))]
-    return hashlib.sha256(b"".join(contents)).hexdigest()
+def versions_of(folder: Path) -> dict[str, str]:
+    """Return a digest of each lesson: the copy that a browser keeps belongs to one of them."""
+    lessons = sorted(folder.glob("*.ipynb"))
+    return {path.name: hashlib.sha256(path.read_bytes()).hexdigest()[:16] for path in lessons}
 
 
 if __name__ == "__main__":

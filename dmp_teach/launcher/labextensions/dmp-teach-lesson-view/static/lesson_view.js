@@ -62,6 +62,30 @@ async function countRuns(kernel) {
   return (await kernel.requestExecute(nothing).done).content.execution_count;
 }
 
+/**
+ * On our static site: drop the browser's copies of lessons that were corrected since. Other copies
+ * keep what a pupil wrote.
+ * @param {any} app
+ */
+async function dropCorrected({ serviceManager: { contents } }) {
+  const place = `dmp_teach lessons ${config.baseUrl}`;
+  const known = JSON.parse(localStorage.getItem(place) ?? "{}");
+  for (const [path, version] of Object.entries(config.dmpTeachSite))
+    if (known[path] && known[path] !== version) await contents.delete(path);
+  localStorage.setItem(place, JSON.stringify(config.dmpTeachSite));
+}
+
+/**
+ * Draw more of the picture that is shown while a lesson loads, or take it away.
+ * @param {number} part
+ */
+function showComing(part) {
+  const picture = document.getElementById("dt-coming");
+  picture?.style.setProperty("--dt-part", String(part));
+  picture?.setAttribute("aria-valuenow", String(100 * part));
+  if (part === 1) picture?.remove();
+}
+
 /** @type {WeakSet<object>} lessons that were left, and whose kernels are ended */
 const ended = new WeakSet();
 
@@ -89,11 +113,14 @@ async function leave({ content, sessionContext }) {
  */
 async function wake({ commands }, notebook) {
   const { context, content, sessionContext } = notebook;
-  await Promise.all([context.ready, notebook.revealed, sessionContext.ready]);
+  await Promise.all([context.ready, notebook.revealed]);
+  showComing(0.4);
+  await sessionContext.ready;
   if (ended.delete(sessionContext)) await sessionContext.startKernel();
   // The bar has it.
   content.widgets.find((/** @type {any} */ cell) => cell.model.getMetadata(STRIP))?.hide();
   const cell = content.widgets.find(isCode);
+  showComing(0.6);
   const kernel = sessionContext.session?.kernel;
   if (!kernel || !cell || !isHarmless(cell.model.sharedModel.getSource())) return;
   // In sight are the lesson's words and its panel; the code comes back with the menus.
@@ -215,7 +242,7 @@ async function lessonView(app) {
     if (config.dmpTeachSite) history.replaceState(null, "", addressOf(notebook.context.path));
     showMenus(app, menus.ariaPressed === "true");
     drawLessons(app, strip);
-    wake(app, notebook);
+    wake(app, notebook).finally(() => showComing(1));
   };
   app.shell.currentChanged.connect((/** @type {any} */ _, /** @type {any} */ { oldValue }) => {
     show();
@@ -260,8 +287,10 @@ const STYLE = `
 const plugin = {
   id: `${NAME}:plugin`,
   autoStart: true,
-  activate: (/** @type {any} */ app) => {
+  activate: async (/** @type {any} */ app) => {
     if (config.mode !== "single-document") return;
+    showComing(0.2);
+    if (config.dmpTeachSite) await dropCorrected(app);
     // JupyterLite would do so later, after its folder has been opened beside the lesson.
     app.shell.mode = config.mode;
     app.restored.then(() => lessonView(app));
