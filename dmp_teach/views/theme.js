@@ -23,6 +23,10 @@ export function followTheme(el, signal) {
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", follow, { signal });
 }
 
+/** @returns {"light" | "dark"} */
+export const themeOf = (/** @type {HTMLElement} */ el) =>
+  el.closest("[data-dt-dark]") ? "dark" : "light";
+
 /** Whether a colour is light, in any notation that the browser knows. */
 function isLight(/** @type {string} */ color) {
   brush ??= Object.assign(document.createElement("canvas"), { width: 1, height: 1 }).getContext(

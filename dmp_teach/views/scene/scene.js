@@ -2,6 +2,7 @@
 
 import { hear, keepKeys, make, save } from "../dom.js";
 import { useTexts } from "../texts.js";
+import { themeOf } from "../theme.js";
 import { told } from "../told.js";
 import { choices } from "./choices.js";
 import { ForceStrip } from "./force.js";
@@ -107,7 +108,7 @@ class View {
       picture.resize();
       this.strip.draw();
     });
-    const light = new MutationObserver(() => picture.sky(this.theme()));
+    const light = new MutationObserver(() => picture.sky(themeOf(this.host)));
     seen.observe(this.stage);
     size.observe(this.box);
     light.observe(this.host, { attributes: true, attributeFilter: ["data-dt-dark"] });
@@ -117,10 +118,6 @@ class View {
       for (const observer of [seen, size, light]) observer.disconnect();
       this.still.removeEventListener("change", face);
     };
-  }
-
-  theme() {
-    return this.host.closest("[data-dt-dark]") ? "dark" : "light";
   }
 
   leave() {
@@ -199,7 +196,7 @@ class View {
     const { model, picture } = this;
     if (picture.viewer || picture.gone) return;
     try {
-      await picture.wake(model.get("viewer"), model.get("robot"), this.run, this.theme());
+      await picture.wake(model.get("viewer"), model.get("robot"), this.run, themeOf(this.host));
       this.show(this.time);
     } catch (error) {
       console.warn(error);
