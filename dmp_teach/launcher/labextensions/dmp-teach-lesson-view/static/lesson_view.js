@@ -53,11 +53,8 @@ function make(tag, properties, ...children) {
   return made;
 }
 
-/**
- * Return how often a kernel has run a cell.
- * @param {any} kernel
- */
-async function countRuns(kernel) {
+/** Return how often a kernel has run a cell. */
+async function countRuns(/** @type {any} */ kernel) {
   const nothing = { code: "", silent: true, store_history: false };
   return (await kernel.requestExecute(nothing).done).content.execution_count;
 }
@@ -75,11 +72,8 @@ async function dropCorrected({ serviceManager: { contents } }) {
   localStorage.setItem(place, JSON.stringify(config.dmpTeachSite));
 }
 
-/**
- * Draw more of the picture that is shown while a lesson loads, or take it away.
- * @param {number} part
- */
-function showComing(part) {
+/** Draw more of the picture that is shown while a lesson loads, or take it away. */
+function showComing(/** @type {number} */ part) {
   const picture = document.getElementById("dt-coming");
   picture?.style.setProperty("--dt-part", String(part));
   picture?.setAttribute("aria-valuenow", String(100 * part));
@@ -141,11 +135,8 @@ async function wake({ commands }, notebook) {
   await context.save();
 }
 
-/**
- * Run the chosen cell, or the next one below it that can be run, and choose the one after it.
- * @param {any} app
- */
-function runNext({ shell, commands }) {
+/** Run the chosen cell, or the next one below it that can be run, and choose the one after it. */
+function runNext(/** @type {any} */ { shell, commands }) {
   const { content } = shell.currentWidget;
   const from = content.activeCellIndex;
   const next = content.widgets.findIndex(
