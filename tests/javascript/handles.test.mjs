@@ -19,6 +19,7 @@ function bet(axis, count = 5) {
   const handles = new Handles({ onHandle: (i, at, isDone) => heard.push([i, at, isDone]) });
   const scene = Array.from({ length: count }, (_, i) => ({
     at: [2 * i + 1, 5],
+    first: [2 * i + 1, 5],
     label: `Point ${i + 1}`,
     text: "5 mm",
     axis,
@@ -142,6 +143,30 @@ test("a dash in the middle is no line: it is taken back, and said; a long line i
   draw([145, 50], [175, 90]);
   assert.equal(said, 1);
   assert.equal(heard.filter(([, , isDone]) => isDone).length, 2);
+  const line = handles.handles.map(({ at }) => at);
+  draw([100, 50], [130, 50]);
+  assert.equal(said, 2);
+  assert.deepEqual(
+    handles.handles.map(({ at }) => at),
+    line,
+  );
+  assert.doesNotMatch(text(handles.knobs.children[4]), /not moved yet/);
+});
+
+test("a bet that was made before the page was loaded anew is moved by its handles", () => {
+  const { handles, scene, knobs } = bet("xy");
+  handles.draw(
+    scene.map((each) => ({ ...each, at: [each.at[0], 7] })),
+    VIEW,
+  );
+  assert.equal(text(knobs[2]), "5 mm");
+  handles.press([50, 30]);
+  handles.move([[50, 10]]);
+  handles.drop();
+  assert.deepEqual(
+    handles.handles.map(({ at }) => at[1]),
+    [7, 7, 9, 7, 7],
+  );
 });
 
 test("a line is drawn from its first handle, and again; later ones are moved", () => {

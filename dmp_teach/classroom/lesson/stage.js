@@ -192,6 +192,7 @@ export class Stage {
     if (!this.isBetting) return this.isMoved ? { bet: this.bet } : {};
     const handles = this.bet.map((at, i) => ({
       at,
+      first: bet.handles[i],
       label: bet.labels[i],
       text: bet.unit ? `${Number(at[1].toPrecision(2))} ${bet.unit}` : spokenPlace(at),
       axis: bet.axis,

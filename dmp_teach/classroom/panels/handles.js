@@ -15,9 +15,8 @@ import { pathOf, within } from "./scales.js";
  */
 /**
  * @typedef {{
- *   at: Place, label: string, text: string, axis: "y" | "xy", step: number, moved?: boolean,
- * }} Handle `text` is what is shown and read; where `moved` is not given, those count that were
- *   moved by hand
+ *   at: Place, first: Place, label: string, text: string, axis: "y" | "xy", step: number,
+ * }} Handle `text` is what is shown and read, `first` where it was before anyone moved it
  */
 
 const CATCH = 22;
@@ -47,8 +46,6 @@ export class Handles {
     this.handles = [];
     /** @type {Ground | null} */
     this.view = null;
-    /** @type {Set<number>} */
-    this.touched = new Set();
     /**
      * @type {{
      *   i: number, off: Place, from: Place, stroke?: Place[], before: Place[], moved?: boolean,
@@ -70,7 +67,6 @@ export class Handles {
 
   draw(/** @type {Handle[]} */ handles, /** @type {Ground} */ view) {
     if (handles.length !== this.handles.length) {
-      this.touched.clear();
       this.held = null;
       this.current = 0;
     }
@@ -89,10 +85,10 @@ export class Handles {
     this.line.setAttribute("d", pathOf(places, view.px));
     while (knobs.childElementCount > handles.length) knobs.lastChild.remove();
     while (knobs.childElementCount < handles.length) knobs.append(this.knob());
-    for (const [i, { at, label, text, axis, moved }] of handles.entries()) {
+    for (const [i, { at, label, text, axis }] of handles.entries()) {
       const [x, y] = view.px(at);
       const knob = knobs.children[i];
-      const isFresh = !(moved ?? this.touched.has(i));
+      const isFresh = this.isFresh(handles[i]);
       // More numbers than two would lie over each other.
       const isTold = !isFresh && axis === "y" && handles.length <= 2;
       const [low, high] = [view.metres([x, bottom])[1], view.metres([x, top])[1]];
@@ -129,6 +125,11 @@ export class Handles {
     );
   }
 
+  /** Whether nobody has moved a handle, also before the page was loaded anew. */
+  isFresh(/** @type {Handle} */ { at, first }) {
+    return distance(this.view.px(at), this.view.px(first)) < 0.5;
+  }
+
   /** Where the handles are [px]. */
   pixels() {
     return this.handles.map(({ at }) => this.view.px(at));
@@ -140,7 +141,7 @@ export class Handles {
     const near = nearest(pixels, at);
     const isRow = this.handles[0].axis === "y";
     // A line is drawn from its start, which is where the first handle is.
-    const draws = !isRow && (near === 0 || !this.touched.size);
+    const draws = !isRow && (near === 0 || this.handles.every((each) => this.isFresh(each)));
     const isOn = !draws && distance(pixels[near], at) <= CATCH;
     const i = isRow && !isOn ? nearest(pixels, at, 0) : near;
     const off = isOn ? [pixels[i][0] - at[0], pixels[i][1] - at[1]] : [0, 0];
@@ -180,15 +181,10 @@ export class Handles {
   drop() {
     const { held } = this;
     const isShort = held?.moved && held.stroke && this.isShort(held.stroke, held.before);
-    if (isShort) {
-      this.put(new Map(held.before.entries()), false);
-      this.touched.clear();
-    }
+    if (isShort) this.put(new Map(held.before.entries()), false);
     this.held = null;
-    if (isShort) {
-      this.redraw();
-      this.onShort?.();
-    } else if (held?.moved) this.onHandle?.(held.i, this.handles[held.i].at, true);
+    if (isShort) this.onShort?.();
+    else if (held?.moved) this.onHandle?.(held.i, this.handles[held.i].at, true);
   }
 
   /**
@@ -217,8 +213,6 @@ export class Handles {
       const isIn = inside[0] === x && inside[1] === y;
       const at = isIn ? place : this.view.metres(inside);
       each.at = each.axis === "y" ? [each.at[0], at[1]] : at;
-      each.moved = undefined;
-      this.touched.add(i);
     }
     if (this.held) this.held.moved = true;
     this.redraw();
