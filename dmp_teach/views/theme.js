@@ -33,6 +33,7 @@ function isLight(/** @type {string} */ color) {
     "2d",
     { willReadFrequently: true },
   );
+  brush.clearRect(0, 0, 1, 1);
   brush.fillStyle = color;
   brush.fillRect(0, 0, 1, 1);
   const [red, green, blue] = brush.getImageData(0, 0, 1, 1).data;
