@@ -1,6 +1,7 @@
 """The start panel, by setting its values."""
 
 import asyncio
+import sys
 import threading
 from pathlib import Path
 
@@ -13,6 +14,7 @@ from dmp_teach.classroom.panels.explore import explore
 from dmp_teach.ink.alphabet import characters
 from dmp_teach.ink.recording import Recording
 from dmp_teach.ink.recording_json import read_json, write_json
+from dmp_teach.views import SceneView
 from tests.classroom.browser import send
 
 
@@ -105,6 +107,35 @@ def test_the_three_dimensions_are_sent_only_when_the_robot_is_asked_to_write(pan
     panel.write()
     assert panel.scene.camera == "over the shoulder"
     assert panel.scene.playing
+
+
+def refuse(*args, **traits):
+    raise AssertionError
+
+
+def test_a_view_that_cannot_be_made_ends_the_job_with_a_sentence(panel, monkeypatch):
+    monkeypatch.setattr(SceneView, "__init__", refuse)
+
+    async def fail_late():
+        asyncio.get_running_loop().set_exception_handler(lambda loop, context: raised.append(1))
+        panel.write()
+        while panel.work["state"] == "working":
+            await asyncio.sleep(0.01)
+
+    raised = []
+    asyncio.run(fail_late())
+    assert raised, "the fault is told to the kernel, too"
+    assert panel.work["state"] == "cannot"
+    assert "AssertionError" in panel.work["strong"]
+
+
+def test_in_marimo_the_robot_needs_no_widget_that_was_not_made_with_the_panel(monkeypatch):
+    monkeypatch.setitem(sys.modules, "marimo", sys)
+    panel = explore()
+    assert panel.scene is None
+    monkeypatch.setattr(SceneView, "__init__", refuse)
+    panel.write()
+    assert panel.scene.motion is panel.motion
 
 
 def test_the_robot_writes_exactly_what_is_seen(panel):

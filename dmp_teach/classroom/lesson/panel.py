@@ -199,9 +199,7 @@ class LessonPanel(RobotPanel, PanelPage):
         variant = self.lesson.pupil or ""
         gone = forget_work(self._folder, pupil, variant) if pupil else []
         forget_all(self._mine)
-        if self._job:
-            self._job.stop()
-        self.motion = None
+        self._forget_robot()
         self.scene = None
         self._restore(None)
         words = _("Everything is forgotten.")

@@ -28,7 +28,7 @@ class Job:
     Args:
         work: Done here and now where no event loop runs.
         on_progress: Called with what the work yields.
-        on_end: Called once, with the result or with the exception.
+        on_end: Called with the result or with the exception; again with what it raises itself.
         threads: Whether the work gets a thread.
     """
 
@@ -86,7 +86,11 @@ class Job:
 
     def _end(self, result: object) -> None:
         """Pass the result on, unless *Stop* was pressed since."""
-        self._on_end(StopPressed() if self._stop.is_set() else result)
+        try:
+            self._on_end(StopPressed() if self._stop.is_set() else result)
+        except Exception as error:
+            self._on_end(error)
+            raise
 
 
 def _call_now(callback: Callable[..., object], *values: object) -> None:

@@ -194,15 +194,10 @@ class Pad(Results, pad_view.PadTraits, RobotPanel):
 
     def forget(self) -> None:
         """Remove every try from memory, and every file that this pupil's pads saved here."""
-        if self._job:
-            self._job.stop()
+        self._forget_robot()
         names = self._saved.forget(self.writer)
         forget(self._key)
         self._take_kept()
-        self.motion = None
-        self._on_the_table = ()
-        if self.scene is not None:
-            self.scene.show(None)
         self.start_again()
         self.kept = pad_messages.describe_forgotten(
             names, [path.name for path in list_files(Path.cwd())]

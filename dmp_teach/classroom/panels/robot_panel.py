@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import sys
 from base64 import b64encode
 from collections.abc import Sequence
 from pathlib import Path
@@ -104,6 +105,8 @@ class RobotPanel(UnsavedWidget):
         self._in_work: tuple[object, ...] = ()
         self._on_the_table: tuple[object, ...] = ()
         super().__init__(**traits)
+        # marimo opens a widget only while a cell runs, so there the view waits from the start.
+        self._view = SceneView(compact=True) if "marimo" in sys.modules else None
         self.on_msg(self._hear)
 
     @traitlets.default("files")
@@ -232,16 +235,27 @@ class RobotPanel(UnsavedWidget):
         if isinstance(result, StopPressed):
             self.work = _IDLE
         elif isinstance(result, Exception):
-            self._refuse(str(result) or type(result).__name__, getattr(result, "cure", None))
+            broken = _("The program has a fault here: {kind}.").format(kind=type(result).__name__)
+            self._refuse(str(result) or broken, getattr(result, "cure", None))
         elif isinstance(result, Motion | Run):
             self.motion = result.planned if isinstance(result, Run) else result
-            if self.scene is None:
-                self.scene = SceneView(result, compact=True)
+            if self._view is None:
+                self._view = SceneView(result, compact=True)
             else:
-                self.scene.show(result)
+                self._view.show(result)
+            self.scene = self._view
             self._on_the_table = self._in_work
             self.older = self._wanted != self._on_the_table
             self.work = _IDLE
+
+    def _forget_robot(self) -> None:
+        """Stop the robot, and forget what it has written."""
+        if self._job:
+            self._job.stop()
+        self.motion = None
+        self._on_the_table = ()
+        if self._view is not None:
+            self._view.show(None)
 
     def _refuse(self, sentence: str, cure: Page | float | None = None) -> None:
         """Say what cannot be done, with one button that cures it; the last picture stays."""
