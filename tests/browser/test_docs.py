@@ -56,6 +56,11 @@ def test_every_link_leads_somewhere_and_no_formula_is_left_as_it_was_typed(docs)
     assert len(pages) > 30
     found = {str(Path(file).relative_to(docs)): list(broken(file)) for file in pages}
     assert {name: links for name, links in found.items() if links} == {}
+    api = "".join(page.read_text(encoding="utf-8") for page in (docs / "api").glob("*.html"))
+    assert (
+        re.findall(rf"{re.escape(str(NOTEBOOKS.parent))}|_SupportsArray|TypeAliasForwardRef", api)
+        == []
+    )
     lesson = (docs / "lessons" / f"{LESSON.stem}.html").read_text(encoding="utf-8")
     assert lesson.count("<math") >= 5
     assert "$" not in re.sub(r"<(script|pre)\b.*?</\1>", "", lesson, flags=re.DOTALL)

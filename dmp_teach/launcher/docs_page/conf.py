@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from importlib import import_module
 from typing import Any
 
 from docutils import nodes
@@ -16,11 +17,14 @@ myst_heading_anchors = 3
 # Shown as it stands; the paper's equations are in the lessons.
 default_role = "code"
 autodoc_default_options = {"members": True, "member-order": "bysource"}
+autodoc_preserve_defaults = True
+autodoc_type_aliases = {name: name for name in ("Array", "ArrayLike")}
 autodoc_typehints_format = "short"
 python_use_unqualified_type_names = True
 python_maximum_signature_line_length = 88
 toc_object_entries_show_parents = "hide"
 html_theme = "furo"
+pygments_dark_style = "one-dark"
 html_static_path = ["_static"]
 html_css_files = ["site.css"]
 html_js_files = ["site.js"]
@@ -64,14 +68,17 @@ def read_docstring(*given: Any) -> None:
 
 # Any: as above.
 def read_signature(*given: Any) -> Any:
-    """Return a signature that can be parsed where a dataclass makes a default."""
+    """Return a signature that can be parsed where a dataclass makes a default; not traitlets'."""
     said, of = given[-2:]
-    return (said.replace("<factory>", "..."), of) if said else None
+    if not said:
+        return None
+    return said.replace("<factory>", "...").replace("*args: t.Any, **kwargs: t.Any", ""), of
 
 
 # Any: as above.
 def setup(app: Any) -> None:
-    """Let Sphinx write formulas without another host's scripts."""
+    """Let Sphinx write formulas without another host's scripts, and our names within types."""
+    import_module("sphinx.util.inspect").TypeAliasForwardRef.__repr__ = lambda self: self.name
     app.connect("autodoc-process-docstring", read_docstring, priority=1)
     app.connect("autodoc-process-signature", read_signature)
     app.add_html_math_renderer("mathml", (show_math, None), (show_math, None))
