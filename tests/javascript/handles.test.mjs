@@ -188,3 +188,27 @@ test("a line is drawn from its first handle, and again; later ones are moved", (
     [8, 5],
   ]);
 });
+
+test("each of two handles is pulled alone, and a stroke elsewhere lays both", () => {
+  const { handles } = bet("xy", 2);
+  const draw = (from, to) => {
+    handles.press(from);
+    handles.move([to]);
+    handles.drop();
+    return handles.handles.map(({ at }) => at);
+  };
+  const view = { ...VIEW, px: ([x, y]) => [60 * x, 100 - 10 * y] };
+  handles.draw(handles.handles, { ...view, w: 600, metres: ([x, y]) => [x / 60, (100 - y) / 10] });
+  assert.deepEqual(draw([180, 50], [240, 50]), [
+    [1, 5],
+    [4, 5],
+  ]);
+  assert.deepEqual(draw([60, 50], [120, 50]), [
+    [2, 5],
+    [4, 5],
+  ]);
+  assert.deepEqual(draw([300, 90], [360, 90]), [
+    [5, 1],
+    [6, 1],
+  ]);
+});

@@ -140,8 +140,9 @@ export class Handles {
     const pixels = this.pixels();
     const near = nearest(pixels, at);
     const isRow = this.handles[0].axis === "y";
-    // A line is drawn from its start, which is where the first handle is.
-    const draws = !isRow && (near === 0 || this.handles.every((each) => this.isFresh(each)));
+    // A line is drawn from its start, which is where the first handle is; two are its ends.
+    const isLine = !isRow && pixels.length > 2;
+    const draws = isLine && (near === 0 || this.handles.every((each) => this.isFresh(each)));
     const isOn = !draws && distance(pixels[near], at) <= CATCH;
     const i = isRow && !isOn ? nearest(pixels, at, 0) : near;
     const off = isOn ? [pixels[i][0] - at[0], pixels[i][1] - at[1]] : [0, 0];
