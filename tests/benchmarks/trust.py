@@ -1,11 +1,11 @@
 """How much the tests see: `python -m tests.benchmarks.trust [--mutants 60] [--seed 1] [--all]`.
 
 A row a room: its statements and branches, the share of branches that its tests take (coverage.py),
-and that of mutants that they notice (mutmut, for which `pip install mutmut`). Mutants are drawn
-by the seed and tried on the quick tests alone, which take few examples of each law: the share is a
-lower bound. A mutant that only words a text otherwise says nothing and is not drawn; mutmut makes
-none outside of functions, nor in most that have a decorator. Those that live are named below the
-table: `python -m mutmut show NAME`, in the folder that is named there, shows one.
+and that of mutants that they notice (mutmut, for which `pip install -e ".[trust]"`). Mutants are
+drawn by the seed and tried on the quick tests alone, which take few examples of each law: the share
+is a lower bound. A mutant that only words a text otherwise says nothing and is not drawn; mutmut
+makes none outside of functions, nor in most that have a decorator. Those that live are named below
+the table: `python -m mutmut show NAME`, in the folder that is named there, shows one.
 """
 
 import argparse

@@ -271,6 +271,9 @@ def open_notebook(chromium, lab, shot, kept):
         elif page:
             page.evaluate(OPEN, f"notebooks/{name}")
         else:
+            # Another page with this notebook would save it, too, sooner or later.
+            for other in [other for other, old in kept.items() if old.shows == name]:
+                close(kept.pop(other))
             page = chromium.new_context(viewport=size, **surroundings).new_page()
             listen(page)
             page.set_default_timeout(PATIENCE / 4)
