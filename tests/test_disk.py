@@ -77,7 +77,8 @@ def test_a_disk_that_fails_leaves_what_was_there(tmp_path, fault):
         if name != "ink.json" and fault not in ("full half-way", "full at the last step"):
             continue
         path = tmp_path / name
-        sentence = f"{re.escape(repr(str(path)))} cannot be written: .+ unchanged; make room on"
+        room = "make room on the disk, or " if fault.startswith("full") else ""
+        sentence = f"{re.escape(repr(str(path)))} cannot be written: .+ unchanged; {room}save in"
         for _new_then_old in range(2):
             before = left_in(tmp_path)
             with FAULTS[fault](), pytest.raises(PathError, match=sentence):

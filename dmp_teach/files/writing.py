@@ -7,7 +7,7 @@ import secrets
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
-from errno import EACCES
+from errno import EACCES, EDQUOT, EFBIG, ENOSPC
 from pathlib import Path
 
 from dmp_teach.errors import PathError
@@ -98,9 +98,11 @@ def told_as_path_error(path: Path) -> Iterator[None]:
     # A ValueError is a name that no file can have.
     except (OSError, ValueError) as error:
         why = getattr(error, "strerror", None) or error
+        is_full = getattr(error, "errno", None) in (ENOSPC, EDQUOT, EFBIG)
+        room = "make room on the disk, or " if is_full else ""
         raise PathError(
-            f"{str(path)!r} cannot be written: {why}. What was there is unchanged; make room "
-            "on the disk, or save in another folder."
+            f"{str(path)!r} cannot be written: {why}. What was there is unchanged; {room}save in "
+            "another folder."
         ) from None
 
 

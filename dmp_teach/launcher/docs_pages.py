@@ -28,6 +28,13 @@ _FRAME = """```{{raw}} html
 <iframe class="live" src="../{name}" title="{title}" loading="lazy"></iframe>
 <p class="alone"><a href="../{name}">In a window of its own</a></p>
 ```"""
+_FOLDED = """```{{raw}} html
+<details class="why"><summary>{title}</summary>
+```
+{told}
+```{{raw}} html
+</details>
+```"""
 _WRITTEN = ("a", "P", "8")
 _PACKAGE = Path(__file__).resolve().parent.parent
 
@@ -50,6 +57,9 @@ class PageWriter:
                 parts += [f"```text\n{printed.rstrip()}\n```"] if printed else []
                 name = f"{notebook.stem}_{cell['id']}"
                 parts += [] if value is None else self._show(value, name)
+            elif cell["id"] == "why":  # it would give away the bet
+                title, told = text.removeprefix("## ").split("\n", 1)
+                parts.append(_FOLDED.format(title=title, told=told))
             elif cell["id"] != "begin":
                 parts.append(text)
         return self._write(f"lessons/{notebook.stem}.md", parts)
