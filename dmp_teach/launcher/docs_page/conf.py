@@ -50,7 +50,9 @@ def show_math(visitor: Any, node: Any) -> None:
 def as_markup(block: str) -> str:
     """Return a paragraph of a docstring as Sphinx takes it: `code`s, |x|, an indented example."""
     if all(line.startswith("    ") for line in block.splitlines()):
-        return f"::\n\n{block}"
+        # A formula is no Python.
+        language = "python" if "teach." in block else "text"
+        return f".. code-block:: {language}\n\n{block}"
     words = re.split(r"`([^`]+)`", block)
     words[::2] = [re.sub(r"\*\*|[|\\]", r"\\\g<0>", word) for word in words[::2]]
     words[1::2] = [f"``{word}``\\ " for word in words[1::2]]
