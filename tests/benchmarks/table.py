@@ -77,8 +77,9 @@ def other_rows() -> list[Row]:
         ("solvers", "our solver beside PlaCo", line, "") for line in said.getvalue().splitlines()
     ]
     told += [
-        ("teaching", "robots that are taught", line, "")
+        ("teaching", "robots that are taught", result, bound)
         for line in teaching.lines(teaching.teaching(1.0))[:3]
+        for result, bound in [line.rsplit(", of ", 1)]
     ]
     if chromium_path():
         (run,) = browser.runs(1, 3.0)
