@@ -15,9 +15,9 @@ from pathlib import Path
 
 from dmp_teach.errors import SetupError
 from dmp_teach.launcher.docs_pages import PageWriter
-from dmp_teach.launcher.lab import NOTEBOOKS, PINS, ROOT, say
+from dmp_teach.launcher.lab import NOTEBOOKS, ROOT, say
 from dmp_teach.launcher.site_packages import call
-from dmp_teach.launcher.static_site import CACHE, install_tools
+from dmp_teach.launcher.static_site import CACHE, check_folder, install_tools
 
 _PAGE = Path(__file__).resolve().parent / "docs_page"
 _LINK = re.compile(r"\[([^\]]*)\]\(([^)#:\s]+)\)")
@@ -52,10 +52,7 @@ def make_docs(
     Raises:
         SetupError: The folder holds something else, or a part could not be fetched or built.
     """
-    if folder.exists() and not (folder / _MARK).exists() and any(folder.iterdir()):
-        raise SetupError(f"{folder} holds something else: name a new or an empty folder.")
-    if not PINS.exists():
-        raise SetupError("The docs are made in a clone of dmp_teach; this copy is installed.")
+    check_folder(folder, _MARK)
     tools, source, made = (cache / name for name in ("docs_tools", "docs_source", "docs_made"))
     install_tools(tools, _PAGE / "tools.txt")
     for old in (source, made):

@@ -50,10 +50,7 @@ def make_site(folder: Path, cache: Path = CACHE) -> int:
     Raises:
         SetupError: The folder holds something else, or a part could not be fetched or built.
     """
-    if folder.exists() and not (folder / MARK).exists() and any(folder.iterdir()):
-        raise SetupError(f"{folder} holds something else: name a new or an empty folder.")
-    if not PINS.exists():
-        raise SetupError("A site is made in a clone of dmp_teach; this copy is installed.")
+    check_folder(folder, MARK)
     say("Making the site (the first time about 2 minutes) ...")
     tools, lite = cache / "tools", cache / "lite"
     install_tools(tools, TOOLS)
@@ -74,6 +71,14 @@ def make_site(folder: Path, cache: Path = CACHE) -> int:
     shutil.rmtree(folder, ignore_errors=True)
     shutil.copytree(made, folder)
     return sum(path.stat().st_size for path in folder.rglob("*") if path.is_file())
+
+
+def check_folder(folder: Path, mark: str) -> None:
+    """Raise a SetupError unless a site, which has the file `mark`, may be made in a folder."""
+    if folder.exists() and not (folder / mark).exists() and any(folder.iterdir()):
+        raise SetupError(f"{folder} holds something else: name a new or an empty folder.")
+    if not PINS.exists():
+        raise SetupError("A site is made in a clone of dmp_teach; this copy is installed.")
 
 
 def finish(made: Path) -> None:

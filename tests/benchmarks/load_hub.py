@@ -17,7 +17,8 @@ ROOT = Path(__file__).parents[2]
 MB = 1e6
 # Below it the load ends: it must never take a computer down [bytes].
 LEAST_FREE = 1.5e9
-SETTINGS = """
+# The teachers' settings, in a folder and at ports of its own.
+OF_ITS_OWN = """
 load_subconfig({teachers!r})
 c = get_config()
 c.JupyterHub.bind_url = {url!r}
@@ -26,15 +27,18 @@ c.JupyterHub.db_url = "sqlite://"
 c.JupyterHub.cookie_secret_file = {folder!r} + "/cookie"
 c.ConfigurableHTTPProxy.api_url = "http://127.0.0.1:{api_port}"
 c.ConfigurableHTTPProxy.command = [{proxy!r}]
+c.Spawner.cmd = [{python!r}, *c.Spawner.cmd[1:]]
+c.Spawner.pre_spawn_hook.__globals__["PLACES"] = {places}
+# What the wheel puts into etc/jupyter.
+c.Spawner.environment.update({{"JUPYTER_CONFIG_PATH": {config!r}}})
+"""
+FOR_A_LOAD = """
 c.JupyterHub.authenticator_class = "dummy"
 c.DummyAuthenticator.allow_all = True
 c.JupyterHub.spawner_class = "simple"
 c.SimpleLocalProcessSpawner.home_dir_template = {folder!r} + "/{{username}}"
-c.Spawner.cmd = [{python!r}, *c.Spawner.cmd[1:]]
 c.Spawner.args = ["--ServerApp.allow_root=True", "--LabApp.expose_app_in_browser=True"]
-c.Spawner.pre_spawn_hook.__globals__["PLACES"] = {places}
-# What the wheel puts into etc/jupyter.
-c.Spawner.environment.update({{"JUPYTER_CONFIG_PATH": {config!r}, "PYTHONPATH": {root!r}}})
+c.Spawner.environment.update({{"PYTHONPATH": {root!r}}})
 """
 
 
@@ -63,11 +67,10 @@ class Hub:
         )
 
 
-@contextmanager
-def serve_class(folder: Path, places: int = 1) -> Iterator[Hub]:
-    """Run a hub with so many places, which keeps all in a folder, and end all that came of it."""
+def hub_command(folder: Path, places: int, more: str) -> tuple[list[str], int]:
+    """Write a hub's settings into a folder, and return what starts it, and its port."""
     port = launcher.free_port()
-    settings = SETTINGS.format(
+    settings = (OF_ITS_OWN + more).format(
         teachers=str(ROOT / "docs" / "class_hub.py"),
         url=f"http://127.0.0.1:{port}",
         hub_port=launcher.free_port(),
@@ -80,7 +83,13 @@ def serve_class(folder: Path, places: int = 1) -> Iterator[Hub]:
         places=places,
     )
     (folder / "settings.py").write_text(settings)
-    command = [sys.executable, "-m", "jupyterhub", "-f", str(folder / "settings.py")]
+    return [sys.executable, "-m", "jupyterhub", "-f", str(folder / "settings.py")], port
+
+
+@contextmanager
+def serve_class(folder: Path, places: int = 1) -> Iterator[Hub]:
+    """Run a hub with so many places, which keeps all in a folder, and end all that came of it."""
+    command, port = hub_command(folder, places, FOR_A_LOAD)
     with (folder / "log").open("wb") as log:
         process = subprocess.Popen(command, cwd=folder, stdout=log, stderr=log, **launcher.apart())
     try:

@@ -16,27 +16,15 @@ import pytest
 
 import dmp_teach as teach
 from dmp_teach.launcher import lab as launcher
+from tests.benchmarks.load_hub import hub_command
 from tests.browser.conftest import PATIENCE, ROOT, listen
 from tests.browser.test_lessons import press, turn
-from tests.node import modules
 
 PASSWORDS = {"w01": "first-secret-of-a-test", "w02": "second-secret-of-a-test"}
 ONE, TWO = PASSWORDS
 LATE = "w03"
 SETTINGS = """
-load_subconfig({teachers!r})
-c = get_config()
-c.JupyterHub.bind_url = {url!r}
-c.JupyterHub.hub_port = {hub_port}
-c.JupyterHub.db_url = "sqlite://"
-c.JupyterHub.cookie_secret_file = {cookie!r}
-c.ConfigurableHTTPProxy.api_url = "http://127.0.0.1:{api_port}"
-c.ConfigurableHTTPProxy.command = [{proxy!r}]
-c.Spawner.cmd = [{python!r}, *c.Spawner.cmd[1:]]
-c.Spawner.pre_spawn_hook.__globals__["PLACES"] = 2
 c.Spawner.args = ["--LabApp.expose_app_in_browser=True"]
-# What the wheel puts into etc/jupyter.
-c.Spawner.environment.update({{"JUPYTER_CONFIG_PATH": {config!r}}})
 """
 RUN = """async (code) => {
     const kernel = window.jupyterapp.shell.currentWidget.sessionContext.session.kernel;
@@ -123,19 +111,7 @@ def hub(tmp_path_factory):
         pytest.skip("accounts cannot be hidden from this machine")
     pytest.importorskip("jupyterhub")
     folder = tmp_path_factory.mktemp("hub")
-    port = launcher.free_port()
-    settings = SETTINGS.format(
-        teachers=str(ROOT / "docs" / "class_hub.py"),
-        url=f"http://127.0.0.1:{port}",
-        hub_port=launcher.free_port(),
-        api_port=launcher.free_port(),
-        cookie=str(folder / "cookie"),
-        proxy=str(modules() / ".bin" / "configurable-http-proxy"),
-        python=sys.executable,
-        config=str(launcher.CONFIG),
-    )
-    (folder / "settings.py").write_text(settings)
-    command = [sys.executable, "-m", "jupyterhub", "-f", str(folder / "settings.py")]
+    command, port = hub_command(folder, 2, SETTINGS)
     lines = (hidden(folder) if unseen.returncode == 0 else []) + accounts()
     script = "\n".join([*lines, "exec " + shlex.join(command)])
     way = ["unshare", "--mount"] if unseen.returncode == 0 else []
