@@ -106,18 +106,9 @@ def chromium():
 
 
 @contextmanager
-def serve(home, notebooks):
-    """Run our server in a folder on notebooks, name: text; .url, .folder, .process, .log()."""
-    folder = home / "notebooks"
-    folder.mkdir()
-    for name, text in notebooks.items():
-        (folder / name).write_text(text, encoding="utf-8")
-    port = launcher.free_port()
-    command = launcher.lab_command(sys.executable, home, port)
-    command += ["--ServerApp.open_browser=False", "--LabApp.expose_app_in_browser=True"]
-    surroundings = launcher.lab_environment(home / ".jupyter", TOKEN)
-    surroundings.update(PYTHONPATH=str(ROOT), JUPYTER_DATA_DIR=str(home / "data"))
-    with open(home / "lab.log", "wb") as log:
+def running(command, home, surroundings, is_up):
+    """Run a server in a folder until the test is over; what it says is in its file `log`."""
+    with open(home / "log", "wb") as log:
         process = subprocess.Popen(
             command,
             cwd=home,
@@ -129,20 +120,36 @@ def serve(home, notebooks):
         )
     try:
         deadline = time.monotonic() + PATIENCE / 1000
-        while not launcher.is_up(port):
+        while not is_up():
             if process.poll() is not None or time.monotonic() > deadline:
-                raise RuntimeError((home / "lab.log").read_text())
+                raise RuntimeError((home / "log").read_text())
             time.sleep(0.1)
+        yield process
+    finally:
+        launcher.end_family(sys.executable, process)
+
+
+@contextmanager
+def serve(home, notebooks):
+    """Run our server in a folder on notebooks, name: text; .url, .folder, .process, .log()."""
+    folder = home / "notebooks"
+    folder.mkdir()
+    for name, text in notebooks.items():
+        (folder / name).write_text(text, encoding="utf-8")
+    port = launcher.free_port()
+    command = launcher.lab_command(sys.executable, home, port)
+    command += ["--ServerApp.open_browser=False", "--LabApp.expose_app_in_browser=True"]
+    surroundings = launcher.lab_environment(home / ".jupyter", TOKEN)
+    surroundings.update(PYTHONPATH=str(ROOT), JUPYTER_DATA_DIR=str(home / "data"))
+    with running(command, home, surroundings, lambda: launcher.is_up(port)) as process:
         yield SimpleNamespace(
             url=f"http://127.0.0.1:{port}",
             folder=folder,
             process=process,
             command=command,
             surroundings=surroundings,
-            log=(home / "lab.log").read_text,
+            log=(home / "log").read_text,
         )
-    finally:
-        launcher.end_family(sys.executable, process)
 
 
 def bare(notebook):

@@ -4,9 +4,7 @@ Where one of them is not installed its test is skipped; `test` does not run them
 """
 
 import json
-import subprocess
 import sys
-import time
 import urllib.error
 import urllib.request
 from contextlib import contextmanager
@@ -14,7 +12,7 @@ from contextlib import contextmanager
 import pytest
 
 from dmp_teach.launcher import lab as launcher
-from tests.browser.conftest import PATIENCE, ROOT, TOKEN
+from tests.browser.conftest import PATIENCE, ROOT, TOKEN, running
 
 pytestmark = pytest.mark.thorough
 SOURCE = "import dmp_teach as teach\n\npanel = teach.explore()\npanel"
@@ -61,25 +59,9 @@ def serve(home, command, port):
     )
     surroundings["PYTHONPATH"] = str(ROOT)
     url = f"http://127.0.0.1:{port}"
-    with open(home / "log", "wb") as log:
-        process = subprocess.Popen(
-            [sys.executable, "-m", *command],
-            cwd=home,
-            env=surroundings,
-            stdin=subprocess.DEVNULL,
-            stdout=log,
-            stderr=log,
-            **launcher.apart(),
-        )
-    try:
-        deadline = time.monotonic() + PATIENCE / 1000
-        while not is_up(url + "/api"):
-            if process.poll() is not None or time.monotonic() > deadline:
-                raise RuntimeError((home / "log").read_text())
-            time.sleep(0.1)
+    command = [sys.executable, "-m", *command]
+    with running(command, home, surroundings, lambda: is_up(url + "/api")):
         yield url
-    finally:
-        launcher.end_family(sys.executable, process)
 
 
 def see(page, shot, name):
